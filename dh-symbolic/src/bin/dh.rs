@@ -1,0 +1,2 @@
+//! The `dh` command.
+fn main() {}
