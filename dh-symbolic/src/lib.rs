@@ -1,5 +1,8 @@
 //! Compiler from Denavit-Hartenberg tables to closed-form kinematics.
 
+pub mod algebra;
+pub mod chain;
+
 /// Expands the body of `dh_robot!`.
 pub fn expand(_input: proc_macro2::TokenStream) -> proc_macro2::TokenStream {
     proc_macro2::TokenStream::new()

@@ -1,0 +1,31 @@
+//! Numbers at a point: the one place of the algebra where floats occur.
+
+use super::{AngleVar, Factor, Poly, Symbol};
+
+/// Values for symbols and angles (radians).
+pub struct Point<'a> {
+    /// Value of a symbol.
+    pub symbol: &'a dyn Fn(Symbol) -> f64,
+    /// Value of an angle in radians.
+    pub angle: &'a dyn Fn(AngleVar) -> f64,
+}
+
+impl Poly {
+    /// The value at a point.
+    pub fn evaluate(&self, at: &Point<'_>) -> f64 {
+        let wave = |t: &[(AngleVar, i8)]| t.iter().map(|(v, k)| f64::from(*k) * (at.angle)(*v)).sum::<f64>();
+        self.terms()
+            .iter()
+            .map(|(m, c)| {
+                m.factors().fold(c.to_f64(), |x, f| {
+                    x * match f {
+                        Factor::Root(n) => f64::from(n).sqrt(),
+                        Factor::Power(s, n) => (at.symbol)(s).powi(n as i32),
+                        Factor::Cos(t) => wave(&t).cos(),
+                        Factor::Sin(t) => wave(&t).sin(),
+                    }
+                })
+            })
+            .sum()
+    }
+}

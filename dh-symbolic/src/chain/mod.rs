@@ -1,0 +1,137 @@
+//! What a robot is: a [`Chain`] of links and joints, exact, with every name in one ring.
+//!
+//! **In:** a [`ChainSpec`] (typed rows, from `table` or written by hand). **Out:** a [`Chain`].
+//!
+//! **Never here:** tokens (only `table/` reads them), formulas of products (that is `kinematics`), floats.
+
+mod build;
+mod convention;
+mod spec;
+#[cfg(test)]
+mod tests;
+
+pub use convention::{Convention, Elementary};
+pub use spec::*;
+
+use crate::algebra::{AngleVar, LinearAngle, Poly, Ring, Symbol};
+
+/// A serial robot, ready for algebra.
+#[derive(Clone, Debug)]
+pub struct Chain {
+    /// Type name.
+    pub name: String,
+    /// Which of the two Denavit-Hartenberg conventions the rows follow.
+    pub convention: Convention,
+    /// Unit of every length at the API.
+    pub unit: LengthUnit,
+    /// Number type at the API.
+    pub scalar: Scalar,
+    /// Names of all symbols and angles of this robot's formulas.
+    pub ring: Ring,
+    /// Declared lengths and angles, and those that numeric cells gave rise to.
+    pub parameters: Vec<Parameter>,
+    /// The rows of the table, in order.
+    pub links: Vec<Link>,
+    /// The moving rows, in order.
+    pub joints: Vec<Joint>,
+    /// Coupling: the joint coordinate x_i (angle theta_i or the moving part of d_i) is sum_j `drive[i][j]` q_j + shift_i.
+    /// The identity matrix for ordinary arms.
+    pub drive: Vec<Vec<Poly>>,
+    /// Constant transform before the first row.
+    pub base: Vec<Elementary>,
+    /// Constant transform after the last row.
+    pub tool: Vec<Elementary>,
+    /// What `inverse` is asked for.
+    pub task: Task,
+    /// Index of the joint whose value the caller chooses.
+    pub redundant: Option<usize>,
+    /// Whether inverse kinematics is wanted.
+    pub ik: bool,
+}
+
+/// One row of the table, in the symbols of the ring. What the four columns mean depends on the convention.
+#[derive(Clone, Debug)]
+pub struct Link {
+    /// Link twist.
+    pub alpha: LinearAngle,
+    /// Link length.
+    pub a: Poly,
+    /// Link offset (for a sliding joint: with its variable).
+    pub d: Poly,
+    /// Joint angle (for a turning joint: with its variable).
+    pub theta: LinearAngle,
+    /// Index of the joint of this row; `None` for a fixed row.
+    pub joint: Option<usize>,
+}
+
+/// A moving row.
+#[derive(Clone, Debug)]
+pub struct Joint {
+    /// Name of the variable, `q3`.
+    pub name: String,
+    /// Index of its row.
+    pub row: usize,
+    /// The joint coordinate of the formulas: the angle theta_i, or the sliding variable in d_i.
+    pub coordinate: Coordinate,
+    /// Constant part of the joint angle that is kept out of the formulas, since its sine is not exact: the coordinate is
+    /// the drive's combination of the q plus this. Zero for sliding joints and for offsets of whole 15-degree steps.
+    pub shift: AngleCell,
+    /// Range of q, in radians or table units.
+    pub range: Option<(Bound, Bound)>,
+}
+
+/// The coordinate of a joint in formulas.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Coordinate {
+    /// A turning joint.
+    Angle(AngleVar),
+    /// A sliding joint.
+    Length(Symbol),
+}
+
+/// A named length or angle.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// Its name; for a numeric cell the name of the cell's quantity (`a2`, `d4`, `alpha3`).
+    pub name: String,
+    /// Where it stands in the ring.
+    pub handle: Handle,
+    /// Declared without `= value` (a field), with one, or a constant.
+    pub role: Role,
+    /// False for the ones that numeric cells gave rise to.
+    pub declared: bool,
+}
+
+/// Where a parameter stands in the ring.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Handle {
+    /// A length.
+    Length(Symbol),
+    /// An angle.
+    Angle(AngleVar),
+}
+
+impl Chain {
+    /// Builds the chain: names every quantity and finds the groups of parallel axes.
+    pub fn new(spec: ChainSpec) -> Chain {
+        build::build(spec)
+    }
+
+    /// Number of joints.
+    pub fn dof(&self) -> usize {
+        self.joints.len()
+    }
+
+    /// Is every motor its own joint?
+    pub fn is_direct(&self) -> bool {
+        self.drive
+            .iter()
+            .enumerate()
+            .all(|(i, row)| row.iter().enumerate().all(|(j, p)| if i == j { p.is_one() } else { p.is_zero() }))
+    }
+
+    /// The factors of row `i` (from 0), in order.
+    pub fn link_factors(&self, i: usize) -> Vec<Elementary> {
+        self.convention.factors(&self.links[i])
+    }
+}

@@ -1,0 +1,184 @@
+//! A robot as written: typed cells, before it has a ring. What `table` produces and what a program may build by hand.
+
+use super::Convention;
+use crate::algebra::{Angle, Rational};
+
+/// A robot as written.
+#[derive(Clone, Debug)]
+pub struct ChainSpec {
+    /// Type name.
+    pub name: String,
+    /// Which convention the rows follow.
+    pub convention: Convention,
+    /// Unit of bare lengths and of the API.
+    pub unit: LengthUnit,
+    /// Number type at the API.
+    pub scalar: Scalar,
+    /// `let` lines in order. Cells refer to them by index.
+    pub parameters: Vec<ParameterSpec>,
+    /// Rows in order.
+    pub rows: Vec<RowSpec>,
+    /// Constant transform before the first row.
+    pub base: Vec<MotionSpec>,
+    /// Constant transform after the last row.
+    pub tool: Vec<MotionSpec>,
+    /// What `inverse` is asked for.
+    pub task: Task,
+    /// Number (from 0) of the variable that the caller chooses.
+    pub redundant: Option<usize>,
+    /// Whether inverse kinematics is wanted.
+    pub ik: bool,
+}
+
+/// One row as written. Variables are numbered from 0: `q1` is 0.
+#[derive(Clone, Debug, Default)]
+pub struct RowSpec {
+    /// Column `alpha`.
+    pub alpha: AngleCell,
+    /// Column `a`.
+    pub a: LengthCell,
+    /// Column `d`, without the variable part.
+    pub d: LengthCell,
+    /// Column `theta`, without the variable part.
+    pub theta: AngleCell,
+    /// Moving rows: which column moves and the combination of variables that drives it.
+    pub moves: Option<Drive>,
+    /// Range of the variable with this row's number, in radians or table units.
+    pub range: Option<(Bound, Bound)>,
+}
+
+/// The variable part of a moving cell.
+#[derive(Clone, Debug)]
+pub struct Drive {
+    /// True: column `theta` moves; false: column `d`.
+    pub turns: bool,
+    /// Combination of variables: (number of the variable from 0, coefficient). An ordinary joint has one term with coefficient 1.
+    pub terms: Vec<(usize, LengthCell)>,
+}
+
+/// A constant angle: exact part + approximate part + declared angles.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct AngleCell {
+    /// Multiple of pi, as a factor of pi.
+    pub half_turns: Option<Rational>,
+    /// `approx 1.2rad`: radians.
+    pub approx: Option<Rational>,
+    /// Declared angles: (index in `parameters`, whole factor).
+    pub symbols: Vec<(usize, i8)>,
+}
+
+impl AngleCell {
+    /// The exact part.
+    pub fn exact(&self) -> Angle {
+        Angle::half_turns(self.half_turns.clone().unwrap_or(Rational::ZERO))
+    }
+
+    /// Is the angle written as 0?
+    pub fn is_zero(&self) -> bool {
+        self.exact().is_zero() && self.approx.as_ref().is_none_or(Rational::is_zero) && self.symbols.is_empty()
+    }
+}
+
+/// A length (or a dimensionless coefficient): a polynomial in declared lengths with exact coefficients in table units.
+/// Each term: coefficient and the indices in `parameters` of its factors. Empty: 0.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct LengthCell {
+    /// The terms.
+    pub terms: Vec<(Rational, Vec<usize>)>,
+}
+
+impl LengthCell {
+    /// A number in table units.
+    pub fn number(x: Rational) -> LengthCell {
+        LengthCell { terms: if x.is_zero() { vec![] } else { vec![(x, vec![])] } }
+    }
+}
+
+/// A bound of a range: an exact angle or a length in table units.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Bound {
+    /// Factor of pi.
+    HalfTurns(Rational),
+    /// Radians, approximately.
+    Radians(Rational),
+    /// Table units.
+    Length(Rational),
+}
+
+/// One factor of `base` or `tool`.
+#[derive(Clone, Debug)]
+pub enum MotionSpec {
+    /// Translation along axis 0, 1, 2.
+    Translate(usize, LengthCell),
+    /// Rotation about axis 0, 1, 2.
+    Rotate(usize, AngleCell),
+}
+
+/// A `let` line.
+#[derive(Clone, Debug)]
+pub struct ParameterSpec {
+    /// The name.
+    pub name: String,
+    /// Length or angle.
+    pub quantity: Quantity,
+    /// Field or constant.
+    pub role: Role,
+}
+
+/// What a parameter measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// A length in table units, or a dimensionless number.
+    Length,
+    /// An angle.
+    Angle,
+}
+
+/// How a parameter gets its value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// `let a2: length;` or `let a2: length = 431.8mm;`: a public field, with its nominal value.
+    Field(Option<Value>),
+    /// `let a2 = 431.8mm;` or a number in a cell: folded into the code.
+    Constant(Value),
+}
+
+/// The value of a parameter.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Value {
+    /// Table units.
+    Length(Rational),
+    /// An angle without declared angles in it.
+    Angle(AngleCell),
+}
+
+/// Unit of lengths.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LengthUnit {
+    /// As written: `mm`.
+    pub name: &'static str,
+    /// In metres.
+    pub metres: Rational,
+}
+
+/// Number type at the API.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scalar {
+    /// Double precision.
+    F64,
+    /// Single precision.
+    F32,
+}
+
+/// What `inverse` is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Task {
+    /// The whole pose.
+    Pose,
+    /// The position of the tool.
+    Position,
+    /// x, y and the angle about z.
+    Planar,
+    /// The position and the direction of the last z axis.
+    Axis,
+}
