@@ -17,6 +17,9 @@ macro_rules! modules {
 modules! {
     mod branch;
     mod free;
+    /// Numeric kernels for generated code.
+    #[doc(hidden)]
+    pub mod ik;
     mod joint;
     pub mod math;
     pub mod pose;

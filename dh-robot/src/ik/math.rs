@@ -1,0 +1,34 @@
+//! The elementary functions behind the kernels: the standard library's, or libm's where there is none.
+//!
+//! `f64::abs`, `copysign`, `min`, `max` and `clamp` are part of `core` and used directly.
+
+#[cfg(feature = "std")]
+mod backend {
+    #[inline(always)]
+    pub(in super::super) fn sqrt(x: f64) -> f64 {
+        x.sqrt()
+    }
+    #[inline(always)]
+    pub(in super::super) fn sin_cos(x: f64) -> (f64, f64) {
+        x.sin_cos()
+    }
+    #[inline(always)]
+    pub(in super::super) fn atan2(y: f64, x: f64) -> f64 {
+        y.atan2(x)
+    }
+}
+
+#[cfg(all(not(feature = "std"), feature = "libm"))]
+mod backend {
+    pub(in super::super) fn sqrt(x: f64) -> f64 {
+        libm::sqrt(x)
+    }
+    pub(in super::super) fn sin_cos(x: f64) -> (f64, f64) {
+        libm::sincos(x)
+    }
+    pub(in super::super) fn atan2(y: f64, x: f64) -> f64 {
+        libm::atan2(y, x)
+    }
+}
+
+pub(super) use backend::{atan2, sin_cos, sqrt};

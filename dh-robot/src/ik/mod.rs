@@ -1,0 +1,32 @@
+//! Numeric kernels that generated inverse kinematics calls: one solvable equation, or system, per file.
+//!
+//! What comes in: coefficients that generated code has evaluated, plain `f64` numbers and arrays. What goes out: every
+//! real solution, in lists of fixed capacity, with a word about why there are none or too many. Angles are pairs
+//! `[cos, sin]` on the way; they become numbers only at the end of a solution.
+//!
+//! Never here: heap, recursion, panics, `nalgebra`, knowledge of a particular robot.
+//! These files depend on each other and on the elementary functions in `math.rs` alone, so that the compiler
+//! can run the very same kernels while it checks a plan.
+//!
+//! All tolerances have names and stand in [`tolerance`].
+
+#![allow(clippy::neg_cmp_op_on_partial_ord)] // `!(x <= y)` is how NaN ends on the safe side
+
+mod list;
+mod many;
+mod math;
+mod pair;
+mod polish;
+pub mod pose;
+mod sincos;
+pub mod tolerance;
+
+pub use list::List;
+pub use many::solve_many;
+pub use pair::{solve_pair, solve_turn};
+pub use polish::{Kinematics, Polished, Task, levenberg_marquardt, polish};
+pub use pose::{Chain, Pose};
+pub use sincos::{Angles, Outcome, solve_sincos};
+
+#[cfg(test)]
+mod testing;

@@ -1,0 +1,326 @@
+//! Moves an approximate joint vector onto its target: damped Newton steps on the full pose, or on a part of it.
+
+use super::math::{atan2, sqrt};
+use super::pose::{Pose, cross, dot, rotation_between};
+use super::tolerance::POLISHED;
+
+/// What polishing must know of an arm.
+pub trait Kinematics<const N: usize> {
+    /// The pose of the last frame (or tool) in the base.
+    fn forward(&self, q: &[f64; N]) -> Pose;
+
+    /// The pose, and the geometric Jacobian: rows 0..3 linear, at the origin of that frame, rows 3..6 angular, in base axes.
+    fn forward_and_jacobian(&self, q: &[f64; N]) -> (Pose, [[f64; N]; 6]);
+}
+
+/// What an arm is asked for.
+#[derive(Clone, Copy, Debug)]
+pub enum Task {
+    /// The whole pose.
+    Pose(Pose),
+    /// The position alone.
+    Position([f64; 3]),
+    /// The position and the direction (a unit vector) of the last z axis.
+    Axis([f64; 3], [f64; 3]),
+    /// x, y and the angle about z, of an arm that moves in the plane.
+    Planar(f64, f64, f64),
+}
+
+impl Task {
+    /// What is missing from `pose` to the target: position over `reach` (rows 0..3) and rotation in radians (rows 3..6), in
+    /// base axes. Rows that the task doesn't ask for are zero.
+    pub fn error(&self, pose: &Pose, reach: f64) -> [f64; 6] {
+        let p = [pose[0][3], pose[1][3], pose[2][3]];
+        let miss = |t: [f64; 3]| [(t[0] - p[0]) / reach, (t[1] - p[1]) / reach, (t[2] - p[2]) / reach];
+        match self {
+            Self::Pose(target) => {
+                let m = miss([target[0][3], target[1][3], target[2][3]]);
+                let r = rotation_between(pose, target);
+                [m[0], m[1], m[2], r[0], r[1], r[2]]
+            }
+            Self::Position(target) => {
+                let m = miss(*target);
+                [m[0], m[1], m[2], 0.0, 0.0, 0.0]
+            }
+            Self::Axis(target, direction) => {
+                let m = miss(*target);
+                let z = [pose[0][2], pose[1][2], pose[2][2]];
+                let mut v = cross(z, *direction);
+                let (sin, cos) = (sqrt(dot(v, v)), dot(z, *direction));
+                if sin > 0.0 {
+                    let factor = atan2(sin, cos) / sin;
+                    v = v.map(|x| x * factor);
+                } else if cos < 0.0 {
+                    // Opposite directions: half a turn about any normal, here about the frame's x axis.
+                    v = [pose[0][0], pose[1][0], pose[2][0]].map(|x| x * core::f64::consts::PI);
+                }
+                [m[0], m[1], m[2], v[0], v[1], v[2]]
+            }
+            Self::Planar(x, y, phi) => {
+                let (s, c) = super::math::sin_cos(*phi);
+                let (ps, pc) = (pose[1][0], pose[0][0]);
+                [(x - p[0]) / reach, (y - p[1]) / reach, 0.0, 0.0, 0.0, atan2(s * pc - c * ps, c * pc + s * ps)]
+            }
+        }
+    }
+
+    /// The rows of the Jacobian that belong to [`Task::error`], scaled like it.
+    fn rows<const N: usize>(&self, pose: &Pose, mut j: [[f64; N]; 6], reach: f64) -> [[f64; N]; 6] {
+        for row in &mut j[..3] {
+            for x in row {
+                *x /= reach;
+            }
+        }
+        match self {
+            Self::Pose(_) => {}
+            Self::Position(_) => j[3..].fill([0.0; N]),
+            Self::Axis(..) => {
+                // A turn about the axis itself doesn't count.
+                for i in 0..N {
+                    let along = pose[0][2] * j[3][i] + pose[1][2] * j[4][i] + pose[2][2] * j[5][i];
+                    for k in 0..3 {
+                        j[3 + k][i] -= pose[k][2] * along;
+                    }
+                }
+            }
+            Self::Planar(..) => j[2..5].fill([0.0; N]),
+        }
+        j
+    }
+}
+
+/// What polishing ended with.
+#[derive(Clone, Copy, Debug)]
+pub struct Polished {
+    /// Distance to the target's position, over the reach.
+    pub position: f64,
+    /// Angle to the target's orientation, in radians.
+    pub rotation: f64,
+    /// Steps taken.
+    pub steps: usize,
+}
+
+impl Polished {
+    /// Does the arm reach its target within `tol`, in position (over reach) and rotation (rad)? `false` for NaN.
+    pub fn reaches(&self, tol: f64) -> bool {
+        self.position <= tol && self.rotation <= tol
+    }
+}
+
+/// Improves `q` by at most `steps` damped Newton steps towards `task`; `reach` is a length of the arm's size.
+///
+/// Nothing is computed but one forward kinematics where `q` is exact already. `q` never gets worse.
+pub fn polish<const N: usize>(
+    arm: &impl Kinematics<N>,
+    q: &mut [f64; N],
+    task: &Task,
+    reach: f64,
+    steps: usize,
+) -> Polished {
+    let (error, taken) = levenberg_marquardt(
+        q,
+        steps,
+        POLISHED,
+        |q| task.error(&arm.forward(q), reach),
+        |q| {
+            let (pose, j) = arm.forward_and_jacobian(q);
+            task.rows(&pose, j, reach)
+        },
+    );
+    let norm = |e: &[f64]| sqrt(e.iter().map(|x| x * x).sum());
+    Polished { position: norm(&error[..3]), rotation: norm(&error[3..]), steps: taken }
+}
+
+/// Drives `error(q)` to zero in the sense of least squares; `jacobian` is minus its derivative. Gives back the last error and
+/// the number of steps taken.
+///
+/// A step solves `(J^T J + m I) dq = J^T e` with `m` proportional to `|e|^2` (Yamashita and Fukushima, 2001; for arms
+/// Sugihara, 2011): far away and near singularities it is short and safe, near a solution it is Newton's, and it
+/// converges quadratically also where solutions form a curve. A step that doesn't help is halved in length by more damping.
+/// Ends when `|e| <= goal`, when nothing helps any more, or after `steps`.
+pub fn levenberg_marquardt<const N: usize, const M: usize>(
+    q: &mut [f64; N],
+    steps: usize,
+    goal: f64,
+    error: impl Fn(&[f64; N]) -> [f64; M],
+    jacobian: impl Fn(&[f64; N]) -> [[f64; N]; M],
+) -> ([f64; M], usize) {
+    /// Damping of a first step whose error is 1.
+    const FIRST: f64 = 1e-2;
+    /// Tries with more and more damping before giving up.
+    const TRIES: usize = 12;
+    let square = |e: &[f64; M]| e.iter().map(|x| x * x).sum::<f64>();
+    let mut e = error(q);
+    let mut now = square(&e);
+    let mut weight = FIRST;
+    for taken in 0..steps {
+        if !(now > goal * goal && now < f64::INFINITY) {
+            return (e, taken);
+        }
+        let j = jacobian(q);
+        let mut normal = [[0.0; N]; N];
+        let mut right = [0.0; N];
+        for (row, &x) in j.iter().zip(&e) {
+            for a in 0..N {
+                right[a] += row[a] * x;
+                for b in 0..=a {
+                    normal[a][b] += row[a] * row[b];
+                }
+            }
+        }
+        let mut helped = false;
+        for _ in 0..TRIES {
+            let step = solve_damped(&normal, &right, weight * now);
+            let mut next = *q;
+            for i in 0..N {
+                next[i] += step[i];
+            }
+            let e_next = error(&next);
+            let then = square(&e_next);
+            if then < now {
+                // A full reduction is what Newton promises; then trust it more.
+                weight = if then < 0.25 * now { weight * 0.1 } else { weight };
+                *q = next;
+                e = e_next;
+                now = then;
+                helped = true;
+                break;
+            }
+            weight = if weight < 1e-6 { 1e-4 } else { weight * 6.0 };
+        }
+        if !helped {
+            return (e, taken);
+        }
+    }
+    (e, steps)
+}
+
+/// Solves `(A + m I) x = b` for the lower triangle of a positive semidefinite `A`, by LDL^T.
+fn solve_damped<const N: usize>(a: &[[f64; N]; N], b: &[f64; N], m: f64) -> [f64; N] {
+    let mut trace = 0.0;
+    for i in 0..N {
+        trace += a[i][i];
+    }
+    // A pivot below rounding noise belongs to a direction that doesn't move the arm: leave that direction alone.
+    let floor = 1e-15 * trace;
+    let mut l = [[0.0; N]; N];
+    let mut d = [0.0; N];
+    for i in 0..N {
+        for j in 0..i {
+            let mut x = a[i][j];
+            for k in 0..j {
+                x -= l[i][k] * l[j][k] * d[k];
+            }
+            l[i][j] = if d[j] > 0.0 { x / d[j] } else { 0.0 };
+        }
+        let mut x = a[i][i] + m;
+        for k in 0..i {
+            x -= l[i][k] * l[i][k] * d[k];
+        }
+        d[i] = if x > floor { x } else { 0.0 };
+    }
+    let mut x = *b;
+    for i in 0..N {
+        for k in 0..i {
+            x[i] -= l[i][k] * x[k];
+        }
+    }
+    for i in 0..N {
+        x[i] = if d[i] > 0.0 { x[i] / d[i] } else { 0.0 };
+    }
+    for i in (0..N).rev() {
+        for k in i + 1..N {
+            x[i] -= l[k][i] * x[k];
+        }
+    }
+    x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ik::pose::Chain;
+    use crate::ik::testing::{Rng, general_6r, random_pose};
+
+    #[test]
+    fn nearby_start_converges_to_the_generating_joints() {
+        let arm = general_6r();
+        let mut rng = Rng::new(7);
+        for _ in 0..200 {
+            let truth = [(); 6].map(|()| rng.angle());
+            let target = arm.forward(&truth);
+            let mut q = truth.map(|x| x + 1e-4 * rng.symmetric());
+            let done = polish(&arm, &mut q, &Task::Pose(target), arm.reach(), 8);
+            assert!(done.reaches(1e-13), "{done:?}");
+        }
+    }
+
+    #[test]
+    fn exact_start_is_left_alone() {
+        let arm = general_6r();
+        let mut q = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6];
+        let before = q;
+        let done = polish(&arm, &mut q, &Task::Pose(arm.forward(&before)), arm.reach(), 5);
+        assert_eq!((done.steps, q), (0, before));
+    }
+
+    #[test]
+    fn singular_start_still_converges() {
+        // Stretched out planar arm (two of three joints suffice): J has rank one less at the start.
+        let mut link = crate::ik::pose::IDENTITY;
+        link[0][3] = 1.0;
+        let arm = Chain { links: [link; 3], slides: [false; 3] };
+        let mut q = [0.0; 3];
+        let done = polish(&arm, &mut q, &Task::Position([2.0, 0.5, 0.0]), 3.0, 50);
+        assert!(done.reaches(1e-12), "{done:?}");
+    }
+
+    #[test]
+    fn redundant_and_partial_tasks_converge() {
+        let mut rng = Rng::new(8);
+        let arm = Chain { links: [(); 7].map(|()| random_pose(&mut rng)), slides: [false; 7] };
+        for _ in 0..100 {
+            let truth = [(); 7].map(|()| rng.angle());
+            let pose = arm.forward(&truth);
+            let p = [pose[0][3], pose[1][3], pose[2][3]];
+            for task in [Task::Pose(pose), Task::Position(p), Task::Axis(p, [pose[0][2], pose[1][2], pose[2][2]])] {
+                let mut q = truth.map(|x| x + 0.02 * rng.symmetric());
+                let done = polish(&arm, &mut q, &task, arm.reach(), 60);
+                assert!(done.reaches(1e-12), "{done:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn planar_task_wraps_its_angle() {
+        let mut link = crate::ik::pose::IDENTITY;
+        link[0][3] = 1.0;
+        let arm = Chain { links: [link; 3], slides: [false; 3] };
+        let truth = [1.0, 1.0, 1.1];
+        let pose = arm.forward(&truth);
+        for turns in [-1.0, 0.0, 2.0] {
+            let task = Task::Planar(pose[0][3], pose[1][3], 3.1 + turns * core::f64::consts::TAU);
+            let mut q = [1.1, 0.9, 1.15];
+            assert!(polish(&arm, &mut q, &task, 3.0, 20).reaches(1e-13));
+            assert!(q.iter().zip(&truth).all(|(a, b)| (a - b).abs() < 1e-12));
+        }
+    }
+
+    #[test]
+    fn an_unreachable_target_gets_no_worse_and_says_so() {
+        let arm = general_6r();
+        let mut q = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6];
+        let mut target = arm.forward(&q);
+        target[0][3] += 100.0;
+        let done = polish(&arm, &mut q, &Task::Pose(target), arm.reach(), 20);
+        assert!(!done.reaches(1e-6) && q.iter().all(|x| x.is_finite()));
+    }
+
+    #[test]
+    fn bad_numbers_end_at_once() {
+        let arm = general_6r();
+        let mut q = [f64::NAN; 6];
+        let done = polish(&arm, &mut q, &Task::Pose(random_pose(&mut Rng::new(1))), 1.0, 20);
+        assert!(done.steps == 0 && !done.reaches(1.0));
+    }
+}

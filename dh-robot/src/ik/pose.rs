@@ -1,0 +1,234 @@
+//! Rigid transforms as plain arrays, and a serial chain of them: what the numeric kernels know of an arm.
+
+use super::math::{atan2, sin_cos, sqrt};
+use super::polish::Kinematics;
+
+/// A rigid transform, the upper three rows `[R | p]` of its homogeneous matrix.
+pub type Pose = [[f64; 4]; 3];
+
+/// The transform that changes nothing.
+pub const IDENTITY: Pose = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+
+/// `a * b`.
+#[inline]
+pub fn compose(a: &Pose, b: &Pose) -> Pose {
+    let mut out = [[0.0; 4]; 3];
+    for i in 0..3 {
+        for j in 0..4 {
+            out[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
+        }
+        out[i][3] += a[i][3];
+    }
+    out
+}
+
+/// The inverse of a rigid transform: `[R^T | -R^T p]`.
+#[inline]
+pub fn inverse(a: &Pose) -> Pose {
+    let mut out = [[0.0; 4]; 3];
+    for i in 0..3 {
+        for j in 0..3 {
+            out[i][j] = a[j][i];
+        }
+        out[i][3] = -(a[0][i] * a[0][3] + a[1][i] * a[1][3] + a[2][i] * a[2][3]);
+    }
+    out
+}
+
+/// `a * Rz(t)` with `[cos t, sin t]` given.
+#[inline]
+pub fn turn(a: &Pose, [c, s]: [f64; 2]) -> Pose {
+    let mut out = *a;
+    for row in &mut out {
+        let (x, y) = (row[0], row[1]);
+        row[0] = x * c + y * s;
+        row[1] = y * c - x * s;
+    }
+    out
+}
+
+/// `a * Tz(d)`.
+#[inline]
+pub fn slide(a: &Pose, d: f64) -> Pose {
+    let mut out = *a;
+    for row in &mut out {
+        row[3] += row[2] * d;
+    }
+    out
+}
+
+/// The rotation vector (axis times angle in `[0, pi]`) that turns the rotation of `from` into that of `to`, in base axes.
+///
+/// Half a turn has two such vectors; either may come back.
+pub fn rotation_between(from: &Pose, to: &Pose) -> [f64; 3] {
+    // E = R_to R_from^T, with antisymmetric part sin(angle) [axis] and trace 1 + 2 cos(angle).
+    let mut e = [[0.0; 3]; 3];
+    for i in 0..3 {
+        for j in 0..3 {
+            e[i][j] = to[i][0] * from[j][0] + to[i][1] * from[j][1] + to[i][2] * from[j][2];
+        }
+    }
+    let v = [0.5 * (e[2][1] - e[1][2]), 0.5 * (e[0][2] - e[2][0]), 0.5 * (e[1][0] - e[0][1])];
+    let cos = 0.5 * (e[0][0] + e[1][1] + e[2][2] - 1.0);
+    let sin = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    if cos > 0.0 && sin < 1e-4 {
+        // angle / sin(angle) = 1 + sin^2 / 6 + ..., and the next term is below rounding.
+        let factor = 1.0 + sin * sin / 6.0;
+        return v.map(|x| x * factor);
+    }
+    let angle = atan2(sin, cos);
+    if cos > -0.99 {
+        return v.map(|x| x * angle / sin);
+    }
+    // Near half a turn the symmetric part gives the axis: E + E^T = 2 cos + 2 (1 - cos) axis axis^T.
+    let k = if e[0][0] >= e[1][1] && e[0][0] >= e[2][2] {
+        0
+    } else if e[1][1] >= e[2][2] {
+        1
+    } else {
+        2
+    };
+    let mut axis = [0.0; 3];
+    for i in 0..3 {
+        axis[i] = 0.5 * (e[i][k] + e[k][i]);
+    }
+    axis[k] -= cos;
+    let n = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+    let sign = if axis[0] * v[0] + axis[1] * v[1] + axis[2] * v[2] < 0.0 { -1.0 } else { 1.0 };
+    axis.map(|x| sign * x * angle / n)
+}
+
+/// The vector product.
+#[inline]
+pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// The scalar product.
+#[inline]
+pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// A serial chain `J1(q1) C1 J2(q2) C2 ... JN(qN) CN` with `J = Rz` (or `Tz` where `slides`) and constant transforms `C`.
+///
+/// Every Denavit-Hartenberg table has this form: the constant in front of the first joint is taken over to the target's side.
+#[derive(Clone, Copy, Debug)]
+pub struct Chain<const N: usize> {
+    /// The constant transform after each joint.
+    pub links: [Pose; N],
+    /// Which joints are prismatic.
+    pub slides: [bool; N],
+}
+
+impl<const N: usize> Chain<N> {
+    /// A length of the arm's size: the sum of its constant offsets; 1 where there are none.
+    pub fn reach(&self) -> f64 {
+        let mut sum = 0.0;
+        for c in &self.links {
+            sum += sqrt(c[0][3] * c[0][3] + c[1][3] * c[1][3] + c[2][3] * c[2][3]);
+        }
+        if sum > 0.0 { sum } else { 1.0 }
+    }
+
+    /// The transform of joint `i` and its link, applied to `before`.
+    #[inline]
+    fn step(&self, before: &Pose, i: usize, q: f64) -> Pose {
+        let moved = if self.slides[i] {
+            slide(before, q)
+        } else {
+            let (s, c) = sin_cos(q);
+            turn(before, [c, s])
+        };
+        compose(&moved, &self.links[i])
+    }
+}
+
+impl<const N: usize> Kinematics<N> for Chain<N> {
+    fn forward(&self, q: &[f64; N]) -> Pose {
+        let mut t = IDENTITY;
+        for i in 0..N {
+            t = self.step(&t, i, q[i]);
+        }
+        t
+    }
+
+    fn forward_and_jacobian(&self, q: &[f64; N]) -> (Pose, [[f64; N]; 6]) {
+        let mut t = IDENTITY;
+        let mut axes = [([0.0; 3], [0.0; 3]); N];
+        for i in 0..N {
+            axes[i] = ([t[0][2], t[1][2], t[2][2]], [t[0][3], t[1][3], t[2][3]]);
+            t = self.step(&t, i, q[i]);
+        }
+        let mut j = [[0.0; N]; 6];
+        for i in 0..N {
+            let (z, p) = axes[i];
+            let arm = [t[0][3] - p[0], t[1][3] - p[1], t[2][3] - p[2]];
+            let (linear, angular) = if self.slides[i] { (z, [0.0; 3]) } else { (cross(z, arm), z) };
+            for k in 0..3 {
+                j[k][i] = linear[k];
+                j[3 + k][i] = angular[k];
+            }
+        }
+        (t, j)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ik::testing::{Rng, random_pose};
+
+    #[test]
+    fn inverse_undoes() {
+        let mut rng = Rng::new(4);
+        let a = random_pose(&mut rng);
+        let e = compose(&a, &inverse(&a));
+        for i in 0..3 {
+            for j in 0..4 {
+                assert!((e[i][j] - IDENTITY[i][j]).abs() < 1e-15);
+            }
+        }
+    }
+
+    #[test]
+    fn rotation_vector_has_the_angle_and_the_axis_at_every_angle() {
+        let mut rng = Rng::new(5);
+        for angle in [0.0, 1e-12, 1e-6, 9e-5, 1.1e-4, 0.3, 1.5, 1.6, 2.9, 3.0, 3.1, 3.1413, core::f64::consts::PI] {
+            for _ in 0..20 {
+                let a = random_pose(&mut rng);
+                let axis = random_pose(&mut rng);
+                // Turn about the third axis of a random frame: F Rz(angle) F^-1 a.
+                let (s, c) = f64::sin_cos(angle);
+                let b = compose(&compose(&turn(&axis, [c, s]), &inverse(&axis)), &a);
+                let v = rotation_between(&a, &b);
+                let along: f64 = (0..3).map(|i| v[i] * axis[i][2]).sum();
+                let norm = dot(v, v).sqrt();
+                assert!((norm - angle).abs() < 1e-14, "{angle} {norm}");
+                let along = if angle > 3.1 { along.abs() } else { along };
+                assert!((along - angle).abs() < 1e-7 * angle + 1e-15, "{angle} {along}");
+            }
+        }
+    }
+
+    #[test]
+    fn jacobian_of_a_chain_is_its_derivative() {
+        let mut rng = Rng::new(6);
+        let links = [(); 5].map(|()| random_pose(&mut rng));
+        let chain = Chain { links, slides: [false, true, false, false, true] };
+        let q = [(); 5].map(|()| rng.angle());
+        let (_, j) = chain.forward_and_jacobian(&q);
+        for i in 0..5 {
+            let h = 1e-6;
+            let (mut plus, mut minus) = (q, q);
+            plus[i] += h;
+            minus[i] -= h;
+            let (a, b) = (chain.forward(&minus), chain.forward(&plus));
+            let turn = rotation_between(&a, &b);
+            for k in 0..3 {
+                assert!(((b[k][3] - a[k][3]) / (2.0 * h) - j[k][i]).abs() < 1e-8);
+                assert!((turn[k] / (2.0 * h) - j[3 + k][i]).abs() < 1e-8);
+            }
+        }
+    }
+}

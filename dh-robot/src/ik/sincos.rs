@@ -1,0 +1,178 @@
+//! One equation `a cos t + b sin t = c`: the workhorse of closed-form inverse kinematics.
+
+use super::List;
+use super::math::sqrt;
+use super::tolerance::{BOUNDARY, DOUBLE};
+
+/// Why a kernel found as many angles as it did.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Outcome {
+    /// All solutions, well apart.
+    Regular,
+    /// All solutions, but at least one is a double one: the boundary of the workspace, or of a branch of it.
+    Touching,
+    /// No solution: the equation asks for `needed`, and no angle gives more than `available`.
+    OutOfReach {
+        /// What the equation asks for, in the unit of its right-hand side.
+        needed: f64,
+        /// What an angle can give.
+        available: f64,
+    },
+    /// The equation says nothing about the angle: every angle solves it.
+    Free,
+}
+
+/// Up to `N` angles as `[cos, sin]`, and the reason for their number; derefs to a slice.
+#[derive(Clone, Copy, Debug)]
+pub struct Angles<const N: usize> {
+    /// The angles, each once, as points `[cos, sin]` of the unit circle.
+    pub roots: List<[f64; 2], N>,
+    /// Why there are as many.
+    pub outcome: Outcome,
+}
+
+impl<const N: usize> Angles<N> {
+    /// No angle, because of `outcome`.
+    #[inline]
+    pub(super) fn none(outcome: Outcome) -> Self {
+        Self { roots: List::new(), outcome }
+    }
+
+    /// Takes `representative` (as `[cos, sin]`) where the angle is free, and changes nothing elsewhere.
+    #[inline]
+    #[must_use]
+    pub fn or_if_free(mut self, representative: [f64; 2]) -> Self {
+        if self.outcome == Outcome::Free && self.roots.is_empty() {
+            self.roots.push(representative);
+        }
+        self
+    }
+
+    /// Is every angle a solution?
+    #[inline]
+    pub fn is_free(&self) -> bool {
+        self.outcome == Outcome::Free
+    }
+}
+
+impl<const N: usize> core::ops::Deref for Angles<N> {
+    type Target = [[f64; 2]];
+    #[inline]
+    fn deref(&self) -> &[[f64; 2]] {
+        &self.roots
+    }
+}
+
+impl<'a, const N: usize> IntoIterator for &'a Angles<N> {
+    type Item = &'a [f64; 2];
+    type IntoIter = core::slice::Iter<'a, [f64; 2]>;
+    fn into_iter(self) -> Self::IntoIter {
+        self.roots.as_slice().iter()
+    }
+}
+
+/// All angles with `a cos t + b sin t = c`.
+///
+/// With `h = sqrt(a^2 + b^2)` and `r = sqrt(h^2 - c^2)` they are
+///
+/// ```text
+/// cos t = (a c -+ b r) / h^2,    sin t = (b c +- a r) / h^2,
+/// ```
+///
+/// the first solution being `atan2(b, a) + acos(c / h)` without its loss of digits near the boundary (Paul, *Robot
+/// Manipulators*, 1981, section 3.4 gives the form by `atan2`). `r^2` is formed as `(h - |c|)(h + |c|)`.
+///
+/// - `h` and `|c|` at most `tol`: [`Outcome::Free`], no root. `tol` is absolute, in the unit of the coefficients: take
+///   [`ZERO`](super::tolerance::ZERO) times the size of the terms that made them.
+/// - `h` at most `tol`, `|c|` above it, or `|c|` larger than `h` by more than [`BOUNDARY`] (relative):
+///   [`Outcome::OutOfReach`] with `needed = |c|`, `available = h`. Input that isn't finite ends here too.
+/// - `|c|` within [`BOUNDARY`] above `h`, or within [`DOUBLE`] below: one root, [`Outcome::Touching`].
+/// - otherwise two roots, [`Outcome::Regular`].
+#[inline]
+pub fn solve_sincos(a: f64, b: f64, c: f64, tol: f64) -> Angles<2> {
+    let h = sqrt(a * a + b * b);
+    let needed = c.abs();
+    if h <= tol && needed <= tol {
+        return Angles::none(Outcome::Free);
+    }
+    let gap = h - needed;
+    // Written so that NaN ends here.
+    if !(h > tol && gap >= -BOUNDARY * h && h < f64::INFINITY) {
+        return Angles::none(Outcome::OutOfReach { needed, available: h });
+    }
+    let inverse = 1.0 / h;
+    let (ua, ub) = (a * inverse, b * inverse);
+    let mut roots = List::new();
+    if gap <= DOUBLE * h {
+        let sign = 1f64.copysign(c);
+        roots.push([sign * ua, sign * ub]);
+        return Angles { roots, outcome: Outcome::Touching };
+    }
+    let uc = c * inverse;
+    let r = sqrt(gap * (h + needed)) * inverse;
+    roots.push([ua * uc - ub * r, ub * uc + ua * r]);
+    roots.push([ua * uc + ub * r, ub * uc - ua * r]);
+    Angles { roots, outcome: Outcome::Regular }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ik::testing::Rng;
+
+    fn residual(a: f64, b: f64, c: f64, root: [f64; 2]) -> f64 {
+        (a * root[0] + b * root[1] - c).abs() / (a.abs() + b.abs() + c.abs())
+    }
+
+    #[test]
+    fn random_equations_give_back_the_angle() {
+        let mut rng = Rng::new(1);
+        for _ in 0..2000 {
+            let (a, b, t) = (rng.symmetric() * 3.0, rng.symmetric() * 3.0, rng.angle());
+            let c = a * t.cos() + b * t.sin();
+            let found = solve_sincos(a, b, c, 1e-12);
+            assert_eq!(found.len(), 2);
+            for &root in &found {
+                assert!(residual(a, b, c, root) < 1e-15);
+                assert!((root[0].hypot(root[1]) - 1.0).abs() < 1e-15);
+            }
+            let nearest = found.iter().map(|r| (r[0] - t.cos()).hypot(r[1] - t.sin())).fold(f64::INFINITY, f64::min);
+            assert!(nearest < 1e-7, "{nearest}");
+        }
+    }
+
+    #[test]
+    fn boundary_is_one_root() {
+        for c in [5.0, -5.0, 5.0 * (1.0 + 1e-15), 5.0 * (1.0 - 1e-16), 5.0 * (1.0 + 5e-10)] {
+            let found = solve_sincos(3.0, 4.0, c, 1e-12);
+            assert_eq!((found.len(), found.outcome), (1, Outcome::Touching));
+            assert!(residual(3.0, 4.0, c, found[0]) < 1e-9);
+        }
+        assert_eq!(solve_sincos(3.0, 4.0, 5.0 * (1.0 - 1e-12), 1e-12).len(), 2);
+    }
+
+    #[test]
+    fn out_of_reach_reports_the_two_lengths() {
+        let found = solve_sincos(3.0, 4.0, -6.0, 1e-12);
+        assert_eq!((found.len(), found.outcome), (0, Outcome::OutOfReach { needed: 6.0, available: 5.0 }));
+        let found = solve_sincos(0.0, 1e-14, 0.5, 1e-12);
+        assert!(matches!(found.outcome, Outcome::OutOfReach { .. }));
+    }
+
+    #[test]
+    fn free_angle_takes_the_representative() {
+        let found = solve_sincos(1e-14, 0.0, -1e-13, 1e-12);
+        assert!(found.is_free() && found.is_empty());
+        assert_eq!(found.or_if_free([0.0, 1.0]).as_ref(), &[[0.0, 1.0]]);
+    }
+
+    #[test]
+    fn bad_numbers_give_nothing() {
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            for (a, b, c) in [(bad, 1.0, 0.5), (1.0, bad, 0.5), (1.0, 1.0, bad)] {
+                let found = solve_sincos(a, b, c, 1e-12);
+                assert!(found.is_empty() && !found.is_free());
+            }
+        }
+    }
+}

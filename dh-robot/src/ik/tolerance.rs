@@ -1,0 +1,36 @@
+//! Every tolerance of the kernels, each with its reason.
+//!
+//! All of them are relative: to the size of the coefficients of an equation, or to the reach of the arm. Absolute
+//! sizes ("this coefficient counts as zero") are arguments of the kernels, because only the caller knows the scale.
+
+/// Relative size below which a computed coefficient is taken for rounding noise, for callers that need an argument `tol`:
+/// multiply it by the size of the terms that made the coefficient. About 4000 units in the last place: products of
+/// six transforms lose ten or twenty, a badly scaled tool some hundred.
+pub const ZERO: f64 = 1e-12;
+
+/// How far (relative) a right-hand side may exceed the amplitude of `a cos t + b sin t` and still count as touching:
+/// an arm stretched out to the boundary of its workspace, whose target was rounded. A false solution of this size misses
+/// the pose by about this much times the reach, and is then moved onto the target or rejected by forward kinematics.
+pub const BOUNDARY: f64 = 1e-9;
+
+/// Two solutions whose discriminant is below this (relative) are one: the square root of a rounding error. They
+/// differ by 2e-7 rad at most.
+pub const DOUBLE: f64 = 1e-14;
+
+/// Ratio of the singular values of a system below which its second equation counts as a copy of the first.
+pub const RANK: f64 = 1e-9;
+
+/// Residual (relative) at which overdetermined equations contradict each other beyond doubt: the branch that
+/// led to them has no solution. Generous, because a wrong candidate costs one forward kinematics and a lost one is lost.
+pub const CONTRADICTION: f64 = 1e-3;
+
+/// Residual at which polishing stops early: position over reach, and radians.
+pub const POLISHED: f64 = 1e-15;
+
+/// Largest residual of a solution after polishing (position over reach, and radians): the noise of forward kinematics in
+/// `f64` is a hundred times smaller, a false branch a million times larger.
+pub const REACHED: f64 = 1e-10;
+
+/// Joint vectors that differ by less than this in every joint (rad, or length over reach) are the same solution. Larger than the
+/// spread of a double root (2e-7), smaller than the distance of distinct solutions that a target in doubles can resolve.
+pub const SAME: f64 = 1e-6;
