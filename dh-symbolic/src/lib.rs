@@ -2,6 +2,8 @@
 
 pub mod algebra;
 pub mod chain;
+pub mod kinematics;
+pub mod program;
 
 /// Expands the body of `dh_robot!`.
 pub fn expand(_input: proc_macro2::TokenStream) -> proc_macro2::TokenStream {

@@ -28,8 +28,7 @@ mod text;
 pub use angle::Angle;
 pub use evaluate::Point;
 pub use matrix::{Transform, Vector};
-#[allow(unused_imports)]
-pub(crate) use matrix::{cross, dot};
+pub(crate) use matrix::cross;
 pub use monomial::{Factor, Monomial};
 pub use poly::Poly;
 pub use rational::Rational;

@@ -8,7 +8,7 @@ mod build;
 mod convention;
 mod spec;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 pub use convention::{Convention, Elementary};
 pub use spec::*;

@@ -1,0 +1,151 @@
+//! Programs for the pose and for every link frame.
+//!
+//! The pose is built from the tip towards the base (a short vector is turned by one block at a time: 4 multiplications and 2
+//! additions each), two columns that way and the third as their cross product where that is cheaper. All choices are
+//! tried and counted; see [`pose`].
+
+use super::graph::{Graph, Value};
+use super::vector::{V3, unit};
+use super::{Cost, Program};
+use crate::chain::Chain;
+use crate::kinematics::{Block, Piece, Wave};
+
+/// Turns a vector from the frame after block `n - 1` (that is, block n's frame, or the tool's) into the base.
+pub(super) fn to_base(g: &mut Graph, blocks: &[Block], v: V3) -> V3 {
+    blocks.iter().rev().fold(v, |v, b| {
+        let v = g.turn_by(&b.exit, v);
+        g.turn_z(&b.turn, v)
+    })
+}
+
+/// Sum of the pieces of a block from the last one to piece `first`, on top of `tip`, which stands in the frame after the block's
+/// whole turn. Pieces with one turn are added before they are turned.
+pub(super) fn lever(g: &mut Graph, block: &Block, first: usize, tip: V3) -> V3 {
+    let mut groups: Vec<(Wave, V3)> = vec![(block.turn.clone(), tip)];
+    for Piece { turn, v } in block.pieces[first.min(block.pieces.len())..].iter().rev() {
+        let v = g.vector(v);
+        match groups.iter_mut().find(|x| x.0 == *turn) {
+            Some(group) => group.1 = g.plus(group.1, v),
+            None => groups.push((turn.clone(), v)),
+        }
+    }
+    let zero = [super::graph::ZERO; 3];
+    let mut sum = zero;
+    for (turn, v) in groups {
+        if v != zero {
+            let turned = g.turn_z(&turn, v);
+            sum = g.plus(sum, turned);
+        }
+    }
+    sum
+}
+
+/// Position of the tip in every block's frame: entry b is in the frame of block b.
+pub(super) fn levers(g: &mut Graph, blocks: &[Block]) -> Vec<V3> {
+    let mut tip = [super::graph::ZERO; 3];
+    let mut all = Vec::with_capacity(blocks.len());
+    for block in blocks.iter().rev() {
+        let inner = g.turn_by(&block.exit, tip);
+        tip = lever(g, block, 0, inner);
+        all.push(tip);
+    }
+    all.reverse();
+    all
+}
+
+/// Which column comes from the other two; `None`: all three are built from the tip.
+pub(super) const COLUMN_CHOICES: [Option<usize>; 4] = [Some(1), Some(0), Some(2), None];
+
+/// The three columns of the rotation from the tip, one of them as a cross product.
+pub(super) fn columns_from_tip(g: &mut Graph, blocks: &[Block], crossed: Option<usize>) -> [V3; 3] {
+    let mut columns = [[super::graph::ZERO; 3]; 3];
+    for k in (0..3).filter(|k| Some(*k) != crossed) {
+        columns[k] = to_base(g, blocks, unit(k));
+    }
+    if let Some(k) = crossed {
+        columns[k] = g.cross(columns[(k + 1) % 3], columns[(k + 2) % 3]);
+    }
+    columns
+}
+
+/// Turns three columns by Rz on the right: the forward way.
+fn turn_columns(g: &mut Graph, axis: usize, (c, s): (Value, Value), m: [V3; 3]) -> [V3; 3] {
+    let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+    let mut w = m;
+    let (a, b) = (g.times(c, m[j]), g.times(s, m[k]));
+    w[j] = g.plus(a, b);
+    let (a, b) = (g.times(c, m[k]), g.times(s, m[j]));
+    w[k] = g.minus(a, b);
+    w
+}
+
+/// The columns after a block's turn and its constant turns, from the columns before it.
+pub(super) fn columns_forward(g: &mut Graph, turn: &Wave, exit: &[crate::chain::Elementary], m: [V3; 3]) -> [V3; 3] {
+    let cs = g.cos_sin(&turn.0);
+    let m = turn_columns(g, 2, cs, m);
+    exit.iter().fold(m, |m, e| match e {
+        crate::chain::Elementary::Rotate(axis, angle) => {
+            let cs = g.cos_sin(angle);
+            turn_columns(g, *axis, cs, m)
+        }
+        crate::chain::Elementary::Translate(..) => m,
+    })
+}
+
+/// Unit columns.
+pub(super) fn identity() -> [V3; 3] {
+    [unit(0), unit(1), unit(2)]
+}
+
+fn outputs(columns: [V3; 3], p: V3) -> Vec<Value> {
+    [columns[0], columns[1], columns[2], p].concat()
+}
+
+/// The cheapest program for the pose.
+pub(super) fn pose(chain: &Chain, blocks: &[Block]) -> Program {
+    let mut best: Option<(usize, Program)> = None;
+    for choice in 0..=COLUMN_CHOICES.len() {
+        let mut g = Graph::new(chain);
+        let p = levers(&mut g, blocks)[0];
+        let columns = match COLUMN_CHOICES.get(choice) {
+            Some(crossed) => columns_from_tip(&mut g, blocks, *crossed),
+            None => blocks.iter().fold(identity(), |m, b| columns_forward(&mut g, &b.turn, &b.exit, m)),
+        };
+        let outputs = outputs(columns, p);
+        let weight = Cost::of(&g, &outputs).weight();
+        if best.as_ref().is_none_or(|b| weight < b.0) {
+            best = Some((weight, Program { graph: g, outputs }));
+        }
+    }
+    best.map_or_else(|| Program { graph: Graph::new(chain), outputs: Vec::new() }, |b| b.1)
+}
+
+/// Every link frame, from the base outwards.
+pub(super) fn frames(chain: &Chain, blocks: &[Block]) -> Program {
+    let mut g = Graph::new(chain);
+    let mut m = identity();
+    let mut origin = [super::graph::ZERO; 3];
+    let mut all = vec![Vec::new(); chain.links.len()];
+    for block in blocks {
+        let mut at = origin;
+        let mut done = 0;
+        let mut marks = block.frames.iter().peekable();
+        loop {
+            while let Some(mark) = marks.next_if(|f| f.pieces == done) {
+                let columns = columns_forward(&mut g, &mark.turn, &mark.exit, m);
+                all[mark.row] = outputs(columns, at);
+            }
+            let Some(piece) = block.pieces.get(done) else { break };
+            let v = g.vector(&piece.v);
+            let local = g.turn_z(&piece.turn, v);
+            for k in 0..3 {
+                let part = g.times(local[k], m[k]);
+                at = g.plus(at, part);
+            }
+            done += 1;
+        }
+        origin = at;
+        m = columns_forward(&mut g, &block.turn, &block.exit, m);
+    }
+    Program { graph: g, outputs: all.concat() }
+}

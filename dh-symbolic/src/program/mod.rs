@@ -1,0 +1,85 @@
+//! Straight-line code that is proven.
+//!
+//! **In:** a [`Chain`](crate::chain::Chain). **Out:** a [`Program`]: hash-consed instructions with named outputs, found by a
+//! search over the ways in which the products can be associated, and proven equal to the product of link transforms.
+//!
+//! **Never here:** tokens, prose, robots' names.
+
+mod cost;
+mod forward;
+mod graph;
+mod interpret;
+mod jacobian;
+mod proof;
+mod vector;
+
+pub use cost::Cost;
+pub use graph::{Graph, Node, Value};
+pub use interpret::Inputs;
+pub use proof::{Disproof, prove_frames, prove_jacobian, prove_pose};
+
+use crate::chain::Chain;
+use crate::kinematics::{Kinematics, blocks};
+
+/// Instructions with their outputs.
+#[derive(Clone, Debug)]
+pub struct Program {
+    /// The instructions.
+    pub graph: Graph,
+    /// The outputs, in the order that the function states.
+    pub outputs: Vec<Value>,
+}
+
+/// The three forward programs of a robot.
+#[derive(Clone, Debug)]
+pub struct Forward {
+    /// Pose: x, y, z columns, then the position: 12 outputs.
+    pub pose: Program,
+    /// One pose per row: 12 outputs each.
+    pub frames: Program,
+    /// Pose (12 outputs), then per motor 6: linear, angular.
+    pub jacobian: Program,
+}
+
+impl Forward {
+    /// Searches the cheapest programs and proves each against the product of link transforms.
+    ///
+    /// # Errors
+    /// Where a program differs from the product: a defect of this crate, never of the table.
+    pub fn derive(chain: &Chain) -> Result<Forward, Disproof> {
+        let blocks = blocks(chain);
+        let kinematics = Kinematics::new(chain);
+        let pose = forward::pose(chain, &blocks);
+        let frames = forward::frames(chain, &blocks);
+        let jacobian = jacobian::jacobian(chain, &blocks);
+        prove_pose(&pose, &kinematics)?;
+        prove_frames(&frames, &kinematics)?;
+        prove_jacobian(&jacobian, chain, &kinematics)?;
+        Ok(Forward { pose, frames, jacobian })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::chain::Convention;
+    use crate::chain::tests::revolute_chain;
+
+    fn counts(convention: Convention, rows: &[(i64, &str, &str, i64)]) -> [(usize, usize, usize); 2] {
+        let chain = revolute_chain(convention, rows);
+        let f = Forward::derive(&chain).unwrap_or_else(|e| panic!("{e}: {}", chain.ring.text(&e.difference)));
+        [&f.pose, &f.jacobian].map(|p| {
+            let c = Cost::of(&p.graph, &p.outputs);
+            (c.multiplications, c.additions, c.sincos)
+        })
+    }
+
+    #[test]
+    fn counts_of_known_arms() {
+        let puma = [(0, "0", "0", 0), (-90, "0", "0", 0), (0, "0.4318", "0.15005", 0), (-90, "0.0203", "0.4318", 0), (90, "0", "0", 0), (-90, "0", "0", 0)];
+        let ur5 = [(90, "0", "0.089159", 0), (0, "-0.425", "0", 0), (0, "-0.39225", "0", 0), (90, "0", "0.10915", 0), (-90, "0", "0.09465", 0), (0, "0", "0.0823", 0)];
+        let panda = [(0, "0", "0.333", 0), (-90, "0", "0", 0), (90, "0", "0.316", 0), (90, "0.0825", "0", 0), (-90, "-0.0825", "0.384", 0), (90, "0", "0", 0), (90, "0.088", "0.107", 0)];
+        let got = [counts(Convention::Modified, &puma), counts(Convention::Standard, &ur5), counts(Convention::Modified, &panda)];
+        insta::assert_debug_snapshot!(got);
+    }
+}

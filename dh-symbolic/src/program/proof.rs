@@ -1,0 +1,120 @@
+//! The proof that a program computes what it should: expanded back into the algebra it must be the product itself.
+
+use super::{Graph, Node, Program, Value};
+use crate::algebra::{Poly, Transform};
+use crate::chain::Chain;
+use crate::kinematics::{Kinematics, jacobian};
+use std::fmt;
+
+/// An output that differs from what it should be.
+#[derive(Clone, Debug)]
+pub struct Disproof {
+    /// Which output.
+    pub output: String,
+    /// The difference, program minus truth, in plain text or as a polynomial of the chain's ring.
+    pub difference: Poly,
+}
+
+impl fmt::Display for Disproof {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the program's {} differs from the product of the link transforms", self.output)
+    }
+}
+
+impl Graph {
+    /// Every live node as a polynomial.
+    fn expand(&self, live: &[bool]) -> Vec<Poly> {
+        let mut all: Vec<Poly> = Vec::with_capacity(self.nodes().len());
+        for (node, live) in self.nodes().iter().zip(live) {
+            let signed = |v: Value, all: &[Poly]| {
+                let p = &all[v.node as usize];
+                if v.negative { -p } else { p.clone() }
+            };
+            let p = match node {
+                _ if !live => Poly::zero(),
+                Node::Constant(i) => self.constants()[*i as usize].clone(),
+                Node::Symbol(s) => Poly::symbol(*s),
+                Node::Cos(w) => self.waves()[*w as usize].cos_sin().map(|x| x.0).unwrap_or_default(),
+                Node::Sin(w) => self.waves()[*w as usize].cos_sin().map(|x| x.1).unwrap_or_default(),
+                Node::Add(a, b) => &signed(*a, &all) + &signed(*b, &all),
+                Node::Mul(a, b) => &all[*a as usize] * &all[*b as usize],
+            };
+            all.push(p);
+        }
+        all
+    }
+}
+
+impl Program {
+    /// The outputs as polynomials.
+    pub fn expand(&self) -> Vec<Poly> {
+        let all = self.graph.expand(&self.graph.live(&self.outputs));
+        self.outputs
+            .iter()
+            .map(|v| {
+                let p = &all[v.node as usize];
+                if v.negative { -p } else { p.clone() }
+            })
+            .collect()
+    }
+}
+
+fn compare(got: &Poly, want: &Poly, output: impl Fn() -> String) -> Result<(), Disproof> {
+    if got == want { Ok(()) } else { Err(Disproof { output: output(), difference: got - want }) }
+}
+
+fn compare_pose(got: &[Poly], want: &Transform, name: &str) -> Result<(), Disproof> {
+    for k in 0..12 {
+        let (row, column) = (k % 3, k / 3);
+        let got = got.get(k).cloned().unwrap_or_default();
+        compare(&got, &want.entry(row, column), || format!("entry ({}, {}) of {name}", row + 1, column + 1))?;
+    }
+    Ok(())
+}
+
+/// The 12 outputs are the pose.
+///
+/// # Errors
+/// The first output that differs.
+pub fn prove_pose(program: &Program, kinematics: &Kinematics) -> Result<(), Disproof> {
+    compare_pose(&program.expand(), &kinematics.pose(), "the pose")
+}
+
+/// The outputs are all frames.
+///
+/// # Errors
+/// The first output that differs.
+pub fn prove_frames(program: &Program, kinematics: &Kinematics) -> Result<(), Disproof> {
+    let got = program.expand();
+    let mut t = kinematics.base().clone();
+    for i in 0..kinematics.len() {
+        if let Some(link) = kinematics.link(i + 1) {
+            t = t.times(link);
+        }
+        compare_pose(got.get(12 * i..).unwrap_or(&[]), &t, &format!("frame {}", i + 1))?;
+    }
+    Ok(())
+}
+
+/// The outputs are pose and Jacobian.
+///
+/// # Errors
+/// The first output that differs.
+pub fn prove_jacobian(program: &Program, chain: &Chain, kinematics: &Kinematics) -> Result<(), Disproof> {
+    let got = program.expand();
+    compare_pose(&got, &kinematics.pose(), "the pose beside the Jacobian")?;
+    let columns = jacobian(chain, kinematics);
+    for motor in 0..chain.dof() {
+        for row in 0..6 {
+            let entry = |joint: usize| if row < 3 { &columns[joint].0[row] } else { &columns[joint].1[row - 3] };
+            let want = if chain.is_direct() {
+                entry(motor).clone()
+            } else {
+                (0..chain.dof()).map(|joint| entry(joint) * &chain.drive[joint][motor]).sum()
+            };
+            let got = got.get(12 + 6 * motor + row).cloned().unwrap_or_default();
+            compare(&got, &want, || format!("Jacobian entry ({}, {})", row + 1, motor + 1))?;
+        }
+    }
+    Ok(())
+}
