@@ -48,7 +48,9 @@ impl Kinematics {
             return Some(self.transform(j, i)?.inverse());
         }
         let links = self.links.get(i..j)?;
-        Some(links.iter().rev().fold(Transform::identity(), |t, link| if t == Transform::identity() { link.clone() } else { link.times(&t) }))
+        Some(links.iter().rev().fold(Transform::identity(), |t, link| {
+            if t == Transform::identity() { link.clone() } else { link.times(&t) }
+        }))
     }
 
     /// The constant transform before the first row.

@@ -20,7 +20,8 @@ pub fn jacobian(chain: &Chain, kinematics: &Kinematics) -> Vec<(Vector, Vector)>
             Coordinate::Angle(v) => {
                 let linear = pose.p.each_ref().map(|p| p.derivative_by_angle(v));
                 let columns: [Vector; 3] = std::array::from_fn(|k| pose.column(k));
-                let turned: [Vector; 3] = std::array::from_fn(|k| columns[k].each_ref().map(|p| p.derivative_by_angle(v)));
+                let turned: [Vector; 3] =
+                    std::array::from_fn(|k| columns[k].each_ref().map(|p| p.derivative_by_angle(v)));
                 let crosses: [Vector; 3] = std::array::from_fn(|k| cross(&columns[k], &turned[k]));
                 let angular = std::array::from_fn(|i| crosses.iter().map(|c| c[i].clone()).sum::<Poly>().half());
                 (linear, angular)

@@ -53,9 +53,9 @@ pub struct Graph {
 }
 
 /// The value 0; every graph begins with it.
-pub const ZERO: Value = Value { node: 0, negative: false };
+pub(super) const ZERO: Value = Value { node: 0, negative: false };
 /// The value 1.
-pub const ONE: Value = Value { node: 1, negative: false };
+pub(super) const ONE: Value = Value { node: 1, negative: false };
 
 impl Graph {
     /// An empty graph for a chain: its constants are folded, its fields are inputs.

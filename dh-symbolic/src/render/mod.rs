@@ -1,0 +1,7 @@
+//! Writing it down: code and notes.
+//!
+//! **In:** chains, plans, programs, documents. **Out:** text and tokens.
+//!
+//! **Never here:** decisions about kinematics.
+
+pub mod rust;

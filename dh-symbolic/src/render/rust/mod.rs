@@ -1,0 +1,94 @@
+//! The Rust backend: from a chain and its programs to the items that `dh_robot!` leaves behind.
+//!
+//! Items are written as text and lexed once: the text is what a reader of `cargo expand` sees, and the compiler's own lexer is
+//! much faster than building tokens one by one in an unoptimised macro. The user's own tokens (attributes, visibility, name) keep
+//! their spans.
+
+mod body;
+mod docs;
+mod forward;
+mod names;
+mod structure;
+mod stub;
+
+pub use structure::{Head, robot};
+pub use stub::stub;
+
+use crate::algebra::{Point, Poly};
+use crate::chain::{AngleCell, Bound, Chain, Handle, Role, Scalar, Value};
+
+/// Name of the number type.
+pub(crate) fn scalar_name(s: Scalar) -> &'static str {
+    match s {
+        Scalar::F64 => "f64",
+        Scalar::F32 => "f32",
+    }
+}
+
+/// A number as a literal of the robot's type.
+pub(crate) fn literal(x: f64, s: Scalar) -> String {
+    match s {
+        Scalar::F64 => format!("{x:?}"),
+        Scalar::F32 => format!("{:?}", x as f32),
+    }
+}
+
+/// Value in radians of an angle cell without declared angles.
+pub(crate) fn radians(cell: &AngleCell) -> f64 {
+    cell.exact().radians() + cell.approx.as_ref().map_or(0.0, crate::algebra::Rational::to_f64)
+}
+
+/// The value of a bound.
+pub(crate) fn bound(b: &Bound) -> f64 {
+    match b {
+        Bound::HalfTurns(x) => crate::algebra::Angle::half_turns(x.clone()).radians(),
+        Bound::Radians(x) | Bound::Length(x) => x.to_f64(),
+    }
+}
+
+/// The nominal value of every parameter; 0 for fields without one.
+pub(crate) fn nominal(chain: &Chain, handle: Handle) -> f64 {
+    let value = chain.parameters.iter().find(|p| p.handle == handle).and_then(|p| match &p.role {
+        Role::Field(v) => v.as_ref(),
+        Role::Constant(v) => Some(v),
+    });
+    match value {
+        Some(Value::Length(x)) => x.to_f64(),
+        Some(Value::Angle(cell)) => radians(cell),
+        None => 0.0,
+    }
+}
+
+/// A constant formula as a number.
+pub(crate) fn constant(chain: &Chain, p: &Poly) -> f64 {
+    p.evaluate(&Point { symbol: &|s| nominal(chain, Handle::Length(s)), angle: &|v| nominal(chain, Handle::Angle(v)) })
+}
+
+/// The joint angle offset (radians) that is kept out of formulas, with declared angles by name: an expression, `None` if zero.
+pub(crate) fn shift_expression(chain: &Chain, cell: &AngleCell) -> Option<String> {
+    let mut parts = Vec::new();
+    let mut number = radians(cell);
+    for (i, k) in &cell.symbols {
+        let Some(p) = chain.parameters.get(*i) else { continue };
+        match &p.role {
+            Role::Field(_) => parts.push(match k {
+                1 => format!("self.{}", p.name),
+                -1 => format!("-self.{}", p.name),
+                _ => format!("{} * self.{}", literal(f64::from(*k), chain.scalar), p.name),
+            }),
+            Role::Constant(_) => number += f64::from(*k) * nominal(chain, p.handle),
+        }
+    }
+    if number != 0.0 {
+        parts.push(literal(number, chain.scalar));
+    }
+    let mut out = String::new();
+    for p in parts {
+        match (out.is_empty(), p.strip_prefix('-')) {
+            (true, _) => out = p,
+            (false, Some(rest)) => out.push_str(&format!(" - {rest}")),
+            (false, None) => out.push_str(&format!(" + {p}")),
+        }
+    }
+    (!out.is_empty()).then_some(out)
+}

@@ -1,0 +1,51 @@
+//! Readable names from meaning: s1, c23, c4s5, field names.
+
+use crate::algebra::{LinearAngle, Ring};
+
+/// The subscript of an angle sum: `1`, `23`, `2m3`, `2_beta`.
+pub(super) fn subscript(ring: &Ring, wave: &LinearAngle) -> String {
+    let mut out = String::new();
+    for (v, k) in &wave.terms {
+        let name = ring.angle_name(*v);
+        let tail = name.strip_prefix("theta").or_else(|| name.strip_prefix('q')).unwrap_or(name);
+        let number = tail.bytes().all(|b| b.is_ascii_digit());
+        if *k < 0 {
+            out.push('m');
+        }
+        if !number || tail.len() > 1 {
+            out.push('_');
+        }
+        if k.unsigned_abs() > 1 {
+            out.push_str(&format!("{}x", k.unsigned_abs()));
+        }
+        out.push_str(tail);
+    }
+    if !wave.constant.is_zero() {
+        let degrees = wave.constant.to_degrees().to_string().replace('-', "m").replace('/', "over");
+        out.push_str(&format!("_{degrees}"));
+    }
+    out
+}
+
+/// Hands out each name once.
+#[derive(Default)]
+pub(super) struct Names {
+    taken: Vec<String>,
+}
+
+impl Names {
+    pub(super) fn new(reserved: &[&str]) -> Names {
+        Names { taken: reserved.iter().map(|s| (*s).to_string()).collect() }
+    }
+
+    pub(super) fn take(&mut self, wish: &str) -> String {
+        let mut name = wish.to_string();
+        let mut n = 1;
+        while self.taken.contains(&name) {
+            n += 1;
+            name = format!("{wish}_{n}");
+        }
+        self.taken.push(name.clone());
+        name
+    }
+}

@@ -1,0 +1,38 @@
+//! What is emitted beside the errors of a wrong table: the same type with the same functions, so that one mistake stays one error.
+
+use super::structure::{Head, lex};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// The signatures of a robot with `n` joints; bodies never return.
+pub fn stub(head: &Head, n: usize, fields: &[String], scalar: &str, target: &str, redundant: bool) -> TokenStream {
+    let (visibility, ident) = (&head.visibility, &head.ident);
+    let f = lex(scalar);
+    let mut list = TokenStream::new();
+    for name in fields {
+        let name = lex(name);
+        list.extend(quote! { pub #name: #f, });
+    }
+    let body = if fields.is_empty() {
+        quote! { ; }
+    } else {
+        quote! { { #list } }
+    };
+    let free = if redundant { format!(", _free: {scalar}") } else { String::new() };
+    let iso = format!("::dh_robot::nalgebra::IsometryMatrix3<{scalar}>");
+    let functions = lex(&format!(
+        "impl {ident} {{\npub const DOF: usize = {n};\npub const MAX_SOLUTIONS: usize = 1;\n\
+         pub fn forward(&self, _q: &[{scalar}; {n}]) -> {iso} {{ loop {{}} }}\n\
+         pub fn frames(&self, _q: &[{scalar}; {n}]) -> [{iso}; {n}] {{ loop {{}} }}\n\
+         pub fn jacobian(&self, _q: &[{scalar}; {n}]) -> ::dh_robot::nalgebra::SMatrix<{scalar}, 6, {n}> {{ loop {{}} }}\n\
+         pub fn inverse(&self, _target: {target}{free}) -> ::dh_robot::Solutions<{scalar}, {n}, 1> {{ loop {{}} }}\n}}\n\
+         impl ::core::default::Default for {ident} {{ fn default() -> Self {{ loop {{}} }} }}"
+    ));
+    quote! {
+        #[allow(missing_docs, dead_code)]
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        #visibility struct #ident #body
+        #[allow(missing_docs, dead_code, clippy::all)]
+        const _: () = { #functions };
+    }
+}
