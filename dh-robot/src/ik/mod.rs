@@ -12,6 +12,7 @@
 
 #![allow(clippy::neg_cmp_op_on_partial_ord)] // `!(x <= y)` is how NaN ends on the safe side
 
+mod bernstein;
 mod list;
 mod many;
 mod math;
@@ -20,6 +21,8 @@ mod polish;
 pub mod pose;
 mod sincos;
 pub mod tolerance;
+mod trig_poly;
+mod trig_roots;
 
 pub use list::List;
 pub use many::solve_many;
@@ -27,6 +30,7 @@ pub use pair::{solve_pair, solve_turn};
 pub use polish::{Kinematics, Polished, Task, levenberg_marquardt, polish};
 pub use pose::{Chain, Pose};
 pub use sincos::{Angles, Outcome, solve_sincos};
+pub use trig_poly::TrigPoly;
 
 #[cfg(test)]
 mod testing;

@@ -18,6 +18,8 @@ pub enum Outcome {
         /// What an angle can give.
         available: f64,
     },
+    /// No solution: all roots of the equation are complex, or a coefficient isn't finite.
+    NoRealRoot,
     /// The equation says nothing about the angle: every angle solves it.
     Free,
 }

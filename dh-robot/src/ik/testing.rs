@@ -2,6 +2,7 @@
 
 use core::f64::consts::PI;
 
+use super::TrigPoly;
 use super::pose::{Chain, IDENTITY, Pose, compose, turn};
 
 /// SplitMix64 (Steele, Lea, Flood, 2014): the same numbers on every machine.
@@ -76,4 +77,10 @@ pub(crate) fn general_6r() -> Chain<6> {
         ],
         slides: [false; 6],
     }
+}
+
+/// A trigonometric polynomial with uniform coefficients.
+pub(crate) fn random_trig_poly<const D: usize>(rng: &mut Rng) -> TrigPoly<D> {
+    let constant = rng.symmetric();
+    TrigPoly { constant, cos: [(); D].map(|()| rng.symmetric()), sin: [(); D].map(|()| rng.symmetric()) }
 }
