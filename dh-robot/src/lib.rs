@@ -1,5 +1,5 @@
 //! Closed-form kinematics of serial robots, generated from a Denavit-Hartenberg table.
-#![cfg_attr(not(feature = "std"), no_std)]
+#![cfg_attr(not(any(test, feature = "std")), no_std)]
 
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!(
@@ -15,6 +15,7 @@ macro_rules! modules {
 }
 
 modules! {
+    pub mod atan2;
     mod branch;
     mod free;
     /// Numeric kernels for generated code.
@@ -25,6 +26,7 @@ modules! {
     pub mod pose;
     mod real;
     mod robot;
+    pub mod sincos;
     mod solution;
     mod solutions;
     mod why;

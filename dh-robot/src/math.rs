@@ -70,6 +70,15 @@ pub fn round<T: Real>(x: T) -> T {
     ComplexField::round(x)
 }
 
+/// `a * b + c`, rounded once where the target has an instruction for that and twice where it has not.
+#[inline(always)]
+pub(crate) fn mul_add(a: f64, b: f64, c: f64) -> f64 {
+    #[cfg(all(feature = "std", target_feature = "fma"))]
+    return a.mul_add(b, c);
+    #[cfg(not(all(feature = "std", target_feature = "fma")))]
+    return a * b + c;
+}
+
 /// The remainder of `x / modulus` in `[0, modulus)`, for a positive modulus.
 #[inline]
 pub fn rem<T: Real>(x: T, modulus: T) -> T {

@@ -4,6 +4,8 @@ use core::fmt::{Display, LowerExp};
 
 use nalgebra::RealField;
 
+use crate::{atan2, sincos};
+
 mod sealed {
     /// Keeps [`Real`](super::Real) to the scalars that the kernels are written and measured for.
     pub trait Sealed {}
@@ -34,6 +36,18 @@ pub trait Real: RealField + Copy + Default + Display + LowerExp + sealed::Sealed
 
     /// The value as `f64`, exactly.
     fn to_f64(self) -> f64;
+
+    /// Sine and cosine as the lanes of [`sincos_batch`](crate::sincos::sincos_batch) compute them.
+    #[doc(hidden)]
+    fn sincos_lane(angle: Self) -> (Self, Self);
+
+    /// 1 where [`Real::sincos_lane`] is out of its depth, else 0.
+    #[doc(hidden)]
+    fn is_beyond(angle: Self) -> u64;
+
+    /// The angle of a vector as the lanes of [`atan2_batch`](crate::atan2::atan2_batch) compute it.
+    #[doc(hidden)]
+    fn atan2_lane(y: Self, x: Self) -> Self;
 }
 
 impl Real for f64 {
@@ -52,6 +66,21 @@ impl Real for f64 {
     fn to_f64(self) -> f64 {
         self
     }
+
+    #[inline(always)]
+    fn sincos_lane(angle: Self) -> (Self, Self) {
+        sincos::lane(angle)
+    }
+
+    #[inline(always)]
+    fn is_beyond(angle: Self) -> u64 {
+        sincos::is_beyond(angle)
+    }
+
+    #[inline(always)]
+    fn atan2_lane(y: Self, x: Self) -> Self {
+        atan2::lane(y, x)
+    }
 }
 
 impl Real for f32 {
@@ -69,5 +98,20 @@ impl Real for f32 {
     #[inline(always)]
     fn to_f64(self) -> f64 {
         f64::from(self)
+    }
+
+    #[inline(always)]
+    fn sincos_lane(angle: Self) -> (Self, Self) {
+        sincos::lane_short(angle)
+    }
+
+    #[inline(always)]
+    fn is_beyond(angle: Self) -> u64 {
+        sincos::is_beyond(f64::from(angle))
+    }
+
+    #[inline(always)]
+    fn atan2_lane(y: Self, x: Self) -> Self {
+        atan2::lane_short(y, x)
     }
 }
