@@ -2,11 +2,12 @@
 
 pub mod algebra;
 pub mod chain;
+pub mod diagnostic;
 pub mod kinematics;
 pub mod program;
 pub mod render;
 
 /// Expands the body of `dh_robot!`.
-pub fn expand(_input: proc_macro2::TokenStream) -> proc_macro2::TokenStream {
-    proc_macro2::TokenStream::new()
+pub fn expand(input: proc_macro2::TokenStream) -> proc_macro2::TokenStream {
+    chain::table::parse(input).errors.to_compile_errors()
 }

@@ -7,6 +7,7 @@
 mod build;
 mod convention;
 mod spec;
+pub mod table;
 #[cfg(test)]
 pub(crate) mod tests;
 

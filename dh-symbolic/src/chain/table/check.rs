@@ -1,0 +1,231 @@
+//! Header and rows: which cell is which, and what a row says.
+
+use super::cell::{self, Site};
+use super::drive::{self, Moving};
+use super::expression;
+use super::names::{suggestion, variable_number};
+use super::origin::Column;
+use super::range::{self, Measure};
+use super::rows::{Cell, Grid, Row};
+use super::scope::Scope;
+use super::sum::Sum;
+use super::text;
+use crate::chain::RowSpec;
+use crate::diagnostic::{Error, Errors, Place};
+use proc_macro2::TokenTree;
+
+/// Most rows of a table.
+const MOST_ROWS: usize = 16;
+/// Most moving rows.
+const MOST_JOINTS: usize = 12;
+
+/// What the rows say.
+#[derive(Default)]
+pub(super) struct Checked {
+    pub(super) rows: Vec<RowSpec>,
+    /// Per joint: its row, and the column where it moves.
+    pub(super) joints: Vec<(usize, Column)>,
+    /// Per row: its place and those of its cells.
+    pub(super) places: Vec<(Place, Vec<(Column, Place)>)>,
+}
+
+/// Checks header, rows and numbering.
+pub(super) fn grid(grid: &Grid, scope: &Scope, errors: &mut Errors) -> Checked {
+    let mut out = Checked::default();
+    let Some(columns) = header(&grid.header, errors) else { return out };
+    if grid.rows.is_empty() && errors.is_empty() {
+        errors.push(Error::new(grid.place, "the table has no rows"));
+    }
+    if let Some(row) = grid.rows.get(MOST_ROWS) {
+        errors.push(Error::new(row.place, format!("a table has at most {MOST_ROWS} rows")));
+    }
+    let (mut moving, mut readable) = (Vec::new(), true);
+    for (i, row) in grid.rows.iter().take(MOST_ROWS).enumerate() {
+        let cells: Vec<(Column, &Cell)> =
+            columns.iter().zip(&row.cells).filter_map(|(c, cell)| Some(((*c)?, cell))).collect();
+        out.places.push((row.place, cells.iter().map(|(c, cell)| (*c, cell.place)).collect()));
+        let before = errors.len();
+        let reader = RowReader { cells: if row.fits { cells } else { Vec::new() }, number: i + 1, scope };
+        let (spec, driven) = reader.read(row, moving.len(), errors);
+        readable &= errors.len() == before;
+        if let Some((column, m)) = driven {
+            out.joints.push((i, column));
+            moving.push(m);
+        }
+        out.rows.push(spec);
+    }
+    if let Some(m) = moving.get(MOST_JOINTS) {
+        errors.push(Error::new(m.place, format!("a robot has at most {MOST_JOINTS} joints")));
+    } else if moving.is_empty() && readable && !grid.rows.is_empty() {
+        let error = Error::new(grid.place, "nothing moves: no row has a joint variable");
+        errors.push(error.help("write `q1` in column `theta` where the first joint turns, or in `d` where it slides"));
+    } else {
+        drive::check(&moving, readable && grid.rows.len() <= MOST_ROWS, scope, errors);
+    }
+    out
+}
+
+/// Which column each header cell names. `None` where there is no header at all.
+fn header(row: &Row, errors: &mut Errors) -> Option<Vec<Option<Column>>> {
+    if row.cells.is_empty() {
+        return None;
+    }
+    let find = |name: &str| Column::ALL.into_iter().find(|c| c.name() == name);
+    let near = |name: &str| suggestion(name, Column::ALL.map(Column::name));
+    let names: Vec<String> = row.cells.iter().map(|c| text::of(&c.tokens)).collect();
+    if !names.iter().any(|n| find(n).is_some() || near(n).is_some()) {
+        let error = Error::new(row.place, "the header is missing: the first row names the columns");
+        errors.push(error.help("`| joint | alpha | a | d | theta | range |`, in any order"));
+        return None;
+    }
+    let mut columns: Vec<Option<Column>> = Vec::new();
+    let mut doubtful = false;
+    for (name, cell) in names.iter().zip(&row.cells) {
+        let column = find(name);
+        let first = columns.iter().position(|c| c.is_some() && *c == column).and_then(|i| row.cells.get(i));
+        match (column, first) {
+            (Some(_), Some(first)) => {
+                let error = Error::new(cell.place, format!("column `{name}` appears twice"));
+                errors.push(error.related(first.place, "first here"));
+                columns.push(None);
+                continue;
+            }
+            (None, _) if !cell.tokens.is_empty() => {
+                doubtful = true;
+                let error = Error::new(cell.place, format!("unknown column `{name}`"));
+                errors.push(match (near(name), other_name(name)) {
+                    (Some(n), _) | (None, Some(n)) => error.help(format!("did you mean `{n}`?")),
+                    _ => error.help("columns: joint, alpha, a, d, theta, range"),
+                });
+            }
+            _ => {}
+        }
+        columns.push(column);
+    }
+    for want in [Column::Alpha, Column::A, Column::D, Column::Theta] {
+        // A misspelt name is most likely the one that is missing.
+        if !columns.contains(&Some(want)) && !doubtful {
+            errors.push(Error::new(row.place, format!("column `{}` is missing", want.name())));
+        }
+    }
+    Some(columns)
+}
+
+/// What other books call the columns.
+fn other_name(name: &str) -> Option<&'static str> {
+    match name {
+        "#" | "i" | "n" | "link" | "row" | "No" => Some("joint"),
+        "α" | "twist" => Some("alpha"),
+        "r" | "length" | "l" => Some("a"),
+        "s" | "offset" => Some("d"),
+        "θ" | "q" | "angle" => Some("theta"),
+        "limits" | "limit" | "min" | "max" => Some("range"),
+        _ => None,
+    }
+}
+
+struct RowReader<'a> {
+    cells: Vec<(Column, &'a Cell)>,
+    /// From 1, as people count.
+    number: usize,
+    scope: &'a Scope,
+}
+
+impl RowReader<'_> {
+    fn cell(&self, column: Column) -> Option<&Cell> {
+        self.cells.iter().find(|(c, cell)| *c == column && !cell.tokens.is_empty()).map(|(_, cell)| *cell)
+    }
+
+    fn sum(&self, column: Column, errors: &mut Errors) -> Option<Sum> {
+        let cell = self.cell(column)?;
+        errors.take(expression::read(&cell.tokens, cell.place, self.scope))
+    }
+
+    /// `joint`: how many rows above move.
+    fn read(&self, row: &Row, joint: usize, errors: &mut Errors) -> (RowSpec, Option<(Column, Moving)>) {
+        let mut spec = RowSpec::default();
+        let site = |c: Column| format!("column `{}`", c.name());
+        if let Some(sum) = self.sum(Column::Alpha, errors) {
+            let angle = cell::angle(&sum, self.scope, Site(&site(Column::Alpha)));
+            spec.alpha = errors.take(angle).unwrap_or_default();
+        }
+        if let Some(sum) = self.sum(Column::A, errors) {
+            let length = cell::length(&sum, self.scope, Site(&site(Column::A)));
+            spec.a = errors.take(length).unwrap_or_default();
+        }
+        let (d, theta) = (self.sum(Column::D, errors), self.sum(Column::Theta, errors));
+        // A cell that could not be read still shows whether it was meant to move.
+        let meant = |c: Column| self.cell(c).is_some_and(|cell| has_variable(&cell.tokens));
+        let place = |c: Column| self.cell(c).map_or(row.place, |cell| cell.place);
+        let mut driven = match (meant(Column::Theta), meant(Column::D)) {
+            (true, true) => {
+                let text = format!("row {} moves in `theta` and in `d`: one joint per row", self.number);
+                errors.push(
+                    Error::new(place(Column::D), text)
+                        .related(place(Column::Theta), "it moves here already")
+                        .help("write a cylindrical joint as two rows"),
+                );
+                Some(Column::Theta)
+            }
+            (true, false) => Some(Column::Theta),
+            (false, true) => Some(Column::D),
+            (false, false) => None,
+        };
+        let mut moving = None;
+        if !row.fits && driven.is_none() && row.cells.iter().any(|c| has_variable(&c.tokens)) {
+            driven = Some(Column::Theta);
+        }
+        if let Some(column) = driven {
+            moving = Some((column, Moving { row: self.number, place: place(column), drive: None }));
+        }
+        let both = meant(Column::Theta) && meant(Column::D);
+        let mut rest = |sum: Option<Sum>, column: Column, errors: &mut Errors| {
+            let sum = sum?;
+            if both || !cell::moves(&sum) {
+                return Some(sum).filter(|s| !cell::moves(s));
+            }
+            let (drive, rest) = errors.take(cell::split(&sum, self.scope, column == Column::Theta, place(column)))?;
+            if let Some((_, m)) = &mut moving {
+                m.drive = Some(drive.clone());
+            }
+            spec.moves = Some(drive);
+            Some(rest)
+        };
+        let (d, theta) = (rest(d, Column::D, errors), rest(theta, Column::Theta, errors));
+        if let Some(sum) = d {
+            let length = cell::length(&sum, self.scope, Site(&site(Column::D)));
+            spec.d = errors.take(length).unwrap_or_default();
+        }
+        if let Some(sum) = theta {
+            let angle = cell::angle(&sum, self.scope, Site(&site(Column::Theta)));
+            spec.theta = errors.take(angle).unwrap_or_default();
+        }
+        self.range(&mut spec, driven, joint, errors);
+        (spec, moving)
+    }
+
+    fn range(&self, spec: &mut RowSpec, driven: Option<Column>, joint: usize, errors: &mut Errors) {
+        let Some(cell) = self.cell(Column::Range) else { return };
+        let measure = match (&spec.moves, driven) {
+            (None, None) => Measure::Fixed,
+            (Some(drive), _) if drive::plain(drive).is_none() => Measure::Either,
+            (Some(drive), _) if drive.turns => Measure::Angle,
+            (Some(_), _) => Measure::Length,
+            // The cell that moves could not be read: whatever the range says may be right.
+            (None, Some(_)) => Measure::Either,
+        };
+        spec.range = errors.take(range::read(cell, self.scope, measure, joint + 1)).flatten();
+    }
+}
+
+/// Does a joint variable stand among these tokens (two levels of parentheses deep)?
+fn has_variable(tokens: &[TokenTree]) -> bool {
+    fn look(tokens: impl IntoIterator<Item = TokenTree>, depth: usize) -> bool {
+        tokens.into_iter().any(|t| match t {
+            TokenTree::Ident(i) => variable_number(&i.to_string()).is_some(),
+            TokenTree::Group(g) => depth > 0 && look(g.stream(), depth - 1),
+            _ => false,
+        })
+    }
+    look(tokens.iter().cloned(), 8)
+}

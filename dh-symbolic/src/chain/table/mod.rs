@@ -1,0 +1,227 @@
+//! From tokens to a checked [`ChainSpec`]; all errors of a table at once, each at its cell.
+//!
+//! **In:** the tokens between the braces of `dh_robot!`. **Out:** [`Parsed`]: the robot as written, where each fact stands
+//! ([`Origins`]), the claims of `prove` blocks unread, and the [`Errors`].
+//!
+//! The way: `statements` finds the lines, `rows` cuts the table into cells, `parameters` and `settings` read what stands
+//! outside the table, `expression` reads one cell into a [`sum`], `cell` checks that the sum fits its place, `check` and
+//! `drive` look at rows together.
+//!
+//! **Never here:** formulas, floats (but for limits and the look of radians), panics: anything may stand between the braces.
+
+mod cell;
+mod check;
+mod cursor;
+mod drive;
+mod expression;
+mod motion;
+mod names;
+mod number;
+mod origin;
+mod parameters;
+mod range;
+mod rows;
+mod scope;
+mod settings;
+mod statements;
+mod sum;
+#[cfg(test)]
+mod tests;
+mod text;
+
+pub use origin::{Column, Origins};
+pub use statements::{ClaimTokens, Head};
+
+use super::{AngleCell, ChainSpec, MotionSpec, Quantity, Scalar, Task};
+use crate::diagnostic::{Error, Errors, Place};
+use proc_macro2::{Ident, TokenStream, TokenTree};
+use scope::{Kind, Scope};
+
+/// What was read.
+#[derive(Debug)]
+pub struct Parsed {
+    /// Documentation, attributes, visibility and name of the struct.
+    pub head: Head,
+    /// The robot; `None` if there were errors.
+    pub spec: Option<ChainSpec>,
+    /// What is known of it even so.
+    pub sketch: Sketch,
+    /// The lines of the `prove` blocks.
+    pub claims: Vec<ClaimTokens>,
+    /// Where everything stands.
+    pub origins: Origins,
+    /// All that is wrong.
+    pub errors: Errors,
+}
+
+/// What the generated type looks like from outside, as far as it is known in spite of errors.
+#[derive(Clone, Debug)]
+pub struct Sketch {
+    /// Number of rows with a joint variable.
+    pub joints: usize,
+    /// Fields of the struct.
+    pub fields: Vec<Field>,
+    /// What `inverse` is asked for.
+    pub task: Task,
+    /// Index of the joint whose value the caller chooses.
+    pub redundant: Option<usize>,
+    /// Number type.
+    pub scalar: Scalar,
+    /// Whether inverse kinematics is wanted.
+    pub ik: bool,
+    /// The table as text: header and rows, for the documentation of the generated type.
+    pub table: Vec<Vec<String>>,
+}
+
+/// A field of the struct.
+#[derive(Clone, Debug)]
+pub struct Field {
+    /// Its name.
+    pub name: Ident,
+    /// Its doc comment, line by line.
+    pub docs: Vec<String>,
+    /// What it measures.
+    pub quantity: Quantity,
+    /// Whether it has a nominal value.
+    pub nominal: bool,
+}
+
+/// A declared angle may stand in the rotations of a chain this often in all: sums of angles stay within what formulas can count.
+const MOST_TIMES_OF_AN_ANGLE: u32 = 24;
+
+/// Reads a table. Never panics, whatever the tokens are.
+pub fn parse(input: TokenStream) -> Parsed {
+    let mut errors = Errors::new();
+    let tokens: Vec<TokenTree> = input.into_iter().collect();
+    let written = statements::read(&tokens, &mut errors);
+    let settings = settings::read(&written.settings, &mut errors);
+    let head_place = written.head.name.as_ref().map_or_else(Place::call_site, |n| Place::at(n.span()));
+
+    let mut scope = Scope { names: Vec::new(), unit: settings.unit.clone() };
+    for line in &written.lets {
+        parameters::declare(line, &mut scope, &mut errors);
+    }
+    if !written.claims.is_empty() {
+        for d in scope.names.iter().filter(|d| names::is_cosine_or_sine(&d.name)) {
+            let text = format!("`{}` is a cosine or sine in the `prove` block: choose another name", d.name);
+            errors.push(Error::new(d.place, text));
+        }
+    }
+    if !settings.has_convention {
+        let error = Error::new(head_place, "the convention is missing; there is no default");
+        errors.push(error.help("write `convention = standard;` or `convention = modified;` (Craig)"));
+    }
+    let motions = |name: &str, errors: &mut Errors| {
+        let setting = written.settings.iter().find(|s| s.name == name && !s.value.is_empty());
+        setting.map_or_else(Vec::new, |s| motion::read(s, &scope, errors))
+    };
+    let (base, tool) = (motions("base", &mut errors), motions("tool", &mut errors));
+    let checked = match &written.grid {
+        Some(grid) => check::grid(grid, &scope, &mut errors),
+        None => {
+            let error = Error::new(head_place, "the table is missing");
+            errors.push(error.help("write `| joint | alpha | a | d | theta |` and one row per link"));
+            check::Checked::default()
+        }
+    };
+    let joints = checked.joints.len();
+    let redundant = settings.redundant.as_ref().and_then(|(word, place)| {
+        let known = written.grid.is_some() && joints > 0;
+        errors.take(redundant(word, *place, if known { joints } else { usize::MAX }, settings.task))
+    });
+    check_angles(&scope, &checked.rows, &base, &tool, &mut errors);
+
+    let sketch = Sketch {
+        joints,
+        fields: fields(&written.lets, &scope),
+        task: settings.task,
+        redundant,
+        scalar: settings.scalar,
+        ik: settings.ik,
+        table: written.grid.as_ref().map_or_else(Vec::new, table_text),
+    };
+    let origins = Origins {
+        name: head_place,
+        header: written.grid.as_ref().map_or(head_place, |g| g.header.place),
+        rows: checked.places,
+        settings: written.settings.iter().map(|s| (s.name.to_string(), s.place)).collect(),
+        parameters: scope.names.iter().map(|d| d.place).collect(),
+        joints: checked.joints,
+    };
+    let spec = match (&written.head.name, settings.convention) {
+        (Some(name), Some(convention)) if errors.is_empty() => Some(ChainSpec {
+            name: name.to_string(),
+            convention,
+            unit: settings.unit,
+            scalar: settings.scalar,
+            parameters: parameters::specs(&scope),
+            rows: checked.rows,
+            base,
+            tool,
+            task: settings.task,
+            redundant,
+            ik: settings.ik,
+        }),
+        _ => None,
+    };
+    Parsed { head: written.head, spec, sketch, claims: written.claims, origins, errors }
+}
+
+/// `redundant = q3;`: the index of the joint.
+fn redundant(word: &str, place: Place, joints: usize, task: Task) -> Result<usize, Error> {
+    let index = names::variable_number(word).and_then(|n| n.checked_sub(1));
+    let Some(index) = index.filter(|i| *i < joints) else {
+        let error = Error::new(place, "`redundant` names a joint variable of the table");
+        return Err(if joints < usize::MAX { error.help(format!("one of `q1` to `q{joints}`")) } else { error });
+    };
+    let (fixed, what) = match task {
+        Task::Pose => (6, "pose"),
+        Task::Position => (3, "position"),
+        Task::Planar => (3, "planar"),
+        Task::Axis => (5, "axis"),
+    };
+    if joints <= fixed {
+        let text = format!("no joint is redundant: `task = {what}` takes {fixed} joints, and the arm has {joints}");
+        return Err(Error::new(place, text));
+    }
+    Ok(index)
+}
+
+fn check_angles(scope: &Scope, rows: &[super::RowSpec], base: &[MotionSpec], tool: &[MotionSpec], errors: &mut Errors) {
+    let motions = base.iter().chain(tool).filter_map(|m| match m {
+        MotionSpec::Rotate(_, cell) => Some(cell),
+        MotionSpec::Translate(..) => None,
+    });
+    let cells: Vec<&AngleCell> = rows.iter().flat_map(|r| [&r.alpha, &r.theta]).chain(motions).collect();
+    for (i, d) in scope.names.iter().enumerate().filter(|(_, d)| d.kind == Kind::Angle) {
+        let times = cells.iter().flat_map(|c| &c.symbols).filter(|s| s.0 == i).map(|s| u32::from(s.1.unsigned_abs()));
+        if times.sum::<u32>() > MOST_TIMES_OF_AN_ANGLE {
+            let text = format!("the angle `{}` occurs more than {MOST_TIMES_OF_AN_ANGLE} times", d.name);
+            errors.push(Error::new(d.place, text));
+        }
+    }
+}
+
+/// The fields, once each, in order.
+fn fields(lets: &[statements::Let], scope: &Scope) -> Vec<Field> {
+    let mut list: Vec<Field> = Vec::new();
+    for line in lets {
+        let name = line.name.to_string();
+        let Some(d) = scope.find(&name).and_then(|i| scope.names.get(i)).filter(|d| d.field) else { continue };
+        // A name that is no field name is an error already, and must not break the struct as well.
+        if names::check_parameter(&line.name).is_ok() && !list.iter().any(|f| f.name == name) {
+            list.push(Field {
+                name: line.name.clone(),
+                docs: line.docs.clone(),
+                quantity: if d.kind == Kind::Angle { Quantity::Angle } else { Quantity::Length },
+                nominal: line.value.is_some(),
+            });
+        }
+    }
+    list
+}
+
+fn table_text(grid: &rows::Grid) -> Vec<Vec<String>> {
+    let line = |row: &rows::Row| row.cells.iter().map(|c| text::of(&c.tokens)).collect();
+    std::iter::once(&grid.header).chain(&grid.rows).map(line).collect()
+}

@@ -1,0 +1,74 @@
+//! What the names of a table stand for while its cells are read.
+
+use super::sum::Sum;
+use crate::algebra::Rational;
+use crate::chain::LengthUnit;
+use crate::diagnostic::Place;
+
+/// What a declared name measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// `let a2: length`.
+    Length,
+    /// `let beta: angle`.
+    Angle,
+    /// `let k: number`, or a constant without a unit: a coefficient, or a length in the table's unit.
+    Number,
+}
+
+/// A name that `let` declared.
+#[derive(Clone, Debug)]
+pub(super) struct Declared {
+    /// The name.
+    pub(super) name: String,
+    /// What it measures.
+    pub(super) kind: Kind,
+    /// True: a field of the struct, unknown while the macro runs.
+    pub(super) field: bool,
+    /// Value of a constant, or nominal value of a field.
+    pub(super) value: Option<Sum>,
+    /// False where the `let` line was wrong: cells that use the name are not checked any further.
+    pub(super) sound: bool,
+    /// The name's place.
+    pub(super) place: Place,
+}
+
+impl Declared {
+    /// The value in table units, for lengths and numbers that have one.
+    pub(super) fn number(&self) -> Option<Rational> {
+        let terms = &self.value.as_ref()?.terms;
+        (self.kind != Kind::Angle).then(|| terms.iter().fold(Rational::ZERO, |x, t| &x + &t.factor))
+    }
+
+    /// The value of a constant (not of a field) in table units.
+    pub(super) fn constant(&self) -> Option<Rational> {
+        if self.field { None } else { self.number() }
+    }
+}
+
+/// The names in scope and the unit of bare lengths.
+pub(super) struct Scope {
+    /// `let` lines so far.
+    pub(super) names: Vec<Declared>,
+    /// The table's unit.
+    pub(super) unit: LengthUnit,
+}
+
+impl Scope {
+    /// The index of a name.
+    pub(super) fn find(&self, name: &str) -> Option<usize> {
+        self.names.iter().position(|d| d.name == name)
+    }
+
+    /// Replaces constants among the names of a product by their values: what is left are fields.
+    pub(super) fn fold_constants(&self, factor: &Rational, names: &[usize]) -> (Rational, Vec<usize>) {
+        let (mut factor, mut rest) = (factor.clone(), Vec::new());
+        for &i in names {
+            match self.names.get(i).and_then(Declared::constant) {
+                Some(x) => factor = &factor * &x,
+                None => rest.push(i),
+            }
+        }
+        (factor, rest)
+    }
+}

@@ -1,0 +1,123 @@
+//! Settings: `convention = modified;` and the others.
+
+use super::names::suggestion;
+use super::number;
+use super::statements::Setting;
+use super::text;
+use crate::algebra::Rational;
+use crate::chain::{Convention, LengthUnit, Scalar, Task};
+use crate::diagnostic::{Error, Errors, Place};
+
+const NAMES: [&str; 9] = ["convention", "unit", "scalar", "base", "tool", "task", "redundant", "ik", "prove"];
+
+/// All settings that need no names.
+#[derive(Clone, Debug)]
+pub(super) struct Settings {
+    pub(super) convention: Option<Convention>,
+    pub(super) unit: LengthUnit,
+    pub(super) scalar: Scalar,
+    pub(super) task: Task,
+    /// `redundant`: the word and its place.
+    pub(super) redundant: Option<(String, Place)>,
+    pub(super) ik: bool,
+    /// Was `convention` written, rightly or wrongly?
+    pub(super) has_convention: bool,
+}
+
+/// Reads them; the later of two of one name is an error.
+pub(super) fn read(list: &[Setting], errors: &mut Errors) -> Settings {
+    let mut s = Settings {
+        convention: None,
+        unit: LengthUnit { name: "m", metres: Rational::ONE },
+        scalar: Scalar::F64,
+        task: Task::Pose,
+        redundant: None,
+        ik: true,
+        has_convention: false,
+    };
+    for (i, setting) in list.iter().enumerate() {
+        let name = setting.name.to_string();
+        let at = Place::at(setting.name.span());
+        if let Some(first) = list.iter().take(i).find(|f| f.name == setting.name) {
+            let related = Place::at(first.name.span());
+            errors.push(Error::new(at, format!("`{name}` is set twice")).related(related, "first set here"));
+            continue;
+        }
+        if setting.value.is_empty() && NAMES.contains(&name.as_str()) {
+            errors.push(Error::new(at, format!("`{name}` has no value")));
+            s.has_convention |= name == "convention";
+            continue;
+        }
+        let word = text::of(&setting.value);
+        let choice = Choice { name: &name, word: &word, place: setting.place };
+        match name.as_str() {
+            "convention" => {
+                s.has_convention = true;
+                let all = [("standard", Convention::Standard), ("modified", Convention::Modified)];
+                s.convention = errors.take(choice.convention(&all));
+            }
+            "unit" => match number::length_unit(&word) {
+                Some(unit) => s.unit = unit,
+                None => errors.push(number::unknown_length_unit(&word, setting.place)),
+            },
+            "scalar" => {
+                s.scalar = errors.take(choice.of(&[("f64", Scalar::F64), ("f32", Scalar::F32)])).unwrap_or(s.scalar);
+            }
+            "task" => {
+                let all = [
+                    ("pose", Task::Pose),
+                    ("position", Task::Position),
+                    ("planar", Task::Planar),
+                    ("axis", Task::Axis),
+                ];
+                s.task = errors.take(choice.of(&all)).unwrap_or(s.task);
+            }
+            "redundant" => s.redundant = Some((word, setting.place)),
+            "ik" => s.ik = errors.take(choice.of(&[("none", false)])).unwrap_or(true),
+            "base" | "tool" => {}
+            _ => {
+                let error = Error::new(at, format!("unknown setting `{name}`"));
+                errors.push(match suggestion(&name, NAMES) {
+                    Some("prove") => error.help("claims are written `prove { ... }`"),
+                    Some(near) => error.help(format!("did you mean `{near}`?")),
+                    None => error.help(format!("settings: {}; a name is declared with `let`", NAMES[..8].join(", "))),
+                });
+            }
+        }
+    }
+    s
+}
+
+struct Choice<'a> {
+    name: &'a str,
+    word: &'a str,
+    place: Place,
+}
+
+impl Choice<'_> {
+    fn of<T: Copy>(&self, all: &[(&str, T)]) -> Result<T, Error> {
+        if let Some((_, value)) = all.iter().find(|(word, _)| *word == self.word) {
+            return Ok(*value);
+        }
+        let words: Vec<String> = all.iter().map(|(w, _)| format!("`{w}`")).collect();
+        let text = match words.as_slice() {
+            [only] => format!("`{}` can only be set to {only}", self.name),
+            list => format!("`{}` is one of {}", self.name, list.join(", ")),
+        };
+        let error = Error::new(self.place, text);
+        Err(match suggestion(self.word, all.iter().map(|(w, _)| *w)) {
+            Some(near) => error.help(format!("did you mean `{near}`?")),
+            None => error,
+        })
+    }
+
+    fn convention(&self, all: &[(&str, Convention)]) -> Result<Convention, Error> {
+        self.of(all).map_err(|e| match self.word.to_lowercase().as_str() {
+            "craig" | "proximal" | "mdh" => e.help("Craig's convention is `modified`"),
+            "classic" | "distal" | "dh" | "paul" => {
+                e.help("the convention of Denavit, Hartenberg and Paul is `standard`")
+            }
+            _ => e,
+        })
+    }
+}
