@@ -1,8 +1,9 @@
 //! Any number of equations in the cosine and sine of the same angle, in the sense of least squares.
 
-use super::List;
+use super::list::List;
 use super::math::sqrt;
-use super::sincos::{Angles, Outcome, solve_sincos};
+use super::found::{Angles, Outcome};
+use super::sincos::solve_sincos;
 use super::tolerance::{CONTRADICTION, RANK};
 
 /// The angle with `a cos t + b sin t = c` for every row `[a, b, c]`.

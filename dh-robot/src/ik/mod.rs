@@ -13,9 +13,13 @@
 #![allow(clippy::neg_cmp_op_on_partial_ord)] // `!(x <= y)` is how NaN ends on the safe side
 
 mod bernstein;
+mod bilinear;
+mod found;
+mod lengths;
 mod list;
 mod many;
 mod math;
+mod newton2;
 mod pair;
 mod polish;
 pub mod pose;
@@ -24,12 +28,17 @@ pub mod tolerance;
 mod trig_poly;
 mod trig_roots;
 
+pub use bilinear::{AnglePair, solve_bilinear};
+pub use found::{Angles, Found, Outcome};
+pub use lengths::{
+    LengthAngle, solve_length_and_angle, solve_length_squared_and_angle, solve_quadratic, solve_two_lengths,
+};
 pub use list::List;
 pub use many::solve_many;
 pub use pair::{solve_pair, solve_turn};
 pub use polish::{Kinematics, Polished, Task, levenberg_marquardt, polish};
 pub use pose::{Chain, Pose};
-pub use sincos::{Angles, Outcome, solve_sincos};
+pub use sincos::solve_sincos;
 pub use trig_poly::TrigPoly;
 
 #[cfg(test)]

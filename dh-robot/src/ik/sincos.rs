@@ -1,77 +1,9 @@
 //! One equation `a cos t + b sin t = c`: the workhorse of closed-form inverse kinematics.
 
-use super::List;
+use super::found::{Angles, Outcome};
+use super::list::List;
 use super::math::sqrt;
 use super::tolerance::{BOUNDARY, DOUBLE};
-
-/// Why a kernel found as many angles as it did.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Outcome {
-    /// All solutions, well apart.
-    Regular,
-    /// All solutions, but at least one is a double one: the boundary of the workspace, or of a branch of it.
-    Touching,
-    /// No solution: the equation asks for `needed`, and no angle gives more than `available`.
-    OutOfReach {
-        /// What the equation asks for, in the unit of its right-hand side.
-        needed: f64,
-        /// What an angle can give.
-        available: f64,
-    },
-    /// No solution: all roots of the equation are complex, or a coefficient isn't finite.
-    NoRealRoot,
-    /// The equation says nothing about the angle: every angle solves it.
-    Free,
-}
-
-/// Up to `N` angles as `[cos, sin]`, and the reason for their number; derefs to a slice.
-#[derive(Clone, Copy, Debug)]
-pub struct Angles<const N: usize> {
-    /// The angles, each once, as points `[cos, sin]` of the unit circle.
-    pub roots: List<[f64; 2], N>,
-    /// Why there are as many.
-    pub outcome: Outcome,
-}
-
-impl<const N: usize> Angles<N> {
-    /// No angle, because of `outcome`.
-    #[inline]
-    pub(super) fn none(outcome: Outcome) -> Self {
-        Self { roots: List::new(), outcome }
-    }
-
-    /// Takes `representative` (as `[cos, sin]`) where the angle is free, and changes nothing elsewhere.
-    #[inline]
-    #[must_use]
-    pub fn or_if_free(mut self, representative: [f64; 2]) -> Self {
-        if self.outcome == Outcome::Free && self.roots.is_empty() {
-            self.roots.push(representative);
-        }
-        self
-    }
-
-    /// Is every angle a solution?
-    #[inline]
-    pub fn is_free(&self) -> bool {
-        self.outcome == Outcome::Free
-    }
-}
-
-impl<const N: usize> core::ops::Deref for Angles<N> {
-    type Target = [[f64; 2]];
-    #[inline]
-    fn deref(&self) -> &[[f64; 2]] {
-        &self.roots
-    }
-}
-
-impl<'a, const N: usize> IntoIterator for &'a Angles<N> {
-    type Item = &'a [f64; 2];
-    type IntoIter = core::slice::Iter<'a, [f64; 2]>;
-    fn into_iter(self) -> Self::IntoIter {
-        self.roots.as_slice().iter()
-    }
-}
 
 /// All angles with `a cos t + b sin t = c`.
 ///

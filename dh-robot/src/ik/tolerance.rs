@@ -28,6 +28,10 @@ pub const RANK: f64 = 1e-9;
 /// led to them has no solution. Generous, because a wrong candidate costs one forward kinematics and a lost one is lost.
 pub const CONTRADICTION: f64 = 1e-3;
 
+/// Residual (relative to the largest coefficient) at which a polished solution of two equations counts as one. Generous,
+/// for targets that lie on the boundary up to rounding; forward kinematics has the last word.
+pub const ACCEPT: f64 = 1e-8;
+
 /// Residual at which polishing stops early: position over reach, and radians.
 pub const POLISHED: f64 = 1e-15;
 

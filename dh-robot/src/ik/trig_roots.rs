@@ -4,10 +4,10 @@
 //! tell a pair of real angles from a pair of complex ones. Here, an arc is thrown away only when its Bernstein coefficients prove
 //! that there is no root, halved while there may be several, and its root is bracketed as soon as there is exactly one.
 
-use super::List;
+use super::list::List;
 use super::bernstein::{ARCS, MAX_COEFFICIENTS, MAX_DEGREE, Tables, halve};
 use super::math::sqrt;
-use super::sincos::{Angles, Outcome};
+use super::found::{Angles, Found, Outcome};
 use super::tolerance::TOUCH;
 use super::trig_poly::TrigPoly;
 
@@ -93,32 +93,42 @@ impl<const D: usize> TrigPoly<D> {
     /// - All coefficients together at most `zero` (absolute): [`Outcome::Free`], no root.
     /// - [`Outcome::NoRealRoot`], also for coefficients that aren't finite.
     pub fn roots<const R: usize>(&self, zero: f64) -> Angles<R> {
+        let marked: Found<([f64; 2], bool), R> = self.marked_roots(zero, TOUCH);
+        let mut roots = List::new();
+        for &(root, _) in &marked {
+            roots.push(root);
+        }
+        Angles { roots, outcome: marked.outcome }
+    }
+
+    /// [`TrigPoly::roots`], each with a mark: does it only touch zero (within `touch`, relative to the sum of all coefficients)?
+    pub(super) fn marked_roots<const R: usize>(&self, zero: f64, touch: f64) -> Found<([f64; 2], bool), R> {
         const { assert!(2 * D <= R, "a trigonometric polynomial of degree D has up to 2 D roots") };
         let size = self.size();
         if size <= zero {
-            return Angles::none(Outcome::Free);
+            return Found::none(Outcome::Free);
         }
         if !(size < f64::INFINITY) {
-            return Angles::none(Outcome::NoRealRoot);
+            return Found::none(Outcome::NoRealRoot);
         }
-        let mut roots = List::new();
+        let mut roots = List::<([f64; 2], bool), R>::new();
         let mut touching = List::<[f64; 2], R>::new();
-        self.each_root(TOUCH, |root, touches| {
+        self.each_root(touch, |root, touches| {
             if !touches {
-                roots.push(root);
+                roots.push((root, false));
             } else if !touching.iter().any(|t| near(*t, root)) {
                 touching.push(root);
             }
         });
         for &t in &touching {
-            roots.push(t);
+            roots.push((t, true));
         }
         let outcome = match (roots.is_empty(), touching.is_empty()) {
             (true, _) => Outcome::NoRealRoot,
             (false, true) => Outcome::Regular,
             (false, false) => Outcome::Touching,
         };
-        Angles { roots, outcome }
+        Found { roots, outcome }
     }
 
     /// Calls `found` with every real root, and whether it only touches zero (within `touch`, relative).

@@ -1,0 +1,78 @@
+//! What every kernel gives back: its solutions, and why there are as many.
+
+use core::ops::Deref;
+
+use super::list::List;
+
+/// Why a kernel found as many solutions as it did.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Outcome {
+    /// All solutions, well apart.
+    Regular,
+    /// All solutions, but at least one is a double one: the boundary of the workspace, or of a branch of it.
+    Touching,
+    /// No solution: the equation asks for `needed`, and no angle gives more than `available`.
+    OutOfReach {
+        /// What the equation asks for, in the unit of its right-hand side.
+        needed: f64,
+        /// What an angle can give.
+        available: f64,
+    },
+    /// No solution: all roots of the equation are complex, or a coefficient isn't finite.
+    NoRealRoot,
+    /// The equations say nothing about an unknown, or admit a curve of solutions.
+    Free,
+}
+
+/// Up to `N` solutions, and the reason for their number; derefs to a slice.
+#[derive(Clone, Copy, Debug)]
+pub struct Found<T, const N: usize> {
+    /// The solutions, each once.
+    pub roots: List<T, N>,
+    /// Why there are as many.
+    pub outcome: Outcome,
+}
+
+/// Angles, each as a point `[cos, sin]` of the unit circle.
+pub type Angles<const N: usize> = Found<[f64; 2], N>;
+
+impl<T: Copy + Default, const N: usize> Found<T, N> {
+    /// No solution, because of `outcome`.
+    #[inline]
+    pub(super) fn none(outcome: Outcome) -> Self {
+        Self { roots: List::new(), outcome }
+    }
+
+    /// Takes `representative` where every value is a solution, and changes nothing elsewhere.
+    #[inline]
+    #[must_use]
+    pub fn or_if_free(mut self, representative: T) -> Self {
+        if self.is_free() && self.roots.is_empty() {
+            self.roots.push(representative);
+        }
+        self
+    }
+
+    /// Do the equations leave an unknown free?
+    #[inline]
+    pub fn is_free(&self) -> bool {
+        self.outcome == Outcome::Free
+    }
+}
+
+impl<T: Copy + Default, const N: usize> Deref for Found<T, N> {
+    type Target = [T];
+    #[inline]
+    fn deref(&self) -> &[T] {
+        &self.roots
+    }
+}
+
+impl<'a, T: Copy + Default, const N: usize> IntoIterator for &'a Found<T, N> {
+    type Item = &'a T;
+    type IntoIter = core::slice::Iter<'a, T>;
+    #[inline]
+    fn into_iter(self) -> Self::IntoIter {
+        self.roots.as_slice().iter()
+    }
+}

@@ -1,0 +1,259 @@
+//! Equations with a prismatic unknown: alone, with an angle, or with a second one.
+
+use super::found::{Found, Outcome};
+use super::list::List;
+use super::math::sqrt;
+use super::newton2::polish_pair;
+use super::tolerance::{ACCEPT, BOUNDARY, DOUBLE, SAME, ZERO};
+use super::trig_poly::TrigPoly;
+
+/// A length and an angle `[cos, sin]`.
+pub type LengthAngle = (f64, [f64; 2]);
+
+/// All real `x` with `a x^2 + b x + c = 0`, without loss of digits.
+///
+/// `q = -(b + sign(b) sqrt(b^2 - 4 a c)) / 2`, then `x = q / a` and `x = c / q` (Press et al., *Numerical Recipes*, section 5.6).
+///
+/// - `|a| <= tol`: the linear equation; `|a|` and `|b|` at most `tol`: [`Outcome::Free`] if `|c|` is too, else no solution.
+///   `tol` is absolute: scale the unknown so that it is of order one.
+/// - A discriminant within [`BOUNDARY`] (relative) below zero counts as zero: one root, [`Outcome::Touching`].
+#[inline]
+pub fn solve_quadratic(a: f64, b: f64, c: f64, tol: f64) -> Found<f64, 2> {
+    let mut roots = List::new();
+    if a.abs() <= tol {
+        if b.abs() <= tol {
+            let needed = c.abs();
+            return Found::none(if needed <= tol { Outcome::Free } else { Outcome::OutOfReach { needed, available: 0.0 } });
+        }
+        roots.push(-c / b);
+        return Found { roots, outcome: Outcome::Regular };
+    }
+    let (bb, ac) = (b * b, 4.0 * a * c);
+    let (discriminant, size) = (bb - ac, bb.max(ac.abs()));
+    if !(discriminant >= -BOUNDARY * size && size < f64::INFINITY && a.abs() < f64::INFINITY) {
+        return Found::none(Outcome::NoRealRoot);
+    }
+    if discriminant <= DOUBLE * size {
+        roots.push(-0.5 * b / a);
+        return Found { roots, outcome: Outcome::Touching };
+    }
+    let q = -0.5 * (b + sqrt(discriminant).copysign(b));
+    roots.push(q / a);
+    roots.push(c / q);
+    Found { roots, outcome: Outcome::Regular }
+}
+
+/// All `(d, v)` with `sum_ij e[3 i + j] D_i V_j = 0` for both equations, `D = (1, d)`, `V = (1, cos v, sin v)`.
+///
+/// Elimination of `d` leaves a trigonometric polynomial of degree 2: up to four solutions. See [`solve_length_squared_and_angle`].
+pub fn solve_length_and_angle(e1: &[f64; 6], e2: &[f64; 6], tol: f64) -> Found<LengthAngle, 8> {
+    let widen = |e: &[f64; 6]| [e[0], e[1], e[2], e[3], e[4], e[5], 0.0, 0.0, 0.0];
+    solve_length_squared_and_angle(&widen(e1), &widen(e2), tol)
+}
+
+/// All `(d, v)` with `sum_ij e[3 i + j] D_i V_j = 0` for both equations, `D = (1, d, d^2)`, `V = (1, cos v, sin v)`.
+///
+/// The resultant of two quadratics in `d` is a trigonometric polynomial of degree 4 in `v`: up to eight solutions.
+/// Lengths should be of order one (divide by the reach).
+///
+/// - Where `d` is linear in both equations, the degree is 2. Where an equation has no `d` at all, it is solved first.
+/// - Each solution is polished on both equations and dropped if it misses them by more than [`ACCEPT`].
+/// - [`Outcome::Free`] with no root: an equation whose coefficients are all at most `tol` (absolute), or a common curve.
+pub fn solve_length_squared_and_angle(e1: &[f64; 9], e2: &[f64; 9], tol: f64) -> Found<LengthAngle, 8> {
+    let size = |e: &[f64; 9]| e.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    let (s1, s2) = (size(e1), size(e2));
+    if s1 <= tol || s2 <= tol {
+        return Found::none(Outcome::Free);
+    }
+    let (e1, e2) = (e1.map(|x| x / s1), e2.map(|x| x / s2));
+    if !e1.iter().chain(&e2).all(|x| x.is_finite()) {
+        return Found::none(Outcome::NoRealRoot);
+    }
+    let absent = |e: &[f64; 9], from: usize| e[from..].iter().all(|x| x.abs() <= ZERO);
+    let (p1, p2) = (in_angle(&e1), in_angle(&e2));
+    let minor = |i: usize, j: usize| -> TrigPoly<2> { p1[i].times::<1, 2>(&p2[j]).plus(&p2[i].times::<1, 2>(&p1[j]), -1.0) };
+    let vs = if absent(&e1, 3) {
+        p1[0].roots::<8>(ZERO)
+    } else if absent(&e2, 3) {
+        p2[0].roots::<8>(ZERO)
+    } else if absent(&e1, 6) && absent(&e2, 6) {
+        minor(0, 1).roots::<8>(ZERO)
+    } else {
+        let eliminant: TrigPoly<4> = minor(0, 2).times(&minor(0, 2)).plus(&minor(0, 1).times(&minor(1, 2)), -1.0);
+        eliminant.roots::<8>(ZERO)
+    };
+    let mut found = Found { roots: List::new(), outcome: vs.outcome };
+    for &v in &vs {
+        let (q1, q2) = (at_angle(&e1, v), at_angle(&e2, v));
+        // The equation that says more about d gives the candidates, the other one decides.
+        let weight = |q: &[f64; 3]| q[1].abs().max(q[2].abs());
+        let q = if weight(&q1) >= weight(&q2) { q1 } else { q2 };
+        let ds = solve_quadratic(q[2], q[1], q[0], ZERO);
+        if ds.is_free() {
+            found.outcome = Outcome::Free;
+        }
+        // Both equations together, without d^2: exact where the single one has a double root.
+        let (bottom, top) = (q1[1] * q2[2] - q2[1] * q1[2], q1[0] * q2[2] - q2[0] * q1[2]);
+        let common = if bottom.abs() > ZERO { Some(-top / bottom) } else { None };
+        for &d in ds.iter().chain(&common) {
+            add(&mut found.roots, &e1, &e2, d, v);
+        }
+    }
+    if found.roots.is_empty() && found.outcome != Outcome::Free {
+        found.outcome = Outcome::NoRealRoot;
+    }
+    found
+}
+
+/// All `(x, y)` with `e[0] + e[1] y + e[2] x + e[3] x y = 0` for both equations: up to two solutions.
+///
+/// Lengths should be of order one. [`Outcome::Free`] where an equation vanishes (at most `tol`) or both have a common curve.
+pub fn solve_two_lengths(e1: &[f64; 4], e2: &[f64; 4], tol: f64) -> Found<[f64; 2], 2> {
+    let size = |e: &[f64; 4]| e.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    let (s1, s2) = (size(e1), size(e2));
+    if s1 <= tol || s2 <= tol {
+        return Found::none(Outcome::Free);
+    }
+    let (a, b) = (e1.map(|x| x / s1), e2.map(|x| x / s2));
+    // (a0 + a1 y) + (a2 + a3 y) x = 0 and the same for b.
+    let ys = solve_quadratic(
+        a[1] * b[3] - b[1] * a[3],
+        a[0] * b[3] + a[1] * b[2] - b[0] * a[3] - b[1] * a[2],
+        a[0] * b[2] - b[0] * a[2],
+        ZERO,
+    );
+    let mut found = Found { roots: List::new(), outcome: ys.outcome };
+    for &y in &ys {
+        let (fa, fb) = (a[2] + a[3] * y, b[2] + b[3] * y);
+        let norm = fa * fa + fb * fb;
+        // Where both equations lose x, the root belongs to no finite x, or to every x.
+        if norm > ZERO * ZERO * (1.0 + y * y) {
+            let x = -((a[0] + a[1] * y) * fa + (b[0] + b[1] * y) * fb) / norm;
+            let residual = |e: &[f64; 4]| (e[0] + e[1] * y + e[2] * x + e[3] * x * y).abs();
+            if residual(&a).max(residual(&b)) <= ACCEPT * (1.0 + x.abs()) * (1.0 + y.abs()) {
+                found.roots.push([x, y]);
+            }
+        }
+    }
+    if found.roots.is_empty() && found.outcome != Outcome::Free {
+        found.outcome = Outcome::NoRealRoot;
+    }
+    found
+}
+
+/// The coefficients of `1`, `d`, `d^2` as polynomials in the angle.
+fn in_angle(e: &[f64; 9]) -> [TrigPoly<1>; 3] {
+    [0, 3, 6].map(|i| TrigPoly::linear(e[i], e[i + 1], e[i + 2]))
+}
+
+/// The same at one angle.
+fn at_angle(e: &[f64; 9], [c, s]: [f64; 2]) -> [f64; 3] {
+    [0, 3, 6].map(|i| e[i] + e[i + 1] * c + e[i + 2] * s)
+}
+
+/// Polishes a candidate and keeps it if it is a solution, and a new one.
+fn add(roots: &mut List<LengthAngle, 8>, e1: &[f64; 9], e2: &[f64; 9], mut d: f64, mut v: [f64; 2]) {
+    let residual = polish_pair(&mut d, &mut v, 1e-15, |d, v| {
+        [e1, e2].map(|e| {
+            let [a, b, c] = at_angle(e, v);
+            let [da, db, dc] = [0, 3, 6].map(|i| e[i + 2] * v[0] - e[i + 1] * v[1]);
+            [a + d * (b + d * c), b + 2.0 * d * c, da + d * (db + d * dc)]
+        })
+    });
+    let scale = 1.0 + d * d;
+    let new = |r: &LengthAngle| (r.0 - d).abs() + (r.1[0] - v[0]).abs() + (r.1[1] - v[1]).abs() > SAME * scale;
+    if residual <= ACCEPT * scale && roots.iter().all(new) {
+        roots.push((d, v));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ik::testing::Rng;
+
+    #[test]
+    fn quadratics_keep_their_digits() {
+        let found = solve_quadratic(1.0, -1e8, 1.0, 1e-12);
+        assert!(found.iter().any(|x| (x - 1e-8).abs() < 1e-23) && found.len() == 2);
+        assert_eq!(solve_quadratic(1.0, 0.0, -4.0, 1e-12).len(), 2);
+        assert_eq!(solve_quadratic(0.0, 2.0, -4.0, 1e-12).as_ref(), &[2.0]);
+        let touching = solve_quadratic(1.0, -2.0, 1.0 + 1e-12, 1e-12);
+        assert_eq!((touching.as_ref(), touching.outcome), (&[1.0][..], Outcome::Touching));
+        assert_eq!(solve_quadratic(1.0, 0.0, 1.0, 1e-12).outcome, Outcome::NoRealRoot);
+        assert!(solve_quadratic(0.0, 0.0, 0.0, 1e-12).is_free());
+        assert!(matches!(solve_quadratic(0.0, 0.0, 1.0, 1e-12).outcome, Outcome::OutOfReach { .. }));
+        for bad in [f64::NAN, f64::INFINITY] {
+            assert!(solve_quadratic(1.0, bad, 0.0, 1e-12).is_empty() && solve_quadratic(1.0, 0.0, bad, 1e-12).is_empty());
+            assert!(solve_quadratic(bad, 0.0, -1.0, 1e-12).is_empty());
+        }
+        // x^2 = 0, the commonest double root of all.
+        assert_eq!(solve_quadratic(1.0, 0.0, 0.0, 1e-12).as_ref(), &[0.0]);
+    }
+
+    fn through<const K: usize>(rng: &mut Rng, degree: usize, d: f64, v: [f64; 2]) -> [f64; K] {
+        let mut e = [(); K].map(|()| rng.symmetric());
+        let mut sum = 0.0;
+        for i in 0..=degree {
+            sum += d.powi(i as i32) * (e[3 * i] + e[3 * i + 1] * v[0] + e[3 * i + 2] * v[1]);
+        }
+        e[0] -= sum;
+        e
+    }
+
+    fn contains(found: &Found<LengthAngle, 8>, d: f64, v: [f64; 2]) -> bool {
+        found.iter().any(|r| (r.0 - d).abs() + (r.1[0] - v[0]).abs() + (r.1[1] - v[1]).abs() < 1e-6)
+    }
+
+    #[test]
+    fn lengths_with_angles_come_back() {
+        let mut rng = Rng::new(50);
+        for i in 0..400 {
+            let t = if i < 16 { f64::from(i) * core::f64::consts::PI / 8.0 } else { rng.angle() };
+            let (d, v) = (if i % 5 == 0 { 0.0 } else { rng.symmetric() }, [t.cos(), t.sin()]);
+            let (e1, e2): ([f64; 6], [f64; 6]) = (through(&mut rng, 1, d, v), through(&mut rng, 1, d, v));
+            assert!(contains(&solve_length_and_angle(&e1, &e2, 1e-12), d, v));
+            let (e1, e2): ([f64; 9], [f64; 9]) = (through(&mut rng, 2, d, v), through(&mut rng, 2, d, v));
+            let found = solve_length_squared_and_angle(&e1, &e2, 1e-12);
+            assert!(contains(&found, d, v) && found.len().is_multiple_of(2));
+            // One quadratic and one linear equation; and one without the length.
+            let mut flat = e1;
+            flat[6..].fill(0.0);
+            flat[0] -= at_angle(&flat, v)[0] + d * at_angle(&flat, v)[1];
+            assert!(contains(&solve_length_squared_and_angle(&flat, &e2, 1e-12), d, v));
+            flat[3..].fill(0.0);
+            flat[0] -= at_angle(&flat, v)[0];
+            assert!(contains(&solve_length_squared_and_angle(&flat, &e2, 1e-12), d, v));
+            assert!(contains(&solve_length_squared_and_angle(&e2, &flat, 1e-12), d, v));
+        }
+    }
+
+    #[test]
+    fn common_curves_are_free() {
+        let e = [0.1, 0.2, 0.3, -0.4, 0.5, 0.6, 0.7, -0.8, 0.9];
+        assert!(solve_length_squared_and_angle(&e, &e.map(|x| 2.0 * x), 1e-12).is_free());
+        assert!(solve_length_squared_and_angle(&e, &[0.0; 9], 1e-12).is_free());
+        assert!(solve_length_squared_and_angle(&e, &[f64::NAN; 9], 1e-12).is_empty());
+        assert!(solve_two_lengths(&[1.0, 2.0, 3.0, 4.0], &[2.0, 4.0, 6.0, 8.0], 1e-12).is_free());
+    }
+
+    #[test]
+    fn two_lengths_come_back() {
+        let mut rng = Rng::new(51);
+        for _ in 0..300 {
+            let (x, y) = (rng.symmetric(), rng.symmetric());
+            let equation = |rng: &mut Rng, bilinear: f64| {
+                let mut e = [0.0, rng.symmetric(), rng.symmetric(), bilinear * rng.symmetric()];
+                e[0] = -(e[1] * y + e[2] * x + e[3] * x * y);
+                e
+            };
+            for bilinear in [0.0, 1.0] {
+                let (e1, e2) = (equation(&mut rng, bilinear), equation(&mut rng, bilinear));
+                let found = solve_two_lengths(&e1, &e2, 1e-12);
+                assert!(found.iter().any(|r| (r[0] - x).hypot(r[1] - y) < 1e-6), "{found:?}");
+            }
+        }
+        // x y = 0 has two lines; with x = 1 only one of them meets it.
+        assert_eq!(solve_two_lengths(&[0.0, 0.0, 0.0, 1.0], &[-1.0, 0.0, 1.0, 0.0], 1e-12).as_ref(), &[[1.0, 0.0]]);
+    }
+}
