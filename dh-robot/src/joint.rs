@@ -8,8 +8,8 @@ use crate::math::{ceil, round, wrap_angle};
 pub enum JointKind {
     /// The joint turns; its variable is an angle in radians, and a whole turn changes nothing.
     Revolute,
-    /// The joint slides; its variable is a length in the unit of the table. The variable of a coupled drive that moves
-    /// several rows, or moves one in another measure, counts as sliding too: whole turns mean something there.
+    /// The joint slides; its variable is a length in the unit of the table. So counts also the variable of a coupled drive of
+    /// which a whole turn is not a whole turn of every row it moves: taking turns off would move the arm.
     Prismatic,
 }
 

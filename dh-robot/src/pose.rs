@@ -179,6 +179,16 @@ mod tests {
     }
 
     #[test]
+    fn each_pair_of_columns_is_looked_at() {
+        for (i, j) in [(0, 1), (1, 2), (2, 0)] {
+            let mut sheared = *some_pose().rotation.matrix();
+            let column = sheared.column(i) + sheared.column(j) * 1e-3;
+            sheared.set_column(i, &column);
+            assert!((rotation_deviation(&sheared) - 1e-3).abs() < 1e-9, "{i} {j}");
+        }
+    }
+
+    #[test]
     fn scaled_and_reflected_matrices_are_not_rotations() {
         let scaled = from_entries([[1.1, 0.0, 0.0], [0.0, 1.1, 0.0], [0.0, 0.0, 1.1]], [0.0; 3]);
         assert!((rotation_deviation(scaled.rotation.matrix()) - 0.21_f64).abs() < 1e-12);

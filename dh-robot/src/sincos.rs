@@ -14,7 +14,7 @@
 //! 3. Polynomials for `sin r` and `cos r`, minimax in the relative error: 2^-57.9 and 2^-63.9.
 //! 4. Odd quadrants exchange the two, and the quadrant gives the signs, by masks.
 //!
-//! Above [`LIMIT`] (also NaN and infinity) the whole batch goes to the functions of [`math`](crate::math).
+//! Above [`LIMIT`] (also NaN and infinity) the whole batch goes to the functions of [`math`].
 
 use crate::math::{self, mul_add};
 use crate::Real;

@@ -179,6 +179,7 @@ mod tests {
         assert_eq!(reach(0.9, 0.8, "m").or_nearer(Why::NoSolution), reach(0.9, 0.8, "m"));
         let verified = Why::NotVerified { error: 1e-3 };
         assert_eq!(reach(0.9, 0.8, "m").or_nearer(verified), verified);
+        assert_eq!(verified.or_nearer(reach(0.9, 0.8, "m")), verified);
         assert_eq!(Why::NotVerified { error: 1e-2 }.or_nearer(verified), verified);
         assert_eq!(verified.or_nearer(Why::NotVerified { error: 1e-2 }), verified);
     }

@@ -145,6 +145,21 @@ fn angles_of_random_vectors() {
     }
 }
 
+#[test]
+fn angles_next_to_the_axes_and_diagonals_are_rounded_once() {
+    let mut random = Random(161_803_398_874_989);
+    let mut worst = Worst::default();
+    for _ in 0..points().div_ceil(80) {
+        let tilt = random.uniform() * 1e-4;
+        for (y, x) in [(1.0, tilt), (tilt, -1.0), (-1.0, tilt), (1.0 + tilt, 1.0), (1.0, -1.0 - tilt)] {
+            let [angle] = atan2_batch(&[y], &[x]);
+            worst.see(angle_error(angle, y, x), [y, x]);
+        }
+    }
+    eprintln!("atan2 next to axes and diagonals   {:.3} ulp at {:e}, {:e}", worst.ulps, worst.at[0], worst.at[1]);
+    assert!(worst.ulps < 0.51, "{}", worst.ulps);
+}
+
 /// What the documentation of `atan2_batch` promises, in ulp.
 const ATAN2_BOUND: f64 = 2.0;
 
