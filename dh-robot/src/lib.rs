@@ -240,7 +240,6 @@ modules! {
     pub mod atan2;
     mod branch;
     mod free;
-    /// Numeric kernels for generated code.
     #[doc(hidden)]
     pub mod ik;
     mod joint;
@@ -259,11 +258,13 @@ pub use nalgebra;
 
 #[cfg(any(feature = "std", feature = "libm"))]
 pub use {
+    atan2::atan2_batch,
     branch::{Branch, Elbow, Shoulder, Wrist},
     free::{FreeJoints, FreeJointsIter},
     joint::{Joint, JointKind},
     real::Real,
     robot::{ForwardKinematics, InverseKinematics, Jacobian, Robot},
+    sincos::sincos_batch,
     solution::Solution,
     solutions::Solutions,
     why::Why,
