@@ -4,6 +4,7 @@ pub mod algebra;
 pub mod chain;
 pub mod diagnostic;
 pub mod kinematics;
+pub mod planner;
 pub mod program;
 pub mod render;
 
@@ -11,3 +12,6 @@ pub mod render;
 pub fn expand(input: proc_macro2::TokenStream) -> proc_macro2::TokenStream {
     chain::table::parse(input).errors.to_compile_errors()
 }
+
+#[cfg(test)]
+pub(crate) use planner::kernels as ik;

@@ -27,7 +27,7 @@ mod text;
 
 pub use angle::Angle;
 pub use evaluate::Point;
-pub(crate) use matrix::cross;
+pub(crate) use matrix::{cross, dot};
 pub use matrix::{Transform, Vector};
 pub use monomial::{Factor, Monomial};
 pub use poly::Poly;

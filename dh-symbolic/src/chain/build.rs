@@ -135,24 +135,32 @@ impl Builder {
             .sum()
     }
 
-    /// A cell with a length. A bare number becomes a named constant, one name for one magnitude.
+    /// A cell with a length. Bare numbers in it become named constants, one name for one magnitude, so that every formula stays
+    /// homogeneous in lengths.
     fn length(&mut self, cell: &LengthCell, name: &str) -> Poly {
-        let [(x, factors)] = cell.terms.as_slice() else { return self.polynomial(cell) };
-        if !factors.is_empty() {
-            return self.polynomial(cell);
+        let mut sum = Vec::new();
+        for (x, factors) in &cell.terms {
+            sum.push(if factors.is_empty() {
+                let s = self.number(&x.abs(), name);
+                if x.is_negative() { -&Poly::symbol(s) } else { Poly::symbol(s) }
+            } else {
+                self.polynomial(&LengthCell { terms: vec![(x.clone(), factors.clone())] })
+            });
         }
-        let role = Role::Constant(Value::Length(x.abs()));
+        sum.into_iter().sum()
+    }
+
+    /// The named constant of a magnitude.
+    fn number(&mut self, x: &Rational, name: &str) -> Symbol {
+        let role = Role::Constant(Value::Length(x.clone()));
         let known = self.parameters.iter().find(|p| !p.declared && p.role == role).map(|p| p.handle);
-        let s = match known {
-            Some(Handle::Length(s)) => s,
-            _ => {
-                let name = self.free_name(name);
-                let s = self.ring.symbol(&name);
-                self.parameters.push(Parameter { name, handle: Handle::Length(s), role, declared: false });
-                s
-            }
-        };
-        if x.is_negative() { -&Poly::symbol(s) } else { Poly::symbol(s) }
+        if let Some(Handle::Length(s)) = known {
+            return s;
+        }
+        let name = self.free_name(name);
+        let s = self.ring.symbol(&name);
+        self.parameters.push(Parameter { name, handle: Handle::Length(s), role, declared: false });
+        s
     }
 
     /// A constant angle. What has no exact sine becomes a named constant angle.

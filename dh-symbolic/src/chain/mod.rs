@@ -123,6 +123,19 @@ impl Chain {
         self.joints.len()
     }
 
+    /// The nominal value of a parameter in table units or radians; 0 for fields without one.
+    pub fn nominal(&self, handle: Handle) -> f64 {
+        let value = self.parameters.iter().find(|p| p.handle == handle).and_then(|p| match &p.role {
+            Role::Field(v) => v.as_ref(),
+            Role::Constant(v) => Some(v),
+        });
+        match value {
+            Some(Value::Length(x)) => x.to_f64(),
+            Some(Value::Angle(cell)) => cell.radians(),
+            None => 0.0,
+        }
+    }
+
     /// Is every motor its own joint?
     pub fn is_direct(&self) -> bool {
         self.drive

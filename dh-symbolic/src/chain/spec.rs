@@ -73,6 +73,11 @@ impl AngleCell {
         Angle::half_turns(self.half_turns.clone().unwrap_or(Rational::ZERO))
     }
 
+    /// The value in radians, without declared angles.
+    pub fn radians(&self) -> f64 {
+        self.exact().radians() + self.approx.as_ref().map_or(0.0, Rational::to_f64)
+    }
+
     /// Is the angle written as 0?
     pub fn is_zero(&self) -> bool {
         self.exact().is_zero() && self.approx.as_ref().is_none_or(Rational::is_zero) && self.symbols.is_empty()

@@ -110,7 +110,7 @@ impl<'a> Body<'a> {
                     rest.push(self.multiple(*k, &format!("self.{}", self.chain.ring.angle_name(*v))));
                 }
                 None => {
-                    let x = super::nominal(self.chain, Handle::Angle(*v)) * f64::from(*k);
+                    let x = self.chain.nominal(Handle::Angle(*v)) * f64::from(*k);
                     rest.push(self.literal(x));
                 }
             }

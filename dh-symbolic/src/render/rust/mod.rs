@@ -15,7 +15,7 @@ pub use structure::{Head, robot};
 pub use stub::stub;
 
 use crate::algebra::{Point, Poly};
-use crate::chain::{AngleCell, Bound, Chain, Handle, Role, Scalar, Value};
+use crate::chain::{AngleCell, Bound, Chain, Handle, Role, Scalar};
 
 /// Name of the number type.
 pub(crate) fn scalar_name(s: Scalar) -> &'static str {
@@ -33,11 +33,6 @@ pub(crate) fn literal(x: f64, s: Scalar) -> String {
     }
 }
 
-/// Value in radians of an angle cell without declared angles.
-pub(crate) fn radians(cell: &AngleCell) -> f64 {
-    cell.exact().radians() + cell.approx.as_ref().map_or(0.0, crate::algebra::Rational::to_f64)
-}
-
 /// The value of a bound.
 pub(crate) fn bound(b: &Bound) -> f64 {
     match b {
@@ -46,28 +41,15 @@ pub(crate) fn bound(b: &Bound) -> f64 {
     }
 }
 
-/// The nominal value of every parameter; 0 for fields without one.
-pub(crate) fn nominal(chain: &Chain, handle: Handle) -> f64 {
-    let value = chain.parameters.iter().find(|p| p.handle == handle).and_then(|p| match &p.role {
-        Role::Field(v) => v.as_ref(),
-        Role::Constant(v) => Some(v),
-    });
-    match value {
-        Some(Value::Length(x)) => x.to_f64(),
-        Some(Value::Angle(cell)) => radians(cell),
-        None => 0.0,
-    }
-}
-
 /// A constant formula as a number.
 pub(crate) fn constant(chain: &Chain, p: &Poly) -> f64 {
-    p.evaluate(&Point { symbol: &|s| nominal(chain, Handle::Length(s)), angle: &|v| nominal(chain, Handle::Angle(v)) })
+    p.evaluate(&Point { symbol: &|s| chain.nominal(Handle::Length(s)), angle: &|v| chain.nominal(Handle::Angle(v)) })
 }
 
 /// The joint angle offset (radians) that is kept out of formulas, with declared angles by name: an expression, `None` if zero.
 pub(crate) fn shift_expression(chain: &Chain, cell: &AngleCell) -> Option<String> {
     let mut parts = Vec::new();
-    let mut number = radians(cell);
+    let mut number = cell.radians();
     for (i, k) in &cell.symbols {
         let Some(p) = chain.parameters.get(*i) else { continue };
         match &p.role {
@@ -76,7 +58,7 @@ pub(crate) fn shift_expression(chain: &Chain, cell: &AngleCell) -> Option<String
                 -1 => format!("-self.{}", p.name),
                 _ => format!("{} * self.{}", literal(f64::from(*k), chain.scalar), p.name),
             }),
-            Role::Constant(_) => number += f64::from(*k) * nominal(chain, p.handle),
+            Role::Constant(_) => number += f64::from(*k) * chain.nominal(p.handle),
         }
     }
     if number != 0.0 {

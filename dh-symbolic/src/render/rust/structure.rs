@@ -1,6 +1,6 @@
 //! The type, its fields, constants and default; everything put together.
 
-use super::{bound, docs, forward, literal, nominal, scalar_name};
+use super::{bound, docs, forward, literal, scalar_name};
 use crate::chain::{Chain, Coordinate, Role};
 use crate::program::Forward;
 use proc_macro2::{Ident, TokenStream};
@@ -56,7 +56,7 @@ pub(super) fn declaration(head: &Head, chain: &Chain, docs: &str) -> TokenStream
         fields.extend(quote! { #[doc = #doc] pub #name: #f, });
         match (value, &mut defaults) {
             (Some(_), Some(list)) => {
-                let value = lex(&literal(nominal(chain, p.handle), chain.scalar));
+                let value = lex(&literal(chain.nominal(p.handle), chain.scalar));
                 list.extend(quote! { #name: #value, });
             }
             _ => defaults = None,

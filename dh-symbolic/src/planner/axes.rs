@@ -1,0 +1,235 @@
+//! The arm as the planner sees it: turning and sliding axes with constant transforms between, exact and in numbers.
+//!
+//! Frames stand on the joint axes, before and after the shift d along each axis, since the point where neighbouring axes meet is
+//! one of the two. A task that leaves something open becomes virtual joints: the turn about the tool's axis for `axis`, three turns
+//! about the tool's point for `position`, a slide along z for `planar`.
+
+use super::kernels::pose::{self, Pose};
+use crate::algebra::{Angle, AngleVar, LinearAngle, Poly, Rational, Ring, Transform};
+use crate::chain::{Chain, Coordinate, Elementary, Handle, Task};
+
+/// One hop from a frame to the next: a constant transform, then perhaps a joint.
+#[derive(Clone, Debug)]
+pub struct Hop {
+    /// The constant transform.
+    pub before: Transform,
+    /// Its value, lengths over the reach.
+    pub number: Pose,
+    /// The joint after it.
+    pub joint: Option<usize>,
+}
+
+/// The axes of an arm, virtual ones included.
+#[derive(Clone, Debug)]
+pub struct Axes {
+    /// Hops from frame 0 on; frame k is reached by hops 0..k.
+    pub hops: Vec<Hop>,
+    /// Coordinates: the real joints in order of the chain, then virtual ones.
+    pub coordinates: Vec<Coordinate>,
+    /// Number of real joints.
+    pub real: usize,
+    /// Constant transform before frame 0.
+    pub start: Transform,
+    /// Constant transform after the last frame.
+    pub end: Transform,
+    /// Names: the chain's, the virtual joints' and those that plans introduce.
+    pub ring: Ring,
+    /// Sum of the lengths of all constant shifts (table units), 1 if there are none.
+    pub reach: f64,
+}
+
+/// Numeric value of a formula in parameters; fields get their nominal value, slightly detuned so that no structure is read off
+/// a value that the user may change.
+pub(super) fn generic_value(chain: &Chain, p: &Poly) -> f64 {
+    let detune = |handle: Handle| {
+        let i = chain.parameters.iter().position(|x| x.handle == handle);
+        let field = i.and_then(|i| chain.parameters.get(i)).is_some_and(|p| matches!(p.role, crate::chain::Role::Field(_)));
+        let value = chain.nominal(handle);
+        if field {
+            let unit = if matches!(handle, Handle::Angle(_)) { 0.9 } else { 1.0 };
+            let base = if value == 0.0 { unit } else { value };
+            base * (1.0 + 0.0113 * (1.0 + i.unwrap_or(0) as f64).sqrt())
+        } else {
+            value
+        }
+    };
+    p.evaluate(&crate::algebra::Point { symbol: &|s| detune(Handle::Length(s)), angle: &|v| detune(Handle::Angle(v)) })
+}
+
+pub(super) fn numeric(chain: &Chain, t: &Transform, reach: f64) -> Pose {
+    std::array::from_fn(|i| {
+        std::array::from_fn(|j| {
+            let x = generic_value(chain, &t.entry(i, j));
+            if j == 3 { x / reach } else { x }
+        })
+    })
+}
+
+/// Elementary motions and joints in one list.
+enum Item {
+    Constant(Elementary),
+    Joint(usize),
+}
+
+impl Axes {
+    /// Cuts a chain at its axes.
+    pub fn new(chain: &Chain) -> Axes {
+        let mut ring = chain.ring.clone();
+        let mut coordinates: Vec<Coordinate> = chain.joints.iter().map(|j| j.coordinate).collect();
+        let real = coordinates.len();
+        let mut items: Vec<Item> = Vec::new();
+        if chain.task == Task::Planar {
+            coordinates.push(Coordinate::Length(ring.symbol("virtual_z")));
+            items.push(Item::Joint(real));
+        }
+        items.extend(chain.base.iter().cloned().map(Item::Constant));
+        for (row, link) in chain.links.iter().enumerate() {
+            for e in chain.link_factors(row) {
+                push_factor(&mut items, chain, link.joint, e);
+            }
+        }
+        items.extend(chain.tool.iter().cloned().map(Item::Constant));
+        let mut virtual_turn = |items: &mut Vec<Item>, name: &str| {
+            items.push(Item::Joint(coordinates.len()));
+            coordinates.push(Coordinate::Angle(ring.angle(name)));
+        };
+        match chain.task {
+            Task::Axis => virtual_turn(&mut items, "virtual_roll"),
+            Task::Position => {
+                let quarter = || Elementary::Rotate(0, LinearAngle::constant(Angle::degrees(&Rational::int(90))));
+                virtual_turn(&mut items, "virtual_yaw");
+                items.push(Item::Constant(quarter()));
+                virtual_turn(&mut items, "virtual_pitch");
+                items.push(Item::Constant(quarter()));
+                virtual_turn(&mut items, "virtual_roll");
+            }
+            Task::Pose | Task::Planar => {}
+        }
+        Axes::cut(chain, ring, coordinates, real, items)
+    }
+
+    fn cut(chain: &Chain, ring: Ring, coordinates: Vec<Coordinate>, real: usize, items: Vec<Item>) -> Axes {
+        let mut start = Transform::identity();
+        let mut pending = Transform::identity();
+        let mut along = true; // only shifts along and turns about the last axis so far
+        let mut hops: Vec<(Transform, Option<usize>)> = Vec::new();
+        let mut first = true;
+        for item in items {
+            match item {
+                Item::Joint(j) => {
+                    if first {
+                        start = std::mem::replace(&mut pending, Transform::identity());
+                        first = false;
+                    }
+                    hops.push((std::mem::replace(&mut pending, Transform::identity()), Some(j)));
+                    along = true;
+                }
+                Item::Constant(e) => {
+                    let on_axis = matches!(e, Elementary::Rotate(2, _) | Elementary::Translate(2, _));
+                    if !first && along && !on_axis {
+                        along = false;
+                        if !pending.p[2].is_zero() {
+                            hops.push((std::mem::replace(&mut pending, Transform::identity()), None));
+                        }
+                    }
+                    pending = pending.times(&e.transform());
+                }
+            }
+        }
+        let reach: f64 = hops
+            .iter()
+            .map(|(t, _)| t)
+            .chain([&pending])
+            .map(|t| (0..3).map(|i| generic_value(chain, &t.p[i]).powi(2)).sum::<f64>().sqrt())
+            .sum();
+        let reach = if reach > 0.0 { reach } else { 1.0 };
+        let hops = hops
+            .into_iter()
+            .map(|(before, joint)| Hop { number: numeric(chain, &before, reach), before, joint })
+            .collect();
+        Axes { hops, coordinates, real, start, end: pending, ring, reach }
+    }
+
+    /// Does coordinate `k` turn?
+    pub fn turns(&self, k: usize) -> bool {
+        matches!(self.coordinates.get(k), Some(Coordinate::Angle(_)))
+    }
+
+    /// The index of an angle among the coordinates.
+    pub fn index_of_angle(&self, v: AngleVar) -> Option<usize> {
+        self.coordinates.iter().position(|c| *c == Coordinate::Angle(v))
+    }
+
+    /// Number of coordinates, virtual ones included.
+    pub fn count(&self) -> usize {
+        self.coordinates.len()
+    }
+
+    /// Frame `b` seen from frame `a`, exact.
+    pub fn between(&self, a: usize, b: usize) -> Transform {
+        self.hops[a..b].iter().fold(Transform::identity(), |t, hop| {
+            let t = if hop.before == Transform::identity() { t } else { t.times(&hop.before) };
+            match hop.joint.map(|j| self.motion(j)) {
+                Some(m) => t.times(&m),
+                None => t,
+            }
+        })
+    }
+
+    /// The motion of a joint.
+    pub fn motion(&self, joint: usize) -> Transform {
+        match self.coordinates[joint] {
+            Coordinate::Angle(v) => {
+                let (c, s) = Poly::cos_sin(v);
+                Transform::rotation(2, (&c, &s))
+            }
+            Coordinate::Length(s) => Transform::translation(2, &Poly::symbol(s)),
+        }
+    }
+
+    /// A hop in numbers.
+    pub fn hop_number(&self, hop: usize, x: &[f64]) -> Pose {
+        let h = &self.hops[hop];
+        match h.joint {
+            None => h.number,
+            Some(j) if self.turns(j) => pose::turn(&h.number, [x[j].cos(), x[j].sin()]),
+            Some(j) => pose::slide(&h.number, x[j]),
+        }
+    }
+
+    /// Frames seen from frame 0, in numbers (lengths over the reach).
+    pub fn frames_number(&self, x: &[f64]) -> Vec<Pose> {
+        let mut t = pose::IDENTITY;
+        let mut all = vec![t];
+        for hop in 0..self.hops.len() {
+            t = pose::compose(&t, &self.hop_number(hop, x));
+            all.push(t);
+        }
+        all
+    }
+}
+
+/// Splits a link factor into its moving and its constant part.
+fn push_factor(items: &mut Vec<Item>, chain: &Chain, joint: Option<usize>, e: Elementary) {
+    let moving = joint.and_then(|j| chain.joints.get(j).map(|x| (j, x.coordinate)));
+    match (e, moving) {
+        (Elementary::Rotate(2, angle), Some((j, Coordinate::Angle(_)))) => {
+            items.push(Item::Joint(j));
+            if !angle.constant.is_zero() {
+                items.push(Item::Constant(Elementary::Rotate(2, LinearAngle::constant(angle.constant))));
+            }
+        }
+        (Elementary::Translate(2, d), Some((j, Coordinate::Length(s)))) => {
+            items.push(Item::Joint(j));
+            let rest = &d - &Poly::symbol(s);
+            if !rest.is_zero() {
+                items.push(Item::Constant(Elementary::Translate(2, rest)));
+            }
+        }
+        (e, _) => {
+            if !e.is_identity() {
+                items.push(Item::Constant(e));
+            }
+        }
+    }
+}

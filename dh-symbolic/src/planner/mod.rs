@@ -1,0 +1,28 @@
+//! How to solve an arm backwards.
+//!
+//! **In:** a [`Chain`](crate::chain::Chain). **Out:** a [`Plan`]: steps, each with the equations it uses, the unknown, the number of
+//! branches and what happens when it degenerates; or the reasons why there is none.
+//!
+//! The way: the [`pool`] of all scalar equations between any two frames of the arm is sorted by the joint combinations that each
+//! depends on. As long as something is unknown, [`search`] takes the cheapest equations with one unknown combination (or two
+//! equations with two unknowns); what they give is known from then on. No arm is recognised by name.
+//!
+//! **Never here:** prose, tokens. Reasons are data; `render` words them.
+
+mod axes;
+mod equation;
+#[path = "kernels/mod.rs"]
+pub mod kernels;
+mod known;
+pub mod pool;
+mod sample;
+mod search;
+mod span;
+mod step;
+
+pub use axes::{Axes, Hop};
+pub use known::{Collected, Known, KnownPose, Knowledge, Part};
+pub use pool::{Equation, Scalar};
+pub use search::search;
+pub use span::Form;
+pub use step::{Plan, Refusal, Step, StepKind};

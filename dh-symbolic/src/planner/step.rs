@@ -1,0 +1,72 @@
+//! Plans as data.
+
+use super::axes::Axes;
+use super::known::{Collected, Knowledge};
+use super::pool::Equation;
+use super::span::Form;
+
+/// What kind of equations a step solves. Every collected equation reads "sum = 0".
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StepKind {
+    /// a d + b = 0.
+    Linear,
+    /// a d^2 + b d + c = 0.
+    Quadratic,
+    /// a cos u + b sin u = 0: a half turn apart, never out of reach.
+    HalfTurn,
+    /// a cos u + b sin u + c = 0.
+    SinCos,
+    /// Two or more such equations in the same angle.
+    AtanPair,
+    /// A trigonometric polynomial of second degree.
+    SecondHarmonic,
+    /// Two equations, each linear in (1, cos u, sin u) and in (1, cos v, sin v).
+    Bilinear,
+    /// Two equations in a sliding joint d (up to d^2) and an angle v.
+    SlideAndTurn,
+    /// The elimination for six turning joints in general position.
+    General,
+    /// The combination is free at every pose: a value is chosen.
+    Choose,
+}
+
+/// One step.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// What is solved.
+    pub kind: StepKind,
+    /// The unknown combinations (one or two; all for the general elimination).
+    pub unknown: Vec<Form>,
+    /// The pool's equations used.
+    pub equations: Vec<Equation>,
+    /// The same, exact, by powers of the unknowns.
+    pub collected: Vec<Collected>,
+    /// Most solutions of this step.
+    pub roots: usize,
+    /// Number of known combinations before this step: indices into the plan's knowledge.
+    pub before: usize,
+}
+
+/// A way to invert an arm.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// The arm as the planner saw it.
+    pub axes: Axes,
+    /// Everything known at the end, in order.
+    pub knowledge: Knowledge,
+    /// Combinations that the caller gives.
+    pub given: usize,
+    /// The steps in order.
+    pub steps: Vec<Step>,
+    /// Bound of the number of solutions.
+    pub max_solutions: usize,
+}
+
+/// Why no plan was found.
+#[derive(Clone, Debug)]
+pub struct Refusal {
+    /// Joint combinations that were found before the search got stuck.
+    pub solved: Vec<String>,
+    /// Coordinates that remain.
+    pub open: Vec<usize>,
+}
