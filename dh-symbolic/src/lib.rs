@@ -8,10 +8,9 @@ pub mod planner;
 pub mod program;
 pub mod render;
 
-/// Expands the body of `dh_robot!`.
-pub fn expand(input: proc_macro2::TokenStream) -> proc_macro2::TokenStream {
-    chain::table::parse(input).errors.to_compile_errors()
-}
+pub mod pipeline;
+
+pub use pipeline::expand;
 
 #[cfg(test)]
 pub(crate) use planner::kernels as ik;

@@ -49,7 +49,8 @@ impl<const D: usize> TrigPoly<D> {
         }
         let (mut value, mut slope, mut bend) = (self.constant, 0.0, 0.0);
         for k in 0..D {
-            let (along, across) = (self.cos[k] * re[k] + self.sin[k] * im[k], self.sin[k] * re[k] - self.cos[k] * im[k]);
+            let (along, across) =
+                (self.cos[k] * re[k] + self.sin[k] * im[k], self.sin[k] * re[k] - self.cos[k] * im[k]);
             let harmonic = (k + 1) as f64;
             value += along;
             slope += harmonic * across;

@@ -421,11 +421,7 @@ fn verdict<const C: usize>(b: &[f64; C], n: usize, touch: f64) -> Verdict {
     // Worst case: an uncertain coefficient opposes its predecessor.
     let (mut worst, mut sign) = (0, 0.0f64);
     for &x in b.iter().take(n + 1) {
-        let s = if x.abs() <= touch {
-            if sign == 0.0 { 0.0 } else { -sign }
-        } else {
-            1f64.copysign(x)
-        };
+        let s = if x.abs() <= touch { if sign == 0.0 { 0.0 } else { -sign } } else { 1f64.copysign(x) };
         if s * sign < 0.0 {
             worst += 1;
         }

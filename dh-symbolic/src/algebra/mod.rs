@@ -27,8 +27,8 @@ mod text;
 
 pub use angle::Angle;
 pub use evaluate::Point;
-pub(crate) use matrix::{cross, dot};
 pub use matrix::{Transform, Vector};
+pub(crate) use matrix::{cross, dot};
 pub use monomial::{Factor, Monomial};
 pub use poly::Poly;
 pub use rational::Rational;

@@ -43,7 +43,8 @@ pub struct Axes {
 pub(super) fn generic_value(chain: &Chain, p: &Poly) -> f64 {
     let detune = |handle: Handle| {
         let i = chain.parameters.iter().position(|x| x.handle == handle);
-        let field = i.and_then(|i| chain.parameters.get(i)).is_some_and(|p| matches!(p.role, crate::chain::Role::Field(_)));
+        let field =
+            i.and_then(|i| chain.parameters.get(i)).is_some_and(|p| matches!(p.role, crate::chain::Role::Field(_)));
         let value = chain.nominal(handle);
         if field {
             let unit = if matches!(handle, Handle::Angle(_)) { 0.9 } else { 1.0 };

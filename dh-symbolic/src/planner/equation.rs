@@ -33,7 +33,10 @@ pub fn exact(axes: &Axes, knowledge: &mut Knowledge, e: &Equation) -> Poly {
             }
             Scalar::Back(j) => {
                 // The inverse: after K^-1 before, with K^-1 = (R^T, back).
-                let kt = Transform { r: std::array::from_fn(|a| std::array::from_fn(|b| k.r[b][a].clone())), p: known.back.map(Poly::symbol) };
+                let kt = Transform {
+                    r: std::array::from_fn(|a| std::array::from_fn(|b| k.r[b][a].clone())),
+                    p: known.back.map(Poly::symbol),
+                };
                 let w = plus(&kt.rotate(&before.p), &kt.p);
                 &dot(&after.r[usize::from(j)], &w) + &after.p[usize::from(j)]
             }

@@ -83,7 +83,13 @@ impl Knowledge {
             out.push_str(match (out.is_empty(), *k < 0) {
                 (true, false) => "",
                 (true, true) => "-",
-                _ => if sign == "-" { " - " } else { " + " },
+                _ => {
+                    if sign == "-" {
+                        " - "
+                    } else {
+                        " + "
+                    }
+                }
             });
             if k.unsigned_abs() > 1 {
                 out.push_str(&format!("{}*", k.unsigned_abs()));
@@ -95,7 +101,8 @@ impl Knowledge {
 
     /// Makes a combination known.
     pub fn learn(&mut self, axes: &Axes, form: &[i8]) -> &Known {
-        let single = form.iter().position(|k| *k != 0).filter(|i| form.iter().enumerate().all(|(j, k)| j == *i || *k == 0));
+        let single =
+            form.iter().position(|k| *k != 0).filter(|i| form.iter().enumerate().all(|(j, k)| j == *i || *k == 0));
         let turns = form.iter().position(|k| *k != 0).is_some_and(|i| axes.turns(i));
         let name = self.form_name(axes, form);
         let symbols = match (turns, single.map(|i| axes.coordinates[i])) {
@@ -154,7 +161,11 @@ impl Knowledge {
         if let Some(p) = self.poses.iter().find(|p| p.left == left && p.right == right) {
             return p.clone();
         }
-        let tag = if self.poses.is_empty() { String::new() } else { format!("{}_", (b'a' + (self.poses.len() as u8 - 1) % 26) as char) };
+        let tag = if self.poses.is_empty() {
+            String::new()
+        } else {
+            format!("{}_", (b'a' + (self.poses.len() as u8 - 1) % 26) as char)
+        };
         let ring = &mut self.ring;
         let mut symbol = |name: String| {
             let mut name = name;
@@ -285,7 +296,7 @@ impl KnownPose {
 
 /// The monomials of a polynomial that are not constants, for tests of constness.
 pub fn depends_on_run_time(p: &Poly, constants: impl Fn(Symbol) -> bool) -> bool {
-    p.terms().iter().any(|(m, _): &(Monomial, _)| {
-        m.factors().any(|f| matches!(f, Factor::Power(s, _) if !constants(s)))
-    })
+    p.terms()
+        .iter()
+        .any(|(m, _): &(Monomial, _)| m.factors().any(|f| matches!(f, Factor::Power(s, _) if !constants(s))))
 }

@@ -21,7 +21,7 @@ mod span;
 mod step;
 
 pub use axes::{Axes, Hop};
-pub use known::{Collected, Known, KnownPose, Knowledge, Part};
+pub use known::{Collected, Knowledge, Known, KnownPose, Part};
 pub use pool::{Equation, Scalar};
 pub use search::search;
 pub use span::Form;

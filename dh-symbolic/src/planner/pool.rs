@@ -47,11 +47,21 @@ pub struct Family {
 const SCALARS: [Scalar; 16] = {
     use Scalar::{Back, Distance, Position, Rotation};
     [
-        Rotation(0, 0), Rotation(0, 1), Rotation(0, 2),
-        Rotation(1, 0), Rotation(1, 1), Rotation(1, 2),
-        Rotation(2, 0), Rotation(2, 1), Rotation(2, 2),
-        Position(0), Position(1), Position(2),
-        Back(0), Back(1), Back(2),
+        Rotation(0, 0),
+        Rotation(0, 1),
+        Rotation(0, 2),
+        Rotation(1, 0),
+        Rotation(1, 1),
+        Rotation(1, 2),
+        Rotation(2, 0),
+        Rotation(2, 1),
+        Rotation(2, 2),
+        Position(0),
+        Position(1),
+        Position(2),
+        Back(0),
+        Back(1),
+        Back(2),
         Distance,
     ]
 };
@@ -61,8 +71,22 @@ fn scalars(t: &Pose) -> [f64; 16] {
     let back = |j: usize| -(t[0][j] * t[0][3] + t[1][j] * t[1][3] + t[2][j] * t[2][3]);
     let d = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
     [
-        t[0][0], t[0][1], t[0][2], t[1][0], t[1][1], t[1][2], t[2][0], t[2][1], t[2][2], t[0][3], t[1][3], t[2][3], back(0), back(1),
-        back(2), d,
+        t[0][0],
+        t[0][1],
+        t[0][2],
+        t[1][0],
+        t[1][1],
+        t[1][2],
+        t[2][0],
+        t[2][1],
+        t[2][2],
+        t[0][3],
+        t[1][3],
+        t[2][3],
+        back(0),
+        back(1),
+        back(2),
+        d,
     ]
 }
 
@@ -208,8 +232,22 @@ fn difference(t: &Pose, d: &Pose, sign: f64) -> [f64; 16] {
     let back = |j: usize| -(0..3).map(|i| d[i][j] * t[i][3] + t[i][j] * d[i][3]).sum::<f64>();
     let distance = 2.0 * (0..3).map(|i| t[i][3] * d[i][3]).sum::<f64>();
     [
-        d[0][0], d[0][1], d[0][2], d[1][0], d[1][1], d[1][2], d[2][0], d[2][1], d[2][2], d[0][3], d[1][3], d[2][3], back(0), back(1),
-        back(2), distance,
+        d[0][0],
+        d[0][1],
+        d[0][2],
+        d[1][0],
+        d[1][1],
+        d[1][2],
+        d[2][0],
+        d[2][1],
+        d[2][2],
+        d[0][3],
+        d[1][3],
+        d[2][3],
+        back(0),
+        back(1),
+        back(2),
+        distance,
     ]
     .map(|x| sign * x)
 }

@@ -97,7 +97,9 @@ impl Search<'_> {
         let (prefix, suffix) = (self.knowledge.prefix(&self.axes), self.knowledge.suffix(&self.axes));
         for f in families {
             for e in &self.families[*f].equations {
-                let joints = |a: usize, b: usize| self.axes.hops.get(a..b).unwrap_or(&[]).iter().filter(|h| h.joint.is_some()).count();
+                let joints = |a: usize, b: usize| {
+                    self.axes.hops.get(a..b).unwrap_or(&[]).iter().filter(|h| h.joint.is_some()).count()
+                };
                 // Joints written out: those between a and b, and those outside that are not folded into the known pose.
                 let outside = joints(prefix.min(e.a), e.a) + joints(e.b, suffix.max(e.b));
                 let unfolded = joints(e.a, prefix) + joints(suffix, e.b);
@@ -123,7 +125,10 @@ impl Search<'_> {
         }
         for f in families {
             for row in self.families[*f].span.integer_basis().unwrap_or_default() {
-                if !self.knowledge.span.contains(&numbers(&row)) && reach.contains(&numbers(&row)) && !forms.contains(&row) {
+                if !self.knowledge.span.contains(&numbers(&row))
+                    && reach.contains(&numbers(&row))
+                    && !forms.contains(&row)
+                {
                     forms.push(row);
                 }
             }
@@ -135,7 +140,8 @@ impl Search<'_> {
             }
         }
         let pure = |f: &Form| {
-            let kinds: Vec<bool> = f.iter().enumerate().filter(|(_, k)| **k != 0).map(|(i, _)| self.axes.turns(i)).collect();
+            let kinds: Vec<bool> =
+                f.iter().enumerate().filter(|(_, k)| **k != 0).map(|(i, _)| self.axes.turns(i)).collect();
             kinds.iter().all(|t| *t) || kinds.len() == 1
         };
         let small = |f: &Form| f.iter().all(|k| k.abs() <= 1);
@@ -145,9 +151,10 @@ impl Search<'_> {
 
     fn constants(&self, p: &Poly) -> bool {
         p.symbols().iter().all(|s| {
-            self.chain.parameters.iter().any(|x| {
-                x.handle == crate::chain::Handle::Length(*s) && matches!(x.role, Role::Constant(_))
-            })
+            self.chain
+                .parameters
+                .iter()
+                .any(|x| x.handle == crate::chain::Handle::Length(*s) && matches!(x.role, Role::Constant(_)))
         })
     }
 
@@ -203,9 +210,13 @@ impl Search<'_> {
                 let lead = row.1.get(&vec![Part::Power(degree)]);
                 let firm = lead.is_some_and(|p| self.constants(p));
                 match degree {
-                    1 if firm => options.push(Option1 { rank: (0, size(&row.1)), step: step(StepKind::Linear, 1, vec![row]) }),
+                    1 if firm => {
+                        options.push(Option1 { rank: (0, size(&row.1)), step: step(StepKind::Linear, 1, vec![row]) })
+                    }
                     1 => options.push(Option1 { rank: (3, size(&row.1)), step: step(StepKind::Linear, 1, vec![row]) }),
-                    2 => options.push(Option1 { rank: (5, size(&row.1)), step: step(StepKind::Quadratic, 2, vec![row]) }),
+                    2 => {
+                        options.push(Option1 { rank: (5, size(&row.1)), step: step(StepKind::Quadratic, 2, vec![row]) })
+                    }
                     _ => {}
                 }
             }
@@ -266,7 +277,8 @@ impl Search<'_> {
                 }
                 // Good at the special samples first, then short.
                 let fine = (2..samples.len()).filter(|k| quality(&[i, j], *k) > 1e-6).count() as f64;
-                let terms: usize = [i, j].iter().map(|i| rows[*i].1.values().map(|p| p.terms().len()).sum::<usize>()).sum();
+                let terms: usize =
+                    [i, j].iter().map(|i| rows[*i].1.values().map(|p| p.terms().len()).sum::<usize>()).sum();
                 let score = 100.0 * fine - terms as f64;
                 if best.is_none_or(|b| score > b.0) {
                     best = Some((score, [i, j]));
@@ -351,7 +363,11 @@ impl Search<'_> {
             }
         }
         let (total, i, j) = best?;
-        let (kind, roots) = if slide { (StepKind::SlideAndTurn, 8) } else { (StepKind::Bilinear, self.bilinear_roots(&rows[i].1, &rows[j].1)) };
+        let (kind, roots) = if slide {
+            (StepKind::SlideAndTurn, 8)
+        } else {
+            (StepKind::Bilinear, self.bilinear_roots(&rows[i].1, &rows[j].1))
+        };
         Some(Option1 {
             rank: (7 + roots, total),
             step: Step {
@@ -374,11 +390,10 @@ impl Search<'_> {
         for swap in [false, true] {
             let at = |c: &Collected, u: Part, v: Part| if swap { get(c, v, u) } else { get(c, u, v) };
             let row = |c: &Collected, u: Part| parts.map(|v| at(c, u, v));
-            let (ca, sa, cb, sb) = (row(a, Part::Cos(1)), row(a, Part::Sin(1)), row(b, Part::Cos(1)), row(b, Part::Sin(1)));
+            let (ca, sa, cb, sb) =
+                (row(a, Part::Cos(1)), row(a, Part::Sin(1)), row(b, Part::Cos(1)), row(b, Part::Sin(1)));
             // cb = k sa, sb = -k ca: all cross products vanish.
-            let proportional = (0..3).all(|i| {
-                (0..3).all(|j| &cb[i] * &ca[j] == -&(&sb[j] * &sa[i]))
-            });
+            let proportional = (0..3).all(|i| (0..3).all(|j| &cb[i] * &ca[j] == -&(&sb[j] * &sa[i])));
             if proportional {
                 return 4;
             }
@@ -407,8 +422,14 @@ impl Search<'_> {
         let Some(k) = always_free(&self.axes, &self.knowledge) else { return false };
         let form = self.unit(k);
         let before = self.knowledge.known.len();
-        let step =
-            Step { kind: StepKind::Choose, unknown: vec![form], equations: vec![], collected: vec![], roots: 1, before };
+        let step = Step {
+            kind: StepKind::Choose,
+            unknown: vec![form],
+            equations: vec![],
+            collected: vec![],
+            roots: 1,
+            before,
+        };
         self.take(Some(Option1 { rank: (0, 0), step }))
     }
 }
@@ -465,7 +486,8 @@ mod tests {
                 .steps
                 .iter()
                 .map(|s| {
-                    let names: Vec<String> = s.unknown.iter().map(|f| plan.knowledge.form_name(&plan.axes, f)).collect();
+                    let names: Vec<String> =
+                        s.unknown.iter().map(|f| plan.knowledge.form_name(&plan.axes, f)).collect();
                     format!("{:?} {} ({})", s.kind, names.join(", "), s.roots)
                 })
                 .collect::<Vec<_>>()
@@ -476,10 +498,36 @@ mod tests {
 
     #[test]
     fn plans_of_known_arms() {
-        let puma = [(0, "0", "0", 0), (-90, "0", "0", 0), (0, "0.4318", "0.15005", 0), (-90, "0.0203", "0.4318", 0), (90, "0", "0", 0), (-90, "0", "0", 0)];
-        let ur5 = [(90, "0", "0.089159", 0), (0, "-0.425", "0", 0), (0, "-0.39225", "0", 0), (90, "0", "0.10915", 0), (-90, "0", "0.09465", 0), (0, "0", "0.0823", 0)];
-        let kuka = [(-90, "0.025", "0.4", 0), (0, "0.315", "0", -90), (-90, "0.035", "0", 0), (90, "0", "0.365", 0), (-90, "0", "0", 0), (0, "0", "0.08", 0)];
-        let text = [outline(Convention::Modified, &puma), outline(Convention::Standard, &ur5), outline(Convention::Standard, &kuka)].join("\n\n");
+        let puma = [
+            (0, "0", "0", 0),
+            (-90, "0", "0", 0),
+            (0, "0.4318", "0.15005", 0),
+            (-90, "0.0203", "0.4318", 0),
+            (90, "0", "0", 0),
+            (-90, "0", "0", 0),
+        ];
+        let ur5 = [
+            (90, "0", "0.089159", 0),
+            (0, "-0.425", "0", 0),
+            (0, "-0.39225", "0", 0),
+            (90, "0", "0.10915", 0),
+            (-90, "0", "0.09465", 0),
+            (0, "0", "0.0823", 0),
+        ];
+        let kuka = [
+            (-90, "0.025", "0.4", 0),
+            (0, "0.315", "0", -90),
+            (-90, "0.035", "0", 0),
+            (90, "0", "0.365", 0),
+            (-90, "0", "0", 0),
+            (0, "0", "0.08", 0),
+        ];
+        let text = [
+            outline(Convention::Modified, &puma),
+            outline(Convention::Standard, &ur5),
+            outline(Convention::Standard, &kuka),
+        ]
+        .join("\n\n");
         println!("{text}");
         insta::assert_snapshot!(text);
     }

@@ -15,8 +15,12 @@ impl Span {
     /// Adds a vector; true where it was new.
     pub fn add(&mut self, v: &[f64]) -> bool {
         let mut v = self.reduce(v);
-        let Some((pivot, size)) =
-            v.iter().enumerate().map(|(i, x)| (i, x.abs())).max_by(|a, b| a.1.total_cmp(&b.1)).filter(|x| x.1 > TOLERANCE)
+        let Some((pivot, size)) = v
+            .iter()
+            .enumerate()
+            .map(|(i, x)| (i, x.abs()))
+            .max_by(|a, b| a.1.total_cmp(&b.1))
+            .filter(|x| x.1 > TOLERANCE)
         else {
             return false;
         };
@@ -78,7 +82,9 @@ impl Span {
     pub fn integer_basis(&self) -> Option<Vec<Form>> {
         self.rows
             .iter()
-            .map(|r| r.iter().map(|x| ((x - x.round()).abs() < 1e-4 && x.abs() < 100.0).then(|| x.round() as i8)).collect())
+            .map(|r| {
+                r.iter().map(|x| ((x - x.round()).abs() < 1e-4 && x.abs() < 100.0).then(|| x.round() as i8)).collect()
+            })
             .collect()
     }
 

@@ -177,7 +177,7 @@ impl<'a> Body<'a> {
         }
         self.lines.push(format!("let angles = [{}];", angles.join(", ")));
         self.lines.push(format!(
-            "let ([{}], [{}]) = ::dh_robot::sincos_batch(&angles);",
+            "let ([{}], [{}]) = ::dh_robot::sincos::sincos_batch(&angles);",
             sines.join(", "),
             cosines.join(", ")
         ));

@@ -1,0 +1,67 @@
+//! The whole way, from tokens to output, in one screen.
+
+use crate::algebra::Ring;
+use crate::chain::table::{Parsed, Sketch, parse};
+use crate::chain::{Chain, Scalar, Task};
+use crate::diagnostic::{Error, Place};
+use crate::program::Forward;
+use crate::render::rust::{self, Head};
+use proc_macro2::{Ident, Span, TokenStream};
+
+/// Expands the body of `dh_robot!`: items, or errors beside a stub of the type.
+pub fn expand(input: TokenStream) -> TokenStream {
+    let mut parsed = parse(input);
+    let head = head(&parsed);
+    let items =
+        parsed.spec.take().filter(|_| parsed.errors.is_empty()).map(|spec| items(&head, Chain::new(spec), &mut parsed));
+    let mut out = parsed.errors.to_compile_errors();
+    out.extend(match items {
+        Some(items) if parsed.errors.is_empty() => items,
+        _ => stub(&head, &parsed.sketch),
+    });
+    out
+}
+
+/// The items of a robot whose table is in order.
+fn items(head: &Head, chain: Chain, parsed: &mut Parsed) -> TokenStream {
+    match Forward::derive(&chain) {
+        Ok(forward) => rust::robot(head, &chain, &forward, "", ""),
+        Err(difference) => {
+            let text = format!(
+                "{difference}: {}; this is a defect of dh-symbolic",
+                readable(&chain.ring, &difference.difference)
+            );
+            parsed.errors.push(Error::new(Place::at(head.ident.span()), text));
+            TokenStream::new()
+        }
+    }
+}
+
+fn readable(ring: &Ring, p: &crate::algebra::Poly) -> String {
+    ring.text(p).chars().take(200).collect()
+}
+
+fn head(parsed: &Parsed) -> Head {
+    Head {
+        attributes: parsed.head.attributes.clone(),
+        visibility: parsed.head.visibility.clone(),
+        ident: parsed.head.name.clone().unwrap_or_else(|| Ident::new("Robot", Span::call_site())),
+    }
+}
+
+fn stub(head: &Head, sketch: &Sketch) -> TokenStream {
+    let scalar = match sketch.scalar {
+        Scalar::F64 => "f64",
+        Scalar::F32 => "f32",
+    };
+    let target = match sketch.task {
+        Task::Pose => format!("&::dh_robot::nalgebra::IsometryMatrix3<{scalar}>"),
+        Task::Position => format!("&::dh_robot::nalgebra::Point3<{scalar}>"),
+        Task::Planar => format!("({scalar}, {scalar}, {scalar})"),
+        Task::Axis => {
+            format!("(&::dh_robot::nalgebra::Point3<{scalar}>, &::dh_robot::nalgebra::UnitVector3<{scalar}>)")
+        }
+    };
+    let fields: Vec<String> = sketch.fields.iter().map(|f| f.name.to_string()).collect();
+    rust::stub(head, sketch.joints, &fields, scalar, &target, sketch.redundant.is_some())
+}
