@@ -35,7 +35,7 @@ pub(super) fn build(spec: ChainSpec) -> Chain {
             let name = format!("q{}", number + 1);
             let mut shift = AngleCell::default();
             let coordinate = if drive.turns {
-                let label = if direct { name.clone() } else { format!("theta{}", i + 1) };
+                let label = if direct { name.clone() } else { b.free_name(&format!("theta{}", i + 1)) };
                 let parallel = since.r[0][2].is_zero() && since.r[1][2].is_zero();
                 let v = match last_angle {
                     Some(last) if parallel => b.ring.angle_parallel_to(last, &label),
@@ -44,7 +44,7 @@ pub(super) fn build(spec: ChainSpec) -> Chain {
                 turns = Some(v);
                 Coordinate::Angle(v)
             } else {
-                let label = if direct { name.clone() } else { format!("x{}", i + 1) };
+                let label = if direct { name.clone() } else { b.free_name(&format!("x{}", i + 1)) };
                 Coordinate::Length(b.ring.symbol(&label))
             };
             match coordinate {

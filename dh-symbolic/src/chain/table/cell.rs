@@ -52,7 +52,7 @@ fn within_reason(x: &Rational, t: &Term) -> Result<(), Error> {
 }
 
 /// Is one of the names of this sum declared wrongly? Then nothing more is to be said about it.
-fn doubtful(sum: &Sum, scope: &Scope) -> bool {
+pub(super) fn doubtful(sum: &Sum, scope: &Scope) -> bool {
     let unsound = |i: &usize| scope.names.get(*i).is_none_or(|d| !d.sound);
     sum.terms
         .iter()

@@ -7,7 +7,7 @@ use super::names::{suggestion, variable_number};
 use super::origin::Column;
 use super::range::{self, Measure};
 use super::rows::{Cell, Grid, Row};
-use super::scope::Scope;
+use super::scope::{Kind, Scope};
 use super::sum::Sum;
 use super::text;
 use crate::chain::RowSpec;
@@ -18,6 +18,9 @@ use proc_macro2::TokenTree;
 const MOST_ROWS: usize = 16;
 /// Most moving rows.
 const MOST_JOINTS: usize = 12;
+
+/// Columns that every table has.
+const REQUIRED: [Column; 4] = [Column::Alpha, Column::A, Column::D, Column::Theta];
 
 /// What the rows say.
 #[derive(Default)]
@@ -39,13 +42,14 @@ pub(super) fn grid(grid: &Grid, scope: &Scope, errors: &mut Errors) -> Checked {
     if let Some(row) = grid.rows.get(MOST_ROWS) {
         errors.push(Error::new(row.place, format!("a table has at most {MOST_ROWS} rows")));
     }
-    let (mut moving, mut readable) = (Vec::new(), true);
+    let complete = REQUIRED.iter().all(|c| columns.contains(&Some(*c)));
+    let (mut moving, mut readable) = (Vec::new(), complete);
     for (i, row) in grid.rows.iter().take(MOST_ROWS).enumerate() {
         let cells: Vec<(Column, &Cell)> =
             columns.iter().zip(&row.cells).filter_map(|(c, cell)| Some(((*c)?, cell))).collect();
         out.places.push((row.place, cells.iter().map(|(c, cell)| (*c, cell.place)).collect()));
         let before = errors.len();
-        let reader = RowReader { cells: if row.fits { cells } else { Vec::new() }, number: i + 1, scope };
+        let reader = RowReader { cells: if row.fits { cells } else { Vec::new() }, number: i + 1, scope, complete };
         let (spec, driven) = reader.read(row, moving.len(), errors);
         readable &= errors.len() == before;
         if let Some((column, m)) = driven {
@@ -79,19 +83,26 @@ fn header(row: &Row, errors: &mut Errors) -> Option<Vec<Option<Column>>> {
         return None;
     }
     let mut columns: Vec<Option<Column>> = Vec::new();
-    let mut doubtful = false;
+    // A misspelt or unnamed column is most likely the one that is missing.
+    let mut doubtful = row.cells.iter().any(|c| c.tokens.is_empty());
     for (name, cell) in names.iter().zip(&row.cells) {
         let column = find(name);
+        let mut meant = column;
         let first = columns.iter().position(|c| c.is_some() && *c == column).and_then(|i| row.cells.get(i));
         match (column, first) {
             (Some(_), Some(first)) => {
                 let error = Error::new(cell.place, format!("column `{name}` appears twice"));
                 errors.push(error.related(first.place, "first here"));
                 columns.push(None);
+                doubtful = true;
                 continue;
             }
             (None, _) if !cell.tokens.is_empty() => {
                 doubtful = true;
+                // The cells below are read as what was most likely meant.
+                meant = near(name)
+                    .and_then(find)
+                    .filter(|c| !names.iter().any(|n| n == c.name()) && !columns.contains(&Some(*c)));
                 let error = Error::new(cell.place, format!("unknown column `{name}`"));
                 errors.push(match (near(name), other_name(name)) {
                     (Some(n), _) | (None, Some(n)) => error.help(format!("did you mean `{n}`?")),
@@ -100,10 +111,9 @@ fn header(row: &Row, errors: &mut Errors) -> Option<Vec<Option<Column>>> {
             }
             _ => {}
         }
-        columns.push(column);
+        columns.push(meant);
     }
-    for want in [Column::Alpha, Column::A, Column::D, Column::Theta] {
-        // A misspelt name is most likely the one that is missing.
+    for want in REQUIRED {
         if !columns.contains(&Some(want)) && !doubtful {
             errors.push(Error::new(row.place, format!("column `{}` is missing", want.name())));
         }
@@ -129,6 +139,8 @@ struct RowReader<'a> {
     /// From 1, as people count.
     number: usize,
     scope: &'a Scope,
+    /// Whether no column is missing: else a row that seems fixed may be none.
+    complete: bool,
 }
 
 impl RowReader<'_> {
@@ -138,7 +150,8 @@ impl RowReader<'_> {
 
     fn sum(&self, column: Column, errors: &mut Errors) -> Option<Sum> {
         let cell = self.cell(column)?;
-        errors.take(expression::read(&cell.tokens, cell.place, self.scope))
+        let want = if matches!(column, Column::Alpha | Column::Theta) { Kind::Angle } else { Kind::Length };
+        errors.take(expression::read(&cell.tokens, cell.place, self.scope, want))
     }
 
     /// `joint`: how many rows above move.
@@ -205,12 +218,10 @@ impl RowReader<'_> {
     }
 
     fn range(&self, spec: &mut RowSpec, driven: Option<Column>, joint: usize, errors: &mut Errors) {
-        let Some(cell) = self.cell(Column::Range) else { return };
+        let Some(cell) = self.cell(Column::Range).filter(|_| self.complete) else { return };
         let measure = match (&spec.moves, driven) {
             (None, None) => Measure::Fixed,
-            (Some(drive), _) if drive::plain(drive).is_none() => Measure::Either,
-            (Some(drive), _) if drive.turns => Measure::Angle,
-            (Some(_), _) => Measure::Length,
+            (Some(drive), _) => drive::measure(drive, joint),
             // The cell that moves could not be read: whatever the range says may be right.
             (None, Some(_)) => Measure::Either,
         };

@@ -8,6 +8,7 @@ use crate::algebra::Rational;
 use crate::chain::{Drive, LengthCell};
 use crate::diagnostic::{Error, Errors, Place};
 
+use super::range::Measure;
 use super::scope::Scope;
 
 /// A moving row: its number (from 1, as counted in the table), its cell and its drive, where that could be read.
@@ -22,6 +23,18 @@ pub(super) fn plain(drive: &Drive) -> Option<usize> {
     match drive.terms.as_slice() {
         [(v, k)] if *k == LengthCell::number(Rational::ONE) => Some(*v),
         _ => None,
+    }
+}
+
+/// What the variable of the row of joint `joint` (from 0) measures. The unit of a motor behind a declared coefficient, or in a
+/// sliding cell behind any, is not known.
+pub(super) fn measure(drive: &Drive, joint: usize) -> Measure {
+    let numeric = |k: &LengthCell| k.terms.iter().all(|t| t.1.is_empty());
+    match drive.terms.iter().find(|t| t.0 == joint) {
+        Some((_, k)) if drive.turns && numeric(k) => Measure::Angle,
+        _ if !drive.turns && plain(drive) == Some(joint) => Measure::Length,
+        // One wrong variable is an error; its range is not another one.
+        _ => Measure::Either,
     }
 }
 

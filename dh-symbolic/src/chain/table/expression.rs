@@ -2,20 +2,22 @@
 
 use super::names::{suggestion, variable_number};
 use super::number::{self, Unit};
+use super::radians;
 use super::scope::{Kind, Scope};
 use super::sum::{AngleUnit, Sum, Term};
-use crate::algebra::{Angle, Rational};
+use crate::algebra::Rational;
 use crate::diagnostic::{Error, Place};
 use proc_macro2::{Delimiter, Ident, Literal, TokenTree};
 
 /// Limits of one cell, against hostile input.
 const MOST_TOKENS: usize = 200;
 const DEEPEST: usize = 64;
+const MOST_DIGITS: usize = 1000;
 
-/// Reads an expression. `place` is where an empty one stands.
-pub(super) fn read(tokens: &[TokenTree], place: Place, scope: &Scope) -> Result<Sum, Error> {
-    let mut budget = MOST_TOKENS;
-    Reader { tokens, at: 0, end: place, scope, depth: 0, budget: &mut budget }.all()
+/// Reads an expression. `place` is where an empty one stands; `want` is what an undeclared name is likely to be.
+pub(super) fn read(tokens: &[TokenTree], place: Place, scope: &Scope, want: Kind) -> Result<Sum, Error> {
+    let mut budget = Budget { tokens: MOST_TOKENS, digits: MOST_DIGITS };
+    Reader { tokens, at: 0, end: place, scope, want, depth: 0, budget: &mut budget }.all()
 }
 
 struct Reader<'a> {
@@ -24,9 +26,15 @@ struct Reader<'a> {
     /// Where to point if something is missing at the end.
     end: Place,
     scope: &'a Scope,
+    want: Kind,
     depth: usize,
-    /// Tokens that may still be read, groups included.
-    budget: &'a mut usize,
+    budget: &'a mut Budget,
+}
+
+/// What may still be read, groups included.
+struct Budget {
+    tokens: usize,
+    digits: usize,
 }
 
 impl<'a> Reader<'a> {
@@ -43,10 +51,8 @@ impl<'a> Reader<'a> {
 
     fn next(&mut self) -> Result<Option<&'a TokenTree>, Error> {
         let Some(token) = self.peek() else { return Ok(None) };
-        if *self.budget == 0 {
-            return Err(Error::new(Place::of(token), "this cell is too long"));
-        }
-        *self.budget -= 1;
+        self.budget.tokens =
+            self.budget.tokens.checked_sub(1).ok_or_else(|| Error::new(Place::of(token), "this cell is too long"))?;
         self.at += 1;
         Ok(Some(token))
     }
@@ -89,6 +95,9 @@ impl<'a> Reader<'a> {
     /// 1 / factor.
     fn divisor(&self, factor: &Sum, place: Place) -> Result<Rational, Error> {
         let mut value = Rational::ZERO;
+        if super::cell::doubtful(factor, self.scope) {
+            return Ok(Rational::ONE);
+        }
         for t in &factor.terms {
             let (x, fields) = self.scope.fold_constants(&t.factor, &t.names);
             if !fields.is_empty() || t.lengths > 0 || t.angle.is_some() || t.variable.is_some() {
@@ -106,15 +115,15 @@ impl<'a> Reader<'a> {
             self.next()?;
             negative ^= sign == '-';
         }
-        let atom = self.atom(negative)?;
+        let atom = self.atom()?;
         Ok(if negative { atom.scaled(&Rational::int(-1)) } else { atom })
     }
 
-    /// A number, a name or parentheses; `negative`: a minus stands before it.
-    fn atom(&mut self, negative: bool) -> Result<Sum, Error> {
+    /// A number, a name or parentheses.
+    fn atom(&mut self) -> Result<Sum, Error> {
         match self.next()? {
-            Some(TokenTree::Literal(literal)) => self.number(literal, negative, false),
-            Some(TokenTree::Ident(name)) => self.name(name, negative),
+            Some(TokenTree::Literal(literal)) => self.number(literal, None),
+            Some(TokenTree::Ident(name)) => self.name(name),
             Some(token @ TokenTree::Group(group)) => {
                 let inside: Vec<TokenTree> = group.stream().into_iter().collect();
                 match group.delimiter() {
@@ -124,6 +133,7 @@ impl<'a> Reader<'a> {
                         at: 0,
                         end: Place::of(token),
                         scope: self.scope,
+                        want: self.want,
                         depth: self.depth + 1,
                         budget: &mut *self.budget,
                     }
@@ -157,10 +167,13 @@ impl<'a> Reader<'a> {
                     .help(format!("write `{l}{unit}`"))
             }
             (Some(TokenTree::Literal(l)), TokenTree::Punct(p)) if p.as_char() == '.' => {
-                let unit = self.tokens.get(self.at + 1).map(ToString::to_string).filter(|u| number::is_unit(u));
-                let unit = unit.unwrap_or_default();
-                Error::new(Place::at(l.span()).to(place), "a number does not end with its point")
-                    .help(format!("write `{l}{unit}` or `{l}.0{unit}`"))
+                let after = self.tokens.get(self.at + 1).filter(|t| number::is_unit(&t.to_string()));
+                let unit = after.map(ToString::to_string).unwrap_or_default();
+                Error::new(
+                    Place::at(l.span()).to(after.map_or(place, Place::of)),
+                    "a number does not end with its point",
+                )
+                .help(format!("write `{l}{unit}` or `{l}.0{unit}`"))
             }
             (Some(TokenTree::Ident(name)), TokenTree::Group(g)) if g.delimiter() == Delimiter::Parenthesis => {
                 Error::new(Place::at(name.span()).to(place), "a cell holds sums and products, no functions")
@@ -176,16 +189,22 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn number(&self, literal: &Literal, negative: bool, approximate: bool) -> Result<Sum, Error> {
+    /// `approximate`: where `approx` stands before it, and whether a minus is between.
+    fn number(&mut self, literal: &Literal, approximate: Option<(Place, bool)>) -> Result<Sum, Error> {
         let place = Place::at(literal.span());
         let n = number::read(literal, &|name| self.scope.find(name).is_some())?;
+        self.budget.digits = self
+            .budget
+            .digits
+            .checked_sub(n.digits)
+            .ok_or_else(|| Error::new(place, "this cell has too many digits"))?;
         let mut term = Term::number(n.value.clone(), place, literal.to_string());
         match &n.unit {
             Unit::Radians => {
-                check_radians(&n, &term.word, place, negative, approximate)?;
+                radians::check(&n, &term.word, place, approximate)?;
                 term.angle = Some(if n.value.is_zero() { AngleUnit::Pi } else { AngleUnit::Radian });
             }
-            _ if approximate => {
+            _ if approximate.is_some() => {
                 return Err(Error::new(place, "`approx` is for radians; all other numbers are exact")
                     .help("leave `approx` out"));
             }
@@ -204,12 +223,12 @@ impl<'a> Reader<'a> {
         Ok(Sum::of(term))
     }
 
-    fn name(&mut self, name: &Ident, negative: bool) -> Result<Sum, Error> {
+    fn name(&mut self, name: &Ident) -> Result<Sum, Error> {
         let text = name.to_string();
         let place = Place::at(name.span());
         let mut term = Term::number(Rational::ONE, place, text.clone());
         if text == "approx" {
-            return self.approximate(place, negative);
+            return self.approximate(place);
         }
         if let Some(token @ TokenTree::Group(g)) = self.peek()
             && g.delimiter() == Delimiter::Parenthesis
@@ -253,17 +272,16 @@ impl<'a> Reader<'a> {
     }
 
     /// `approx 1.2rad`, `approx -1.2rad`.
-    fn approximate(&mut self, place: Place, mut negative: bool) -> Result<Sum, Error> {
-        let mut flip = false;
+    fn approximate(&mut self, place: Place) -> Result<Sum, Error> {
+        let mut negative = false;
         while let Some(sign @ ('+' | '-')) = self.punct(0) {
             self.next()?;
-            flip ^= sign == '-';
+            negative ^= sign == '-';
         }
-        negative ^= flip;
         match self.next()? {
             Some(TokenTree::Literal(literal)) => {
-                let sum = self.number(literal, negative, true)?;
-                Ok(if flip { sum.scaled(&Rational::int(-1)) } else { sum })
+                let sum = self.number(literal, Some((place, negative)))?;
+                Ok(if negative { sum.scaled(&Rational::int(-1)) } else { sum })
             }
             _ => Err(Error::new(place, "`approx` stands before a number in radians: `approx 1.2rad`")),
         }
@@ -272,7 +290,12 @@ impl<'a> Reader<'a> {
     fn unknown(&self, name: &str, place: Place) -> Error {
         let error = Error::new(place, format!("unknown name `{}`", name.escape_debug()));
         let columns = ["alpha", "a", "d", "theta", "joint", "range"];
-        if let Some(near) = suggestion(name, self.scope.names.iter().map(|d| d.name.as_str()).chain(["pi"])) {
+        // `a3` is no slip for `a2`.
+        let letters = |n: &str| n.trim_end_matches(|c: char| c.is_ascii_digit()).len();
+        let other = |d: &&str| d.get(..letters(d)) != name.get(..letters(name));
+        if let Some(near) =
+            suggestion(name, self.scope.names.iter().map(|d| d.name.as_str()).chain(["pi"]).filter(other))
+        {
             return error.help(format!("did you mean `{near}`?"));
         }
         if number::is_unit(name) {
@@ -289,58 +312,7 @@ impl<'a> Reader<'a> {
         if columns.contains(&name) || !name.is_ascii() || super::names::variable_number(name).is_some() {
             return error;
         }
-        error.help(format!("declare it: `let {name}: length;`"))
-    }
-}
-
-/// Radians are never exact (except 0): they must say so, and must not be the rounded form of an exact angle.
-fn check_radians(
-    n: &number::Number,
-    written: &str,
-    place: Place,
-    negative: bool,
-    approximate: bool,
-) -> Result<(), Error> {
-    /// As near to a multiple of 15 degrees as this, in radians, an angle looks like one: 1.57 does, 1.3 does not.
-    const NEAR: f64 = 2e-3;
-    /// As near as this it is one, however many digits are written.
-    const EQUAL: f64 = 1e-9;
-    if n.value.is_zero() && !approximate {
-        return Ok(());
-    }
-    let x = n.value.to_f64();
-    let steps = (x * 12.0 / std::f64::consts::PI).round();
-    let miss = (x - steps * std::f64::consts::PI / 12.0).abs();
-    // Calibrated arms have angles like 1.570320019: near, but no rounded pi/2. A rounded one misses by less than its last digit.
-    let rounded = miss < NEAR && miss <= n.last_digit.to_f64();
-    if miss < EQUAL || rounded || (miss < NEAR && !approximate) {
-        let steps = Rational::int(if negative { -steps as i64 } else { steps as i64 });
-        let spelling = exact_spelling(&steps);
-        let what =
-            if approximate { "this is an exact angle, written as a rounded number" } else { "radians are never exact" };
-        return Err(Error::new(place, what).help(format!("write {spelling}")));
-    }
-    if !approximate {
-        let text = format!("radians are never exact: say `approx {written}`");
-        return Err(Error::new(place, text).help("or write the angle in degrees"));
-    }
-    Ok(())
-}
-
-/// "`90deg` or `pi/2`": a number of 15-degree steps.
-fn exact_spelling(steps: &Rational) -> String {
-    if steps.is_zero() {
-        return "`0`".into();
-    }
-    let degrees = steps * &Rational::int(15);
-    let angle = Angle::degrees(&degrees);
-    match angle.factor().to_small() {
-        Some((1, 1)) => format!("`{degrees}deg` or `pi`"),
-        Some((-1, 1)) => format!("`{degrees}deg` or `-pi`"),
-        Some((n, 1)) => format!("`{degrees}deg` or `{n}*pi`"),
-        Some((1, d)) => format!("`{degrees}deg` or `pi/{d}`"),
-        Some((-1, d)) => format!("`{degrees}deg` or `-pi/{d}`"),
-        Some((n, d)) => format!("`{degrees}deg` or `{n}*pi/{d}`"),
-        None => format!("`{degrees}deg`"),
+        let kind = if self.want == Kind::Angle { "angle" } else { "length" };
+        error.help(format!("declare it: `let {name}: {kind};`"))
     }
 }

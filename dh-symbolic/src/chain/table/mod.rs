@@ -19,6 +19,7 @@ mod names;
 mod number;
 mod origin;
 mod parameters;
+mod radians;
 mod range;
 mod rows;
 mod scope;
@@ -36,6 +37,7 @@ use super::{AngleCell, ChainSpec, MotionSpec, Quantity, Scalar, Task};
 use crate::diagnostic::{Error, Errors, Place};
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use scope::{Kind, Scope};
+use statements::Written;
 
 /// What was read.
 #[derive(Debug)]
@@ -93,7 +95,12 @@ const MOST_TIMES_OF_AN_ANGLE: u32 = 24;
 pub fn parse(input: TokenStream) -> Parsed {
     let mut errors = Errors::new();
     let tokens: Vec<TokenTree> = input.into_iter().collect();
-    let written = statements::read(&tokens, &mut errors);
+    let nothing = tokens.is_empty();
+    if nothing {
+        let error = Error::new(Place::call_site(), "there is no robot here");
+        errors.push(error.help("write `pub struct Name;`, `convention = modified;` and a table"));
+    }
+    let written = if nothing { Written::default() } else { statements::read(&tokens, &mut errors) };
     let settings = settings::read(&written.settings, &mut errors);
     let head_place = written.head.name.as_ref().map_or_else(Place::call_site, |n| Place::at(n.span()));
 
@@ -107,7 +114,7 @@ pub fn parse(input: TokenStream) -> Parsed {
             errors.push(Error::new(d.place, text));
         }
     }
-    if !settings.has_convention {
+    if !settings.has_convention && !nothing {
         let error = Error::new(head_place, "the convention is missing; there is no default");
         errors.push(error.help("write `convention = standard;` or `convention = modified;` (Craig)"));
     }
@@ -118,6 +125,7 @@ pub fn parse(input: TokenStream) -> Parsed {
     let (base, tool) = (motions("base", &mut errors), motions("tool", &mut errors));
     let checked = match &written.grid {
         Some(grid) => check::grid(grid, &scope, &mut errors),
+        None if nothing => check::Checked::default(),
         None => {
             let error = Error::new(head_place, "the table is missing");
             errors.push(error.help("write `| joint | alpha | a | d | theta |` and one row per link"));

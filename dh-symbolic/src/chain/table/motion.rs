@@ -4,7 +4,7 @@ use super::cell::{self, Site};
 use super::cursor::Cursor;
 use super::expression;
 use super::names::suggestion;
-use super::scope::Scope;
+use super::scope::{Kind, Scope};
 use super::statements::Setting;
 use crate::chain::MotionSpec;
 use crate::diagnostic::{Error, Errors, Place};
@@ -56,7 +56,7 @@ fn factor(name: &Ident, inside: &[TokenTree], place: Place, scope: &Scope) -> Re
         });
     };
     let site = format!("`{text}`");
-    let sum = expression::read(inside, place, scope)?;
+    let sum = expression::read(inside, place, scope, if which < 3 { Kind::Length } else { Kind::Angle })?;
     if let Some(t) = sum.terms.iter().find(|t| t.variable.is_some()) {
         return Err(Error::new(t.place, "`base` and `tool` are constant: no joint variable stands here"));
     }

@@ -28,6 +28,8 @@ pub(super) struct Number {
     pub(super) unit: Unit,
     /// One unit of the last digit that is written.
     pub(super) last_digit: Rational,
+    /// How many digits it takes to write it without exponent: what arithmetic with it costs.
+    pub(super) digits: usize,
 }
 
 /// Units of length: name, and metres as a fraction.
@@ -142,7 +144,8 @@ pub(super) fn read(literal: &Literal, declared: &dyn Fn(&str) -> bool) -> Result
     {
         return Err(Error::new(place, "this angle is beyond all reason"));
     }
-    Ok(Number { value, unit, last_digit })
+    let exponent = digits.split(['e', 'E']).nth(1).and_then(|e| e.replace('_', "").parse::<i32>().ok()).unwrap_or(0);
+    Ok(Number { value, unit, last_digit, digits: digits.len() + exponent.unsigned_abs() as usize })
 }
 
 fn unknown(digits: &str, suffix: &str, place: Place, declared: &dyn Fn(&str) -> bool) -> Error {

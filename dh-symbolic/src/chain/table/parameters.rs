@@ -37,9 +37,12 @@ pub(super) fn declare(line: &Let, scope: &mut Scope, errors: &mut Errors) {
     }
     match &line.value {
         Some(tokens) => {
-            let value = expression::read(tokens, line.place, scope).and_then(|sum| constant(&sum, scope, line));
+            let value = expression::read(tokens, line.place, scope, declared.kind).and_then(|sum| {
+                // What a wrong line leads to is no second error.
+                declared.sound &= !cell::doubtful(&sum, scope);
+                if declared.sound { constant(&sum, scope, line) } else { Ok((sum, Kind::Number)) }
+            });
             match errors.take(value) {
-                // An unknown kind is one error; the value would only be a second one.
                 Some(_) if !declared.sound => {}
                 Some((sum, found)) => {
                     if !declared.field {

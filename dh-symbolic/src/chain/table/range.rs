@@ -3,7 +3,7 @@
 use super::cell::{self, Site};
 use super::expression;
 use super::rows::Cell;
-use super::scope::Scope;
+use super::scope::{Kind, Scope};
 use super::sum::Sum;
 use crate::algebra::Rational;
 use crate::chain::Bound;
@@ -45,17 +45,18 @@ pub(super) fn read(
     if measure == Measure::Fixed {
         return Err(Error::new(cell.place, "this row has no joint variable, so there is no range").help("write `-`"));
     }
-    let bound = |tokens: &[TokenTree]| {
-        let place = Place::of_all(tokens).unwrap_or(cell.place);
-        bound(&expression::read(tokens, place, scope)?, scope, measure, joint)
+    let want = if measure == Measure::Length { Kind::Length } else { Kind::Angle };
+    let sum = |tokens: &[TokenTree]| expression::read(tokens, Place::of_all(tokens).unwrap_or(cell.place), scope, want);
+    let (low, high) = (sum(low)?, sum(high)?);
+    // Of `0..=90deg` both are angles.
+    let angles = match measure {
+        Measure::Either => [&low, &high].iter().any(|s| s.terms.iter().any(|t| t.angle.is_some())),
+        _ => measure == Measure::Angle,
     };
-    let (low, high) = (bound(low)?, bound(high)?);
+    let (low, high) = (bound(&low, scope, angles, measure, joint)?, bound(&high, scope, angles, measure, joint)?);
     let backwards = match (&low, &high) {
         (Bound::Length(a), Bound::Length(b)) => a > b,
         (Bound::HalfTurns(a), Bound::HalfTurns(b)) => a > b,
-        (Bound::Length(_), _) | (_, Bound::Length(_)) => {
-            return Err(Error::new(cell.place, "one bound is a length, the other an angle"));
-        }
         (a, b) => radians(a) > radians(b),
     };
     if backwards {
@@ -84,7 +85,7 @@ fn split(cell: &Cell) -> Result<(&[TokenTree], &[TokenTree]), Error> {
     Ok((low, high))
 }
 
-fn bound(sum: &Sum, scope: &Scope, measure: Measure, joint: usize) -> Result<Bound, Error> {
+fn bound(sum: &Sum, scope: &Scope, angle: bool, measure: Measure, joint: usize) -> Result<Bound, Error> {
     let angular = sum.terms.iter().any(|t| t.angle.is_some());
     let long = sum.terms.iter().any(|t| t.lengths > 0);
     let place = sum.terms.iter().find(|t| t.angle.is_some() || t.lengths > 0).map(|t| t.place);
@@ -105,8 +106,8 @@ fn bound(sum: &Sum, scope: &Scope, measure: Measure, joint: usize) -> Result<Bou
             return Err(Error::new(t.place, text));
         }
     }
-    let site = Site("a range");
-    if measure == Measure::Angle || (measure == Measure::Either && angular) {
+    let site = Site("this range");
+    if angle {
         let a = cell::angle(sum, scope, site)?;
         let exact = a.half_turns.unwrap_or(Rational::ZERO);
         return Ok(match a.approx {

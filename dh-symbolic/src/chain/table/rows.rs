@@ -6,10 +6,12 @@ use super::cursor::Cursor;
 use super::statements::starts_line;
 use super::text;
 use crate::diagnostic::{Error, Errors, Place};
-use proc_macro2::TokenTree;
+use proc_macro2::{Delimiter, TokenTree};
 
 /// A header, for messages.
 const HEADER: &str = "a table starts with `| joint | alpha | a | d | theta | range |`";
+
+const NO_BAR: &str = "the closing bar `|` is missing after this";
 
 /// One cell.
 #[derive(Clone, Debug)]
@@ -45,6 +47,8 @@ struct Segment<'a> {
     open: Place,
     /// The bar behind (the last token, where it is missing).
     close: Place,
+    /// Whether there is a bar behind.
+    closed: bool,
 }
 
 impl Segment<'_> {
@@ -59,7 +63,15 @@ impl Segment<'_> {
 
     fn cell(&self) -> Cell {
         let place = Place::of_all(self.tokens).unwrap_or_else(|| self.open.to(self.close));
-        Cell { tokens: self.tokens.to_vec(), place }
+        let mut tokens = self.tokens.to_vec();
+        // A fragment of `macro_rules!` comes in an invisible group.
+        for _ in 0..8 {
+            match tokens.as_slice() {
+                [TokenTree::Group(g)] if g.delimiter() == Delimiter::None => tokens = g.stream().into_iter().collect(),
+                _ => break,
+            }
+        }
+        Cell { tokens, place }
     }
 }
 
@@ -72,7 +84,7 @@ fn is_rule(tokens: &[TokenTree]) -> bool {
 
 /// Reads from the first bar to the end of the table.
 pub(super) fn read(c: &mut Cursor<'_>, errors: &mut Errors) -> Grid {
-    let segments = segments(c, errors);
+    let segments = segments(c);
     let mut rest = segments.as_slice();
     let header = header(&mut rest, errors);
     let columns = header.cells.len();
@@ -97,20 +109,20 @@ pub(super) fn read(c: &mut Cursor<'_>, errors: &mut Errors) -> Grid {
 }
 
 /// Cuts at the bars. The table ends where a line of another kind starts.
-fn segments<'a>(c: &mut Cursor<'a>, errors: &mut Errors) -> Vec<Segment<'a>> {
+fn segments<'a>(c: &mut Cursor<'a>) -> Vec<Segment<'a>> {
     let mut list = Vec::new();
     let Some(mut open) = c.eat_punct('|') else { return list };
     loop {
         let tokens = c.take_while(|c| !c.is_punct(0, '|') && !c.is_punct(0, ';') && !starts_line(c, 0));
         match c.eat_punct('|') {
             Some(close) => {
-                list.push(Segment { tokens, open, close });
+                list.push(Segment { tokens, open, close, closed: true });
                 open = close;
             }
             None => {
                 if let Some(place) = Place::of_all(tokens) {
-                    errors.push(Error::new(place, "the closing bar `|` is missing after this"));
-                    list.push(Segment { tokens, open, close: place });
+                    list.push(Segment { tokens, open, close: place, closed: false });
+                    c.eat_punct(';');
                 }
                 return list;
             }
@@ -145,6 +157,9 @@ fn header(rest: &mut &[Segment<'_>], errors: &mut Errors) -> Row {
             errors.push(Error::new(row.place, "the closing bar `|` of the header is missing"));
             return row;
         } else {
+            if !segment.closed {
+                errors.push(Error::new(segment.close, NO_BAR));
+            }
             *rest = after;
         }
         row.cells.push(segment.cell());
@@ -188,6 +203,7 @@ fn rows(segments: &[Segment<'_>], header: &Row, errors: &mut Errors) -> Vec<Row>
             errors.push(Error::new(empty, "an empty cell").help("write `0`, or `-` where a range is not known"));
             fits = false;
         } else if count == columns
+            && segment.closed
             && before.is_some_and(|b| ends_above(b, segment))
             && let Some(done) = row.take()
         {
@@ -197,6 +213,13 @@ fn rows(segments: &[Segment<'_>], header: &Row, errors: &mut Errors) -> Vec<Row>
             finish(done, header, errors, &mut list);
         }
         between = false;
+        if !segment.closed {
+            if row.as_ref().is_some_and(|r| r.cells.len() == columns) {
+                errors.push(Error::new(segment.cell().place, "this belongs to no line of the table"));
+                continue;
+            }
+            errors.push(Error::new(segment.cell().place, NO_BAR));
+        }
         let now = row.get_or_insert_with(|| Row { cells: Vec::new(), place: segment.open, fits: true });
         now.cells.push(segment.cell());
         now.place = now.place.to(segment.close);
@@ -221,7 +244,15 @@ fn finish(mut row: Row, header: &Row, errors: &mut Errors, list: &mut Vec<Row>) 
         let names: Vec<String> = header.cells.iter().map(|c| text::of(&c.tokens)).collect();
         let cells = if have == 1 { "1 cell".into() } else { format!("{have} cells") };
         let text = format!("this row has {cells}, the header has {want}: {}", names.join(", "));
-        errors.push(Error::new(row.place, text));
+        let error = Error::new(row.place, text);
+        let broken = row.cells.windows(2).find(|pair| match pair {
+            [a, b] => a.place.last_line() != 0 && a.place.last_line() < b.place.line(),
+            _ => false,
+        });
+        errors.push(match broken.and_then(|pair| pair.first()) {
+            Some(cell) if have > want => error.related(cell.place, "is the closing bar missing after this cell?"),
+            _ => error,
+        });
     }
     row.fits = have == want;
     list.push(row);

@@ -69,7 +69,7 @@ pub(super) fn starts_line(c: &Cursor<'_>, n: usize) -> bool {
         Some(TokenTree::Ident(_)) => {
             let word = |w| c.is_word(n, w);
             let braces = matches!(c.look(n + 1), Some(TokenTree::Group(g)) if g.delimiter() == Delimiter::Brace);
-            word("let") || c.is_punct(n + 1, '=') || (word("prove") && braces)
+            word("let") || word("struct") || word("pub") || c.is_punct(n + 1, '=') || (word("prove") && braces)
         }
         Some(TokenTree::Punct(p)) if p.as_char() == '#' => {
             matches!(c.look(n + 1), Some(TokenTree::Group(g)) if g.delimiter() == Delimiter::Bracket)
@@ -142,7 +142,10 @@ fn attributes(c: &mut Cursor<'_>, errors: &mut Errors) -> (TokenStream, Vec<Stri
         }
         match c.eat_group(Delimiter::Bracket) {
             Some(group) => {
-                let inside: Vec<TokenTree> = group.stream().into_iter().collect();
+                let mut inside: Vec<TokenTree> = group.stream().into_iter().collect();
+                if let [TokenTree::Group(meta)] = inside.as_slice() {
+                    inside = meta.stream().into_iter().collect();
+                }
                 if let [TokenTree::Ident(name), TokenTree::Punct(_), TokenTree::Literal(text)] = inside.as_slice() {
                     // Other literals than strings are left to rustc.
                     if name == "doc"
