@@ -216,8 +216,8 @@
 //!
 //! | relative to as many calls of the standard library | x86-64 | with AVX2, FMA |
 //! |---------------------------------------------------|-------:|---------------:|
-//! | sines and cosines of six angles | 0.22 | 0.11 |
-//! | sines and cosines of seven angles | 0.25 | 0.14 |
+//! | sines and cosines of six angles | 0.22 | 0.13 |
+//! | sines and cosines of seven angles | 0.26 | 0.12 |
 //! | arc tangents of eight vectors | 0.27 | 0.08 |
 //!
 //! Medians over 41 repetitions of `cargo bench -p dh-robot` on one core of a server processor, random angles.

@@ -65,15 +65,22 @@ pub fn sincos_batch<T: Real, const N: usize>(angles: &[T; N]) -> ([T; N], [T; N]
             *to = from;
         }
     }
-    if beyond == 0 { (sines, cosines) } else { one_by_one(angles) }
+    if beyond != 0 {
+        one_by_one(angles, &mut sines, &mut cosines);
+    }
+    (sines, cosines)
 }
 
 /// The slow way, for batches with an angle beyond [`LIMIT`].
+///
+/// It writes over the results instead of returning others: a choice between two sets of results makes the compiler
+/// gather them in wide registers, which costs more than all the sines (measured with AVX-512).
 #[cold]
 #[inline(never)]
-fn one_by_one<T: Real, const N: usize>(angles: &[T; N]) -> ([T; N], [T; N]) {
-    let pairs = angles.map(math::sin_cos);
-    (pairs.map(|(sine, _)| sine), pairs.map(|(_, cosine)| cosine))
+fn one_by_one<T: Real>(angles: &[T], sines: &mut [T], cosines: &mut [T]) {
+    for ((angle, sine), cosine) in angles.iter().zip(sines).zip(cosines) {
+        (*sine, *cosine) = math::sin_cos(*angle);
+    }
 }
 
 /// Whether a lane is out of the kernel's reach, as 0 or 1.
