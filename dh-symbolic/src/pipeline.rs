@@ -1,11 +1,13 @@
 //! The whole way, from tokens to output, in one screen.
 
 use crate::algebra::Ring;
-use crate::chain::table::{Parsed, Sketch, parse};
+use crate::chain::table::{Claims, Parsed, Sketch, parse};
 use crate::chain::{Chain, Scalar, Task};
 use crate::diagnostic::{Error, Place};
+use crate::kinematics::claims;
 use crate::program::Forward;
 use crate::render::rust::{self, Head};
+use crate::render::verdict::complaints;
 use proc_macro2::{Ident, Span, TokenStream};
 
 /// Expands the body of `dh_robot!`: items, or errors beside a stub of the type.
@@ -24,6 +26,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
 
 /// The items of a robot whose table is in order.
 fn items(head: &Head, chain: Chain, parsed: &mut Parsed) -> TokenStream {
+    check_derivation(&chain, parsed);
     match Forward::derive(&chain) {
         Ok(forward) => rust::robot(head, &chain, &forward, "", ""),
         Err(difference) => {
@@ -33,6 +36,22 @@ fn items(head: &Head, chain: Chain, parsed: &mut Parsed) -> TokenStream {
             );
             parsed.errors.push(Error::new(Place::at(head.ident.span()), text));
             TokenStream::new()
+        }
+    }
+}
+
+/// Checks the lines of `prove` blocks: a wrong one is an error where it is wrong.
+fn check_derivation(chain: &Chain, parsed: &mut Parsed) {
+    if parsed.claims.is_empty() {
+        return;
+    }
+    let claims = Claims::read(&parsed.claims);
+    let report = claims::check(chain, &claims.derivation);
+    for verdict in &report.verdicts {
+        for (place, message, help) in complaints(&report, &claims.derivation, verdict) {
+            let mut error = Error::new(claims.place(&place).unwrap_or_else(Place::call_site), message);
+            error.help = help;
+            parsed.errors.push(error);
         }
     }
 }

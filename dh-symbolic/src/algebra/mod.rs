@@ -19,6 +19,7 @@ mod matrix;
 mod monomial;
 mod poly;
 pub mod rational;
+pub mod shape;
 mod substitute;
 mod symbol;
 #[cfg(test)]

@@ -130,6 +130,13 @@ impl Monomial {
         Monomial(self.0.iter().copied().zip(self.factors()).filter(|(_, f)| keep(f)).map(|(c, _)| c).collect())
     }
 
+    /// Greatest factor of an angle in a sine or cosine: 2 in cos(2*q1 - q2). Products add them up; beyond 127 they would no
+    /// longer be exact, so whoever multiplies formulas of unknown size asks first.
+    pub fn order(&self) -> u8 {
+        let waves = self.0.iter().filter(|c| kind(**c) >= COS).map(|c| wave_of(*c));
+        waves.flat_map(|k| k.map(i8::unsigned_abs)).max().unwrap_or(0)
+    }
+
     /// Does the angle occur?
     pub fn has_angle(&self, v: AngleVar) -> bool {
         self.0.iter().any(|&c| {

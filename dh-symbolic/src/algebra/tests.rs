@@ -17,7 +17,7 @@ fn angle_sums_join_as_they_are_built() {
     let (ring, q) = planar(2);
     let ((c1, s1), (c2, s2)) = (Poly::cos_sin(q[0]), Poly::cos_sin(q[1]));
     assert_eq!(ring.text(&(&(&c1 * &c2) - &(&s1 * &s2))), "c12");
-    assert_eq!(ring.text(&(&(&s1 * &c2) - &(&c1 * &s2))), "s1-2");
+    assert_eq!(ring.text(&(&(&s1 * &c2) - &(&c1 * &s2))), "s(1-2)");
     assert_eq!(&c1.square() + &s1.square(), Poly::one());
 }
 

@@ -3,7 +3,7 @@
 use super::{AngleVar, Factor, Monomial, Poly, Ring};
 
 impl Ring {
-    /// `c23`, `s2-3`, `cos(2*q2 + q3)`: a harmonic. Angles named `q` or `theta` with a number get the short form.
+    /// `c23`, `s(2-3)`, `cos(2*q2 + q3)`: a harmonic, as `prove` reads it. Angles named `q` or `theta` with a number get the short form.
     pub fn harmonic_text(&self, terms: &[(AngleVar, i8)], sine: bool) -> String {
         let digits = |v: AngleVar| {
             let name = self.angle_name(v);
@@ -14,18 +14,29 @@ impl Ring {
             terms.iter().map(|(v, k)| digits(*v).filter(|_| k.abs() == 1).map(|d| (d, *k))).collect();
         match short {
             Some(parts) => {
-                let wide = parts.iter().any(|(d, _)| d.len() > 1);
-                let mut text = if sine { "s" } else { "c" }.to_string();
-                for (i, (d, k)) in parts.iter().enumerate() {
-                    text.push_str(if *k < 0 {
-                        "-"
-                    } else if wide && i > 0 {
-                        "_"
-                    } else {
-                        ""
-                    });
-                    text.push_str(d);
+                let letter = if sine { "s" } else { "c" };
+                if parts.iter().any(|(_, k)| *k < 0) {
+                    let inner: Vec<String> = parts
+                        .iter()
+                        .enumerate()
+                        .map(|(i, (d, k))| {
+                            format!(
+                                "{}{d}",
+                                if *k < 0 {
+                                    "-"
+                                } else if i > 0 {
+                                    "+"
+                                } else {
+                                    ""
+                                }
+                            )
+                        })
+                        .collect();
+                    return format!("{letter}({})", inner.concat());
                 }
+                let wide = parts.iter().any(|(d, _)| d.len() > 1);
+                let names: Vec<&str> = parts.iter().map(|(d, _)| d.as_str()).collect();
+                let text = format!("{letter}{}", names.join(if wide { "_" } else { "" }));
                 text
             }
             None => {

@@ -5,6 +5,7 @@
 //! **Never here:** tokens (only `table/` reads them), formulas of products (that is `kinematics`), floats.
 
 mod build;
+pub mod claim;
 mod convention;
 mod spec;
 pub mod table;

@@ -5,6 +5,7 @@
 //!
 //! **Never here:** how to compute fast (that is `program`), how to print.
 
+pub mod claims;
 mod forward;
 mod jacobian;
 mod segments;

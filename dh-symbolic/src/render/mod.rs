@@ -5,3 +5,4 @@
 //! **Never here:** decisions about kinematics.
 
 pub mod rust;
+pub mod verdict;

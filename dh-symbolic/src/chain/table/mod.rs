@@ -19,6 +19,7 @@ mod names;
 mod number;
 mod origin;
 mod parameters;
+mod prove;
 mod radians;
 mod range;
 mod rows;
@@ -31,6 +32,7 @@ mod tests;
 mod text;
 
 pub use origin::{Column, Origins};
+pub use prove::Claims;
 pub use statements::{ClaimTokens, Head};
 
 use super::{AngleCell, ChainSpec, MotionSpec, Quantity, Scalar, Task};

@@ -1,0 +1,530 @@
+//! A formula as people write it: factored, collected by the outermost angle first, powers instead of multiple angles.
+//!
+//! The normal form decides equality; this is only another way to write it down, so every step here is an identity:
+//! common factors are taken out, factors that depend on one angle (or group of parallel angles) alone are split off, and what
+//! remains is collected by its first angle: `c1*(a2*c2 + a3*c23 - d4*s23) - d3*s1`.
+
+use super::{AngleVar, Factor, Poly, Rational, Ring, Symbol};
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
+
+/// What cannot be taken apart.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Atom {
+    /// The square root of 2 or 3.
+    Root(u8),
+    /// A symbol.
+    Symbol(Symbol),
+    /// Cosine of a combination of angles of one group.
+    Cos(Vec<(AngleVar, i8)>),
+    /// Sine of one.
+    Sin(Vec<(AngleVar, i8)>),
+}
+
+impl Ord for Atom {
+    /// Roots, symbols, then angles by their groups; c4 before s4 before c45.
+    fn cmp(&self, other: &Atom) -> Ordering {
+        let wave = |a: &Atom| match a {
+            Atom::Cos(t) => (t.clone(), false),
+            Atom::Sin(t) => (t.clone(), true),
+            _ => (vec![], false),
+        };
+        slot(self).cmp(&slot(other)).then_with(|| wave(self).cmp(&wave(other)))
+    }
+}
+
+impl PartialOrd for Atom {
+    fn partial_cmp(&self, other: &Atom) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+/// A formula as a tree.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// A number that is not negative.
+    Number(Rational),
+    /// A name.
+    Atom(Atom),
+    /// A power above 1.
+    Power(Box<Shape>, u32),
+    /// Two factors or more, none of them negative.
+    Product(Vec<Shape>),
+    /// Two terms or more.
+    Sum(Vec<Shape>),
+    /// A negative number, name, power or product.
+    Negative(Box<Shape>),
+}
+
+/// Powers of atoms, in order.
+type Powers = Vec<(Atom, u32)>;
+/// A polynomial in atoms.
+type Sum = BTreeMap<Powers, Rational>;
+
+/// What an atom varies with: a root, a symbol, a group of angles.
+fn slot(a: &Atom) -> (u8, u16) {
+    match a {
+        Atom::Root(n) => (0, u16::from(*n)),
+        Atom::Symbol(s) => (1, s.0),
+        Atom::Cos(t) | Atom::Sin(t) => (2, t.first().map_or(0, |x| x.0.group)),
+    }
+}
+
+fn atom_poly(a: &Atom) -> Poly {
+    match a {
+        Atom::Root(2) => Poly::sqrt2(),
+        Atom::Root(_) => Poly::sqrt3(),
+        Atom::Symbol(s) => Poly::symbol(*s),
+        Atom::Cos(t) => Poly::harmonic(t, false),
+        Atom::Sin(t) => Poly::harmonic(t, true),
+    }
+}
+
+fn to_poly(s: &Sum) -> Poly {
+    let term =
+        |(p, c): (&Powers, &Rational)| p.iter().fold(Poly::constant(c.clone()), |x, (a, n)| &x * &atom_poly(a).pow(*n));
+    s.iter().map(term).sum()
+}
+
+fn times(a: &Powers, b: &Powers) -> Powers {
+    let mut out = a.clone();
+    for (x, n) in b {
+        match out.binary_search_by(|y| y.0.cmp(x)) {
+            Ok(i) => out[i].1 += n,
+            Err(i) => out.insert(i, (x.clone(), *n)),
+        }
+    }
+    out
+}
+
+fn add(sum: &mut Sum, p: Powers, c: &Rational) {
+    let entry = sum.entry(p).or_insert(Rational::ZERO);
+    *entry = &*entry + c;
+}
+
+fn binomial(n: u32, k: u32) -> i64 {
+    (0..k).fold(1, |x, i| x * i64::from(n - i) / i64::from(i + 1))
+}
+
+/// cos(k v) or sin(k v) times (c^2 + s^2)^extra in powers of c = cos v and s = sin v: (power of c, power of s, coefficient).
+fn multiple_angle(k: u32, sine: bool, extra: u32) -> Vec<(u32, u32, Rational)> {
+    let mut out = Vec::new();
+    for j in (u32::from(sine)..=k).step_by(2) {
+        let sign = if (j / 2) % 2 == 0 { 1 } else { -1 };
+        for m in 0..=extra {
+            let c = Rational::int(sign * binomial(k, j) * binomial(extra, m));
+            out.push((k - j + 2 * (extra - m), j + 2 * m, c));
+        }
+    }
+    out
+}
+
+/// Writes the harmonics of one angle `v` as powers, with as few terms as possible.
+fn unfold(wave: &[(u32, bool, Rational)], v: AngleVar) -> Sum {
+    let power = |i: u32, j: u32| {
+        let mut p = Powers::new();
+        if i > 0 {
+            p.push((Atom::Cos(vec![(v, 1)]), i));
+        }
+        if j > 0 {
+            p.push((Atom::Sin(vec![(v, 1)]), j));
+        }
+        p
+    };
+    let build = |homogeneous: bool| {
+        let mut sum = Sum::new();
+        for (k, sine, c) in wave {
+            let top = wave.iter().map(|w| w.0).filter(|n| n % 2 == k % 2).max().unwrap_or(*k);
+            let extra = if homogeneous { (top - k) / 2 } else { 0 };
+            for (i, j, x) in multiple_angle(*k, *sine, extra) {
+                add(&mut sum, power(i, j), &(&x * c));
+            }
+        }
+        sum.retain(|_, c| !c.is_zero());
+        sum
+    };
+    let (plain, homogeneous) = (build(false), build(true));
+    if homogeneous.len() < plain.len() { homogeneous } else { plain }
+}
+
+/// The highest multiple of an angle that is unfolded into powers.
+const UNFOLD: u32 = 6;
+
+fn to_sum(p: &Poly) -> Sum {
+    // angles that occur alone in their group's harmonics, with a multiple somewhere
+    let mut alone: Vec<(AngleVar, bool)> = Vec::new();
+    let mut company: Vec<u16> = Vec::new();
+    for (m, _) in p.terms() {
+        for f in m.factors() {
+            if let Factor::Cos(t) | Factor::Sin(t) = f {
+                match t.as_slice() {
+                    [(v, k)] => {
+                        let high = k.unsigned_abs() > 1;
+                        match alone.iter_mut().find(|a| a.0 == *v) {
+                            Some(a) => a.1 |= high,
+                            None => alone.push((*v, high)),
+                        }
+                        if u32::from(k.unsigned_abs()) > UNFOLD {
+                            company.push(v.group);
+                        }
+                    }
+                    _ => company.extend(t.first().map(|x| x.0.group)),
+                }
+            }
+        }
+    }
+    let groups: Vec<u16> = alone.iter().map(|a| a.0.group).collect();
+    let lonely = |v: AngleVar| !company.contains(&v.group) && groups.iter().filter(|g| **g == v.group).count() == 1;
+    let unfolded: Vec<AngleVar> = alone.iter().filter(|a| a.1 && lonely(a.0)).map(|a| a.0).collect();
+    let mut sum = Sum::new();
+    for (m, c) in p.terms() {
+        let powers = m
+            .factors()
+            .map(|f| match f {
+                Factor::Root(n) => (Atom::Root(n), 1),
+                Factor::Power(s, n) => (Atom::Symbol(s), n),
+                Factor::Cos(t) => (Atom::Cos(t), 1),
+                Factor::Sin(t) => (Atom::Sin(t), 1),
+            })
+            .collect::<Powers>();
+        let mut powers = powers;
+        powers.sort();
+        add(&mut sum, powers, c);
+    }
+    for v in unfolded {
+        sum = unfold_one(&sum, v);
+    }
+    sum
+}
+
+fn unfold_one(sum: &Sum, v: AngleVar) -> Sum {
+    let mut classes: BTreeMap<Powers, Vec<(u32, bool, Rational)>> = BTreeMap::new();
+    for (p, c) in sum {
+        let mut rest = Powers::new();
+        let mut wave = (0, false);
+        for (a, n) in p {
+            match a {
+                Atom::Cos(t) | Atom::Sin(t) if t.first().is_some_and(|x| x.0 == v) => {
+                    wave = (t.first().map_or(0, |x| u32::from(x.1.unsigned_abs())), matches!(a, Atom::Sin(_)));
+                }
+                _ => rest.push((a.clone(), *n)),
+            }
+        }
+        classes.entry(rest).or_default().push((wave.0, wave.1, c.clone()));
+    }
+    let mut out = Sum::new();
+    for (rest, wave) in &classes {
+        for (p, c) in unfold(wave, v) {
+            add(&mut out, times(rest, &p), &c);
+        }
+    }
+    out.retain(|_, c| !c.is_zero());
+    out
+}
+
+/// A number times powers of sums, none of which has a common factor any more.
+struct Split {
+    number: Rational,
+    /// Common powers.
+    common: Powers,
+    /// Sums of two terms or more.
+    sums: Vec<Sum>,
+}
+
+fn split(mut sum: Sum) -> Split {
+    let Some((first, c)) = sum.iter().next() else {
+        return Split { number: Rational::ZERO, common: vec![], sums: vec![] };
+    };
+    let mut common = first.clone();
+    let mut number = c.clone();
+    for (p, c) in &sum {
+        for (a, n) in &mut common {
+            *n = (*n).min(p.iter().find(|x| x.0 == *a).map_or(0, |x| x.1));
+        }
+        number = common_number(&number, c);
+    }
+    common.retain(|x| x.1 > 0);
+    if let (Some(x), true) = (number.recip(), !number.is_one() || !common.is_empty()) {
+        sum = sum
+            .into_iter()
+            .map(|(p, c)| {
+                let less = |(a, n): (Atom, u32)| {
+                    let n = n - common.iter().find(|x| x.0 == a).map_or(0, |x| x.1);
+                    (n > 0).then_some((a, n))
+                };
+                (p.into_iter().filter_map(less).collect(), &c * &x)
+            })
+            .collect();
+    }
+    let mut sums = Vec::new();
+    if sum.len() > 1 {
+        separate(sum, &mut sums);
+    }
+    Split { number, common, sums }
+}
+
+/// The greatest number that divides both, with the sign of the first.
+fn common_number(a: &Rational, b: &Rational) -> Rational {
+    let (Some((n, d)), Some((m, e))) = (a.to_small(), b.to_small()) else { return Rational::ONE };
+    let gcd = |mut x: u64, mut y: u64| {
+        while y != 0 {
+            (x, y) = (y, x % y);
+        }
+        x
+    };
+    let top = gcd(n.unsigned_abs(), m.unsigned_abs());
+    let below = gcd(d.unsigned_abs(), e.unsigned_abs());
+    let lcm = (d.unsigned_abs() / below.max(1)).checked_mul(e.unsigned_abs());
+    match (i64::try_from(top), lcm.and_then(|l| i64::try_from(l).ok())) {
+        (Ok(t), Some(l)) => Rational::new(if n < 0 { -t } else { t }, l).unwrap_or(Rational::ONE),
+        _ => Rational::ONE,
+    }
+}
+
+/// Splits off factors that depend on one slot alone.
+fn separate(sum: Sum, out: &mut Vec<Sum>) {
+    for s in slots(&sum) {
+        let parts = collect(&sum, s);
+        let Some((_, first)) = parts.iter().next() else { continue };
+        if parts.len() < 2 || first.len() < 2 {
+            continue;
+        }
+        let factor: Option<Sum> = parts.iter().map(|(p, c)| Some((p.clone(), proportion(c, first)?))).collect();
+        if let Some(factor) = factor {
+            let first = first.clone();
+            out.push(factor);
+            separate(first, out);
+            return;
+        }
+    }
+    out.push(sum);
+}
+
+fn proportion(a: &Sum, b: &Sum) -> Option<Rational> {
+    let x = a.values().next()? * &b.values().next()?.recip()?;
+    let same = a.len() == b.len() && a.iter().zip(b).all(|((p, c), (q, d))| p == q && *c == &x * d);
+    same.then_some(x)
+}
+
+/// Slots of a sum: angle groups first, in order, then symbols and roots.
+fn slots(sum: &Sum) -> Vec<(u8, u16)> {
+    let mut found: Vec<(u8, u16)> = sum.keys().flatten().map(|(a, _)| slot(a)).collect();
+    found.sort_by_key(|s| (u8::MAX - s.0, s.1));
+    found.dedup();
+    found
+}
+
+/// Coefficients of the powers of one slot.
+fn collect(sum: &Sum, s: (u8, u16)) -> BTreeMap<Powers, Sum> {
+    let mut parts: BTreeMap<Powers, Sum> = BTreeMap::new();
+    for (p, c) in sum {
+        let (own, rest): (Powers, Powers) = p.iter().cloned().partition(|(a, _)| slot(a) == s);
+        parts.entry(own).or_default().insert(rest, c.clone());
+    }
+    parts
+}
+
+fn power_shape(a: &Atom, n: u32) -> Shape {
+    if n == 1 { Shape::Atom(a.clone()) } else { Shape::Power(Box::new(Shape::Atom(a.clone())), n) }
+}
+
+fn shape_of(sum: Sum) -> Shape {
+    let s = split(sum);
+    if s.number.is_zero() {
+        return Shape::Number(Rational::ZERO);
+    }
+    let mut sums: Vec<Shape> = s.sums.into_iter().map(sum_shape).collect();
+    let mut number = s.number;
+    // -(a - b) reads better as b - a
+    if number.is_negative() {
+        let turned = sums.iter().enumerate().find_map(|(i, f)| Some((i, turned_around(f)?)));
+        if let Some((i, f)) = turned {
+            sums[i] = f;
+            number = -&number;
+        }
+    }
+    let size = number.abs();
+    let mut factors: Vec<Shape> = Vec::new();
+    if !size.is_one() || (s.common.is_empty() && sums.is_empty()) {
+        factors.push(Shape::Number(size));
+    }
+    factors.extend(s.common.iter().map(|(a, n)| power_shape(a, *n)));
+    // equal sums become powers
+    for f in sums {
+        match factors.last_mut() {
+            Some(Shape::Power(base, n)) if **base == f => *n += 1,
+            Some(last) if *last == f => *last = Shape::Power(Box::new(f), 2),
+            _ => factors.push(f),
+        }
+    }
+    let product = if factors.len() == 1 { factors.remove(0) } else { Shape::Product(factors) };
+    match product {
+        p if !number.is_negative() => p,
+        Shape::Sum(terms) => Shape::Sum(terms.into_iter().map(negative).collect()),
+        p => negative(p),
+    }
+}
+
+/// The negative of a shape, where it can be written without a sign in front: b - a for a - b.
+fn turned_around(s: &Shape) -> Option<Shape> {
+    match s {
+        Shape::Negative(inner) => Some((**inner).clone()),
+        Shape::Product(factors) => {
+            let (i, f) = factors.iter().enumerate().find_map(|(i, f)| Some((i, turned_around(f)?)))?;
+            let mut factors = factors.clone();
+            factors[i] = f;
+            Some(Shape::Product(factors))
+        }
+        Shape::Sum(terms) => {
+            let mut terms: Vec<Shape> =
+                terms.iter().map(|t| turned_around(t).unwrap_or_else(|| negative(t.clone()))).collect();
+            let first = terms.iter().position(|t| !matches!(t, Shape::Negative(_)))?;
+            let t = terms.remove(first);
+            terms.insert(0, t);
+            Some(Shape::Sum(terms))
+        }
+        _ => None,
+    }
+}
+
+fn negative(s: Shape) -> Shape {
+    match s {
+        Shape::Negative(inner) => *inner,
+        Shape::Number(x) if x.is_zero() => Shape::Number(x),
+        s => Shape::Negative(Box::new(s)),
+    }
+}
+
+/// A sum without a common factor.
+fn sum_shape(sum: Sum) -> Shape {
+    let simple = |p: &Powers| p.iter().filter(|(a, _)| slot(a).0 == 2).count() < 2;
+    let mut terms = Vec::new();
+    let first = slots(&sum).into_iter().find(|s| collect(&sum, *s).len() < sum.len());
+    match first.filter(|_| !sum.keys().all(simple)) {
+        Some(s) => terms.extend(collect(&sum, s).into_iter().map(|(own, part)| {
+            let part = part.into_iter().map(|(p, c)| (times(&own, &p), c)).collect();
+            shape_of(part)
+        })),
+        None => terms.extend(sum.iter().map(|(p, c)| shape_of(Sum::from([(p.clone(), c.clone())])))),
+    }
+    let mut flat = Vec::new();
+    for t in terms {
+        match t {
+            Shape::Sum(inner) => flat.extend(inner),
+            t => flat.push(t),
+        }
+    }
+    // a sum begins with a positive term where it has one
+    if let Some(i) = flat.iter().position(|t| !matches!(t, Shape::Negative(_))) {
+        let t = flat.remove(i);
+        flat.insert(0, t);
+    }
+    Shape::Sum(flat)
+}
+
+impl Poly {
+    /// The formula as people write it.
+    pub fn shape(&self) -> Shape {
+        shape_of(to_sum(self))
+    }
+
+    /// A number and factors with their multiplicity, whose product is this formula: common factors, and factors that
+    /// depend on one angle group alone. Not every factorisation is found.
+    pub fn factors(&self) -> (Rational, Vec<(Poly, u32)>) {
+        let s = split(to_sum(self));
+        let mut out: Vec<(Poly, u32)> = s.common.iter().map(|(a, n)| (atom_poly(a), *n)).collect();
+        for f in &s.sums {
+            let p = to_poly(f);
+            match out.iter_mut().find(|x| x.0 == p) {
+                Some(x) => x.1 += 1,
+                None => out.push((p, 1)),
+            }
+        }
+        (s.number, out)
+    }
+}
+
+/// A decimal where it is finite and short, otherwise a fraction.
+pub fn number_text(x: &Rational) -> String {
+    if let Some((n, mut d)) = x.to_small() {
+        let mut places = 0u32;
+        let mut scaled = n;
+        while d > 1 && places < 12 {
+            let step = if d % 10 == 0 {
+                (1, 10)
+            } else if d % 2 == 0 {
+                (5, 2)
+            } else if d % 5 == 0 {
+                (2, 5)
+            } else {
+                break;
+            };
+            let Some(next) = scaled.checked_mul(step.0) else { break };
+            scaled = next;
+            d /= step.1;
+            places += 1;
+        }
+        if d == 1 && places > 0 {
+            let digits = format!("{:0width$}", scaled.unsigned_abs(), width = places as usize + 1);
+            let (whole, fraction) = digits.split_at(digits.len() - places as usize);
+            return format!("{}{whole}.{fraction}", if scaled < 0 { "-" } else { "" });
+        }
+    }
+    x.to_string()
+}
+
+impl Ring {
+    /// The name of an atom.
+    pub fn atom_text(&self, a: &Atom) -> String {
+        match a {
+            Atom::Root(n) => format!("sqrt({n})"),
+            Atom::Symbol(s) => self.symbol_name(*s).to_string(),
+            Atom::Cos(t) => self.harmonic_text(t, false),
+            Atom::Sin(t) => self.harmonic_text(t, true),
+        }
+    }
+
+    /// A shape in plain text.
+    pub fn shape_text(&self, s: &Shape) -> String {
+        match s {
+            Shape::Number(x) => number_text(x),
+            Shape::Atom(a) => self.atom_text(a),
+            Shape::Power(base, n) => format!("{}^{n}", self.bracketed(base, false)),
+            Shape::Product(factors) => factors.iter().map(|f| self.bracketed(f, true)).collect::<Vec<_>>().join("*"),
+            Shape::Negative(inner) => format!("-{}", self.bracketed(inner, true)),
+            Shape::Sum(terms) => {
+                let mut out = String::new();
+                for t in terms {
+                    match t {
+                        Shape::Negative(inner) if !out.is_empty() => {
+                            out.push_str(" - ");
+                            out.push_str(&self.bracketed(inner, true));
+                        }
+                        t => {
+                            if !out.is_empty() {
+                                out.push_str(" + ");
+                            }
+                            out.push_str(&self.shape_text(t));
+                        }
+                    }
+                }
+                out
+            }
+        }
+    }
+
+    fn bracketed(&self, s: &Shape, product_is_fine: bool) -> String {
+        let text = self.shape_text(s);
+        let plain = match s {
+            Shape::Atom(_) => true,
+            Shape::Number(_) | Shape::Power(..) | Shape::Product(_) => product_is_fine,
+            Shape::Negative(_) | Shape::Sum(_) => false,
+        };
+        if plain { text } else { format!("({text})") }
+    }
+
+    /// A formula as people write it, in plain text.
+    pub fn book_text(&self, p: &Poly) -> String {
+        self.shape_text(&p.shape())
+    }
+}

@@ -1,0 +1,357 @@
+//! One line to one verdict.
+
+use super::compare::{Outcome, Pair};
+use super::evaluate::{Understood, refuse};
+use super::point::{Rounding, rounding, wrapped};
+use super::ratio::{Ratio, Work};
+use super::value::{Matrix, Turn, Value};
+use super::{Condition, Evaluator, Fault, FaultKind, Verdict};
+use crate::chain::Quantity;
+use crate::chain::claim::{Expr, ExprKind, Line, NotUnderstood, Relation, Statement};
+
+/// What two numbers may be apart beyond all rounding: floating point alone.
+const FLOAT: f64 = 1e-9;
+
+/// One line's two formulas, and which of them is the printed one.
+pub(super) struct Sides<'a> {
+    pub(super) left: &'a Expr,
+    pub(super) right: &'a Expr,
+    pub(super) printed_left: bool,
+}
+
+impl<'a> Sides<'a> {
+    fn new(left: &'a Expr, right: &'a Expr) -> Sides<'a> {
+        Sides { left, right, printed_left: refers(right) && !refers(left) }
+    }
+
+    pub(super) fn printed(&self) -> &'a Expr {
+        if self.printed_left { self.left } else { self.right }
+    }
+
+    pub(super) fn other(&self) -> &'a Expr {
+        if self.printed_left { self.right } else { self.left }
+    }
+}
+
+/// Does a formula ask the table?
+fn refers(e: &Expr) -> bool {
+    match &e.kind {
+        ExprKind::Number(_) | ExprKind::Name(_) => false,
+        ExprKind::Call(name, arguments) => matches!(name.as_str(), "T" | "A") || arguments.iter().any(|a| refers(&a.1)),
+        ExprKind::Sum(parts) | ExprKind::Product(parts) => parts.iter().any(|p| refers(&p.1)),
+        ExprKind::Negative(inner) | ExprKind::Power(inner, _) | ExprKind::Field(inner, _) => refers(inner),
+        ExprKind::Matrix(_, entries) => entries.iter().any(refers),
+    }
+}
+
+impl Evaluator<'_> {
+    /// The verdict on a line.
+    pub(super) fn line(&mut self, line: &Line) -> Verdict {
+        self.work = Work::new();
+        match self.understand(line) {
+            Ok(v) => v,
+            Err(n) => {
+                self.work = Work::new();
+                let mend = match &line.statement {
+                    Statement::Claim { first, rest, .. } => self.mend_meaning(first, rest, &n),
+                    _ => None,
+                };
+                Verdict::NotUnderstood(n, mend)
+            }
+        }
+    }
+
+    fn understand(&mut self, line: &Line) -> Understood<Verdict> {
+        match &line.statement {
+            Statement::Unreadable(n) => Err(n.clone()),
+            Statement::Define(name, e) => {
+                self.free(name, line)?;
+                let v = self.evaluate(e)?;
+                self.locals.push((name.clone(), v));
+                Ok(Verdict::Noted)
+            }
+            Statement::Free(name, quantity) => {
+                self.free(name, line)?;
+                let v = match quantity {
+                    Quantity::Length => Value::Scalar(crate::algebra::Poly::symbol(self.ring.symbol(name)).into()),
+                    Quantity::Angle => Value::Angle(Turn::var(self.ring.angle(name))),
+                };
+                self.locals.push((name.clone(), v));
+                Ok(Verdict::Noted)
+            }
+            Statement::At(settings) => {
+                let mut given = Vec::new();
+                for s in settings {
+                    given.push(self.setting(s)?);
+                }
+                self.given = given;
+                Ok(Verdict::Noted)
+            }
+            Statement::Kind(e, quantity) => {
+                let angle = matches!(self.evaluate(e)?, Value::Angle(_));
+                if angle == (*quantity == Quantity::Angle) {
+                    return Ok(Verdict::Proven(vec![]));
+                }
+                Ok(Verdict::Wrong(vec![Fault {
+                    place: e.place.clone(),
+                    entry: None,
+                    kind: FaultKind::Kind(angle),
+                    mend: None,
+                }]))
+            }
+            Statement::Claim { first, rest, within } => {
+                let mut verdict = Verdict::Proven(vec![]);
+                let mut left = first;
+                for (relation, right) in rest {
+                    let next = self.relation(&Sides::new(left, right), *relation, within.as_ref())?;
+                    verdict = joined(verdict, next);
+                    left = right;
+                }
+                Ok(verdict)
+            }
+        }
+    }
+
+    /// A name may be given once, and must not hide another meaning.
+    fn free(&mut self, name: &str, line: &Line) -> Understood<()> {
+        if self.is_taken(name) {
+            let at = line.place.start + 1;
+            return refuse(&(at..at + 1), format!("`{name}` already has a meaning here"));
+        }
+        Ok(())
+    }
+
+    fn relation(&mut self, sides: &Sides<'_>, relation: Relation, within: Option<&Expr>) -> Understood<Verdict> {
+        let place = sides.left.place.start..sides.right.place.end;
+        let (a, b) = (self.evaluate(sides.left)?, self.evaluate(sides.right)?);
+        if within.is_some() && relation != Relation::Near {
+            return refuse(&place, "`within` goes with `~`: `left ~ right within tolerance;`");
+        }
+        match relation {
+            Relation::Equal => self.equal(sides, a, b),
+            Relation::NotEqual => Ok(match self.equal(sides, a, b)? {
+                Verdict::Proven(conditions) if conditions.is_empty() => {
+                    Verdict::Wrong(vec![Fault { place, entry: None, kind: FaultKind::Same, mend: None }])
+                }
+                _ => Verdict::Proven(vec![]),
+            }),
+            Relation::Near => self.near(sides, a, b, within),
+            order => self.order(sides, a, b, order),
+        }
+    }
+
+    fn equal(&mut self, sides: &Sides<'_>, a: Value, b: Value) -> Understood<Verdict> {
+        let place = sides.left.place.start..sides.right.place.end;
+        let (printed, correct) = if sides.printed_left { (a, b) } else { (b, a) };
+        match self.pair(printed, correct, &place)? {
+            Pair::Scalars(x, y) => {
+                let outcome = self.compare_scalars(&x, &y, &place)?;
+                let mut verdict = verdict(outcome, sides.printed().place.clone(), None, &place)?;
+                self.add_mend(&mut verdict, sides, &Value::Scalar(y));
+                Ok(verdict)
+            }
+            Pair::Turns(t, u) => {
+                let outcome = self.compare_turns(&t, &u, &place)?;
+                let mut verdict = verdict(outcome, sides.printed().place.clone(), None, &place)?;
+                self.add_mend(&mut verdict, sides, &Value::Angle(u));
+                Ok(verdict)
+            }
+            Pair::Matrices(m, n) => self.equal_matrices(sides, &m, &n),
+        }
+    }
+
+    fn equal_matrices(&mut self, sides: &Sides<'_>, m: &Matrix, n: &Matrix) -> Understood<Verdict> {
+        let place = sides.left.place.start..sides.right.place.end;
+        let written = match &sides.printed().kind {
+            ExprKind::Matrix(columns, entries) if *columns == m.columns && entries.len() == m.entries.len() => {
+                Some(entries)
+            }
+            _ => None,
+        };
+        let mut all = Verdict::Proven(vec![]);
+        for (k, (x, y)) in m.entries.iter().zip(&n.entries).enumerate() {
+            let outcome = self.compare_scalars(x, y, &place)?;
+            let at = written.and_then(|w| w.get(k)).map_or_else(|| sides.printed().place.clone(), |e| e.place.clone());
+            let mut one = verdict(outcome, at.clone(), Some((k / m.columns + 1, k % m.columns + 1)), &place)?;
+            if written.is_some()
+                && let Verdict::Wrong(faults) = &mut one
+            {
+                let mend = self.mend(&at, &Value::Scalar(y.clone()));
+                for f in faults {
+                    f.mend = mend.clone();
+                }
+            }
+            all = joined(all, one);
+        }
+        if written.is_none() {
+            self.add_mend(&mut all, sides, &Value::Matrix(n.clone()));
+        }
+        Ok(all)
+    }
+
+    /// Looks for a mend of the printed side, then of the other one, where that is plain text as well.
+    fn add_mend(&mut self, verdict: &mut Verdict, sides: &Sides<'_>, correct: &Value) {
+        let Verdict::Wrong(faults) = verdict else { return };
+        let mut mend = self.mend(&sides.printed().place, correct);
+        if mend.is_none()
+            && let Ok(printed) = self.evaluate(sides.printed())
+        {
+            mend = self.mend(&sides.other().place, &printed);
+        }
+        if let Some(f) = faults.first_mut() {
+            f.mend = mend;
+        }
+    }
+
+    fn near(&mut self, sides: &Sides<'_>, a: Value, b: Value, within: Option<&Expr>) -> Understood<Verdict> {
+        let place = sides.left.place.start..sides.right.place.end;
+        let numbers = self.numbers(&self.given);
+        for (v, e) in [(&a, sides.left), (&b, sides.right)] {
+            if let Some(name) = self.missing(v, &numbers) {
+                return refuse(&e.place, format!("`{name}` has no value here: add it to the `at` line"));
+            }
+        }
+        let (printed, correct) = if sides.printed_left { (a, b) } else { (b, a) };
+        let metre = self.metre();
+        let pair = self.pair(printed, correct, &place)?;
+        let stated = within.map(|w| self.constant(w, matches!(pair, Pair::Turns(..)))).transpose()?.map(f64::abs);
+        let tolerance = |e: &Expr, finest: Option<f64>| -> Understood<f64> {
+            match (stated, rounding(e, metre)) {
+                (Some(t), _) => Ok(t),
+                (None, Some(Rounding { half, decimal })) => Ok(if decimal { half } else { finest.unwrap_or(half) }),
+                (None, None) => refuse(&e.place, "how near? Write a plain number, or add `within 0.05`"),
+            }
+        };
+        let mut all = Verdict::Agrees;
+        match pair {
+            Pair::Turns(t, u) => {
+                let tolerance = tolerance(sides.printed(), None)?;
+                let (x, y) = (numbers.turn(&t), numbers.turn(&u));
+                let spread = self.spread(|n| n.turn(&t) - n.turn(&u));
+                let f = FaultKind::Number {
+                    printed: wrapped(x),
+                    correct: wrapped(y),
+                    tolerance: tolerance + spread,
+                    angle: true,
+                };
+                if wrapped(x - y).abs() > tolerance + spread + FLOAT {
+                    all = Verdict::Wrong(vec![Fault {
+                        place: sides.printed().place.clone(),
+                        entry: None,
+                        kind: f,
+                        mend: None,
+                    }]);
+                }
+            }
+            Pair::Scalars(x, y) => {
+                let tolerance = tolerance(sides.printed(), None)?;
+                if let Some(kind) = self.apart(&x, &y, tolerance) {
+                    all = Verdict::Wrong(vec![Fault {
+                        place: sides.printed().place.clone(),
+                        entry: None,
+                        kind,
+                        mend: None,
+                    }]);
+                }
+            }
+            Pair::Matrices(m, n) => {
+                let written = match &sides.printed().kind {
+                    ExprKind::Matrix(_, entries) if entries.len() == m.entries.len() => Some(entries),
+                    _ => None,
+                };
+                let all_roundings = written.into_iter().flatten().filter_map(|e| rounding(e, metre));
+                let finest = all_roundings.filter(|r| r.decimal).map(|r| r.half).reduce(f64::min);
+                for (k, (x, y)) in m.entries.iter().zip(&n.entries).enumerate() {
+                    let e = written.and_then(|w| w.get(k)).unwrap_or(sides.printed());
+                    if let Some(kind) = self.apart(x, y, tolerance(e, finest)?) {
+                        let entry = Some((k / m.columns + 1, k % m.columns + 1));
+                        all = joined(
+                            all,
+                            Verdict::Wrong(vec![Fault { place: e.place.clone(), entry, kind, mend: None }]),
+                        );
+                    }
+                }
+            }
+        }
+        Ok(all)
+    }
+
+    fn apart(&self, printed: &Ratio, correct: &Ratio, tolerance: f64) -> Option<FaultKind> {
+        let numbers = self.numbers(&self.given);
+        let (x, y) = (numbers.ratio(printed), numbers.ratio(correct));
+        let tolerance = tolerance + self.spread(|n| n.ratio(printed) - n.ratio(correct));
+        let slack = FLOAT * x.abs().max(y.abs()).max(1.0);
+        ((x - y).abs() > tolerance + slack || x.is_nan() || y.is_nan()).then_some(FaultKind::Number {
+            printed: x,
+            correct: y,
+            tolerance,
+            angle: false,
+        })
+    }
+
+    fn order(&mut self, sides: &Sides<'_>, a: Value, b: Value, order: Relation) -> Understood<Verdict> {
+        let place = sides.left.place.start..sides.right.place.end;
+        let numbers = self.numbers(&self.given);
+        for (v, e) in [(&a, sides.left), (&b, sides.right)] {
+            if let Some(name) = self.missing(v, &numbers) {
+                return refuse(&e.place, format!("`{name}` has no value here: add it to an `at` line"));
+            }
+        }
+        let (x, y, exact) = match self.pair(a, b, &place)? {
+            Pair::Scalars(x, y) => {
+                let exact = self.compare_scalars(&x, &y, &place)?;
+                (numbers.ratio(&x), numbers.ratio(&y), matches!(exact, Outcome::Same(c) if c.is_empty()))
+            }
+            Pair::Turns(t, u) => (numbers.turn(&t), numbers.turn(&u), false),
+            Pair::Matrices(..) => return refuse(&place, "matrices have no order"),
+        };
+        let difference = if exact { 0.0 } else { x - y };
+        let holds = match order {
+            Relation::Less => difference < 0.0,
+            Relation::LessOrEqual => difference <= 0.0,
+            Relation::Greater => difference > 0.0,
+            _ => difference >= 0.0,
+        };
+        if holds {
+            return Ok(if self.given.is_empty() { Verdict::Proven(vec![]) } else { Verdict::Agrees });
+        }
+        Ok(Verdict::Wrong(vec![Fault { place, entry: None, kind: FaultKind::Order { left: x, right: y }, mend: None }]))
+    }
+}
+
+fn verdict(
+    outcome: Outcome,
+    place: std::ops::Range<usize>,
+    entry: Option<(usize, usize)>,
+    whole: &std::ops::Range<usize>,
+) -> Understood<Verdict> {
+    let wrong = |kind| Verdict::Wrong(vec![Fault { place: place.clone(), entry, kind, mend: None }]);
+    Ok(match outcome {
+        Outcome::Same(conditions) => Verdict::Proven(conditions),
+        Outcome::Differs(parts) => {
+            let [printed, correct, difference] = *parts;
+            wrong(FaultKind::Formula { printed, correct, difference })
+        }
+        Outcome::Turned(difference) => wrong(FaultKind::Angle(difference)),
+        Outcome::Opposite => wrong(FaultKind::Opposite),
+        Outcome::Open(why) => return Err(NotUnderstood { place: whole.clone(), why }),
+    })
+}
+
+/// Both hold: all conditions; otherwise all faults.
+fn joined(a: Verdict, b: Verdict) -> Verdict {
+    match (a, b) {
+        (Verdict::Wrong(mut f), Verdict::Wrong(g)) => {
+            f.extend(g);
+            Verdict::Wrong(f)
+        }
+        (Verdict::Wrong(f), _) | (_, Verdict::Wrong(f)) => Verdict::Wrong(f),
+        (Verdict::Agrees, _) | (_, Verdict::Agrees) => Verdict::Agrees,
+        (Verdict::Proven(mut c), Verdict::Proven(d)) => {
+            let new: Vec<Condition> = d.into_iter().filter(|x| !c.contains(x)).collect();
+            c.extend(new);
+            Verdict::Proven(c)
+        }
+        (a, _) => a,
+    }
+}

@@ -1,0 +1,224 @@
+//! Verdicts on hand derivations in plain words: for `dh check`, for compile errors, for the errata page.
+
+use crate::algebra::Ring;
+use crate::chain::claim::{Derivation, Line, Place, Token, line_text};
+use crate::kinematics::claims::{Condition, Edit, Fault, FaultKind, Mend, Ratio, Report, Verdict};
+use std::fmt::Write;
+
+/// Longer formulas are cut.
+const LONGEST: usize = 600;
+
+/// What is to be said about one line: a headline, and details one per line of text.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Remark {
+    /// One sentence.
+    pub headline: String,
+    /// What more there is to say.
+    pub details: Vec<String>,
+    /// How to mend it, where that is known.
+    pub mend: Option<String>,
+    /// The words that it is about.
+    pub place: Place,
+}
+
+fn cut(text: String) -> String {
+    if text.chars().count() <= LONGEST {
+        return text;
+    }
+    let head: String = text.chars().take(LONGEST).collect();
+    format!("{head}...")
+}
+
+/// A quotient of formulas.
+pub fn ratio_text(ring: &Ring, x: &Ratio) -> String {
+    let top = ring.book_text(&x.num);
+    if x.den.is_one() {
+        return cut(top);
+    }
+    let bracketed = |t: String, simple: bool| if simple { t } else { format!("({t})") };
+    let below = ring.book_text(&x.den);
+    let simple = below.chars().all(|c| c.is_ascii_alphanumeric());
+    cut(format!("{}/{}", bracketed(top, !ring.book_text(&x.num).contains(" ")), bracketed(below, simple)))
+}
+
+/// `d2 >= 0`
+pub fn condition_text(ring: &Ring, c: &Condition) -> String {
+    format!("{} {} 0", ring.book_text(&c.formula), if c.strict { ">" } else { ">=" })
+}
+
+fn number(x: f64) -> String {
+    let text = format!("{x:.6}");
+    text.trim_end_matches('0').trim_end_matches('.').to_string()
+}
+
+fn tokens_text(tokens: &[Token]) -> String {
+    line_text(tokens).0
+}
+
+/// "`s6` should be `c6`".
+pub fn edit_text(tokens: &[Token], e: &Edit) -> String {
+    let old = tokens_text(tokens.get(e.place.clone()).unwrap_or_default());
+    let new = tokens_text(&e.tokens);
+    let word = |k: usize| tokens.get(k).map(|t| t.text.clone()).unwrap_or_default();
+    match (old.is_empty(), new.is_empty()) {
+        (true, _) if e.tokens.first().is_some_and(|t| t.is("^") || t.is(".")) => {
+            format!("`{new}` is missing after `{}`", word(e.place.start.saturating_sub(1)))
+        }
+        (true, _) => format!("`{new}` is missing before `{}`", word(e.place.start)),
+        (_, true) => format!("`{old}` is too much"),
+        _ => format!("`{old}` should be `{new}`"),
+    }
+}
+
+/// "`s5` should be `s6` and `c5` should be `c6`".
+pub fn mend_text(tokens: &[Token], m: &Mend) -> String {
+    m.edits.iter().map(|e| edit_text(tokens, e)).collect::<Vec<_>>().join(" and ")
+}
+
+fn fault_remark(ring: &Ring, d: &Derivation, f: &Fault) -> Remark {
+    let at = f.entry.map_or_else(String::new, |(i, j)| format!("entry ({i},{j}): "));
+    let mut r = Remark { place: f.place.clone(), ..Remark::default() };
+    match &f.kind {
+        FaultKind::Formula { correct, difference, .. } => {
+            r.headline = format!("{at}printed - correct = {}", ratio_text(ring, difference));
+            r.details.push(format!("correct: {}", ratio_text(ring, correct)));
+        }
+        FaultKind::Angle(difference) => {
+            r.headline = format!("{at}these angles are not the same: {} is not zero", ratio_text(ring, difference));
+        }
+        FaultKind::Opposite => r.headline = format!("{at}these angles differ by half a turn"),
+        FaultKind::Number { printed, correct, tolerance, angle } => {
+            let show = |x: f64| if *angle { format!("{}deg", number(x.to_degrees())) } else { number(x) };
+            r.headline = format!("{at}printed {}, correct {}", show(*printed), show(*correct));
+            r.details.push(format!("rounding explains no more than {}", show(*tolerance)));
+        }
+        FaultKind::Same => r.headline = "these are the same formula".into(),
+        FaultKind::Order { left, right } => {
+            r.headline = format!("not so: left {}, right {}", number(*left), number(*right));
+        }
+        FaultKind::Kind(angle) => {
+            r.headline = format!("this is {}", if *angle { "an angle" } else { "a length" });
+        }
+    }
+    r.mend = f.mend.as_ref().map(|m| mend_text(&d.tokens, m));
+    r
+}
+
+/// What is to be said about a line; nothing for one that is in order.
+pub fn remarks(report: &Report, d: &Derivation, verdict: &Verdict) -> Vec<Remark> {
+    match verdict {
+        Verdict::Noted | Verdict::Proven(_) | Verdict::Agrees => vec![],
+        Verdict::Wrong(faults) => {
+            // where no entry is written out, the mend stands with the first fault
+            faults.iter().map(|f| fault_remark(&report.ring, d, f)).collect()
+        }
+        Verdict::NotUnderstood(n, mend) => vec![Remark {
+            headline: n.why.clone(),
+            mend: mend.as_ref().map(|m| mend_text(&d.tokens, m)),
+            place: n.place.clone(),
+            ..Remark::default()
+        }],
+    }
+}
+
+/// A verdict as an error: where, what, and what to write instead. One for every place of the line that is wrong.
+pub fn complaints(report: &Report, d: &Derivation, verdict: &Verdict) -> Vec<(Place, String, Option<String>)> {
+    let mut out: Vec<(Place, String, Option<String>)> = Vec::new();
+    let mut shown: Option<Place> = None;
+    for (k, r) in remarks(report, d, verdict).into_iter().enumerate() {
+        let text = if r.mend.is_some() { r.headline } else { [vec![r.headline], r.details].concat().join("\n") };
+        match out.last_mut().filter(|_| shown.as_ref() == Some(&r.place)) {
+            Some(last) => last.1 = format!("{}\n{text}", last.1),
+            None => {
+                let place =
+                    marks(verdict, k, &Remark { place: r.place.clone(), ..Remark::default() }).into_iter().next();
+                let word = if matches!(verdict, Verdict::Wrong(_)) { "this line is wrong: " } else { "" };
+                out.push((place.unwrap_or(r.place.clone()), format!("{word}{text}"), r.mend));
+            }
+        }
+        shown = Some(r.place);
+    }
+    out
+}
+
+/// One word for a verdict.
+pub fn verdict_word(v: &Verdict) -> &'static str {
+    match v {
+        Verdict::Noted => "noted",
+        Verdict::Proven(_) => "proven",
+        Verdict::Agrees => "agrees",
+        Verdict::Wrong(_) => "wrong",
+        Verdict::NotUnderstood(..) => "unclear",
+    }
+}
+
+/// The words that a remark points at: those of its mend, where there is one.
+fn marks(v: &Verdict, k: usize, r: &Remark) -> Vec<Place> {
+    let mend = match v {
+        Verdict::Wrong(faults) => faults.get(k).and_then(|f| f.mend.as_ref()),
+        Verdict::NotUnderstood(_, mend) => mend.as_ref(),
+        _ => None,
+    };
+    mend.map_or_else(|| vec![r.place.clone()], |m| m.edits.iter().map(|e| e.place.clone()).collect())
+}
+
+/// One line with its verdict, as plain text; what is wrong is underlined.
+pub fn line_report(report: &Report, d: &Derivation, line: &Line, verdict: &Verdict) -> String {
+    let tokens = d.tokens.get(line.place.clone()).unwrap_or_default();
+    let (text, columns) = line_text(tokens);
+    let word = verdict_word(verdict);
+    let mut out = format!("{word:<8}{text}\n");
+    if let Verdict::Proven(conditions) = verdict
+        && !conditions.is_empty()
+    {
+        let all: Vec<String> = conditions.iter().map(|c| condition_text(&report.ring, c)).collect();
+        let _ = writeln!(out, "        where {}", all.join(" and "));
+    }
+    let mut shown: Option<Place> = None;
+    for (k, r) in remarks(report, d, verdict).iter().enumerate() {
+        if shown.as_ref() != Some(&r.place) {
+            let carets = carets(&marks(verdict, k, r), line.place.start, tokens, &columns, text.chars().count());
+            let _ = writeln!(out, "        {carets}");
+            shown = Some(r.place.clone());
+        }
+        let _ = writeln!(out, "        {}", r.headline);
+        if let Some(m) = &r.mend {
+            let _ = writeln!(out, "        {m}");
+        } else {
+            for d in &r.details {
+                let _ = writeln!(out, "        {d}");
+            }
+        }
+    }
+    out
+}
+
+/// `^^` under the words of some places.
+fn carets(places: &[Place], from: usize, tokens: &[Token], columns: &[usize], width: usize) -> String {
+    let mut carets = String::new();
+    for place in places {
+        let first = place.start.saturating_sub(from);
+        let last = place.end.saturating_sub(from).max(first + 1) - 1;
+        let start = columns.get(first).copied().unwrap_or(width);
+        let end = match (columns.get(last), tokens.get(last)) {
+            (Some(c), Some(t)) => c + t.text.chars().count(),
+            _ => start + 1,
+        };
+        for k in carets.len()..end {
+            carets.push(if k < start { ' ' } else { '^' });
+        }
+    }
+    carets
+}
+
+/// All lines with their verdicts, as plain text.
+pub fn derivation_report(report: &Report, d: &Derivation) -> String {
+    let mut out = String::new();
+    for (line, v) in d.lines.iter().zip(&report.verdicts) {
+        if !line.note.is_empty() {
+            let _ = writeln!(out, "// {}", line.note);
+        }
+        out.push_str(&line_report(report, d, line, v));
+    }
+    out
+}
