@@ -90,3 +90,16 @@ impl<'a> Cursor<'a> {
         self.at.checked_sub(1).and_then(|i| self.tokens.get(i)).map_or_else(Place::call_site, Place::of)
     }
 }
+
+/// The tokens, out of the invisible group that a fragment of `macro_rules!` arrives in.
+pub(super) fn unwrapped(tokens: impl IntoIterator<Item = TokenTree>) -> Vec<TokenTree> {
+    let mut list: Vec<TokenTree> = tokens.into_iter().collect();
+    // Each macro on the way may have added one.
+    for _ in 0..8 {
+        match list.as_slice() {
+            [TokenTree::Group(g)] if g.delimiter() == Delimiter::None => list = g.stream().into_iter().collect(),
+            _ => break,
+        }
+    }
+    list
+}

@@ -12,6 +12,7 @@
 mod cell;
 mod check;
 mod cursor;
+mod derives;
 mod drive;
 mod expression;
 mod motion;
@@ -102,7 +103,7 @@ pub fn parse(input: TokenStream) -> Parsed {
         let error = Error::new(Place::call_site(), "there is no robot here");
         errors.push(error.help("write `pub struct Name;`, `convention = modified;` and a table"));
     }
-    let written = if nothing { Written::default() } else { statements::read(&tokens, &mut errors) };
+    let mut written = if nothing { Written::default() } else { statements::read(&tokens, &mut errors) };
     let settings = settings::read(&written.settings, &mut errors);
     let head_place = written.head.name.as_ref().map_or_else(Place::call_site, |n| Place::at(n.span()));
 
@@ -141,9 +142,16 @@ pub fn parse(input: TokenStream) -> Parsed {
     });
     check_angles(&scope, &checked.rows, &base, &tool, &mut errors);
 
+    let fields = fields(&written.lets, &scope);
+    let (attributes, default) = derives::filter(std::mem::take(&mut written.head.attributes));
+    written.head.attributes = attributes;
+    if let (Some(place), Some(field)) = (default, fields.iter().find(|f| !f.nominal)) {
+        let text = format!("there is no `Default`: `{}` has no nominal value", field.name);
+        errors.push(Error::new(place, text));
+    }
     let sketch = Sketch {
         joints,
-        fields: fields(&written.lets, &scope),
+        fields,
         task: settings.task,
         redundant,
         scalar: settings.scalar,

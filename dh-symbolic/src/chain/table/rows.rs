@@ -2,11 +2,11 @@
 //!
 //! A cell is never empty, so two bars side by side end one row and start the next.
 
-use super::cursor::Cursor;
+use super::cursor::{Cursor, unwrapped};
 use super::statements::starts_line;
 use super::text;
 use crate::diagnostic::{Error, Errors, Place};
-use proc_macro2::{Delimiter, TokenTree};
+use proc_macro2::TokenTree;
 
 /// A header, for messages.
 const HEADER: &str = "a table starts with `| joint | alpha | a | d | theta | range |`";
@@ -63,15 +63,7 @@ impl Segment<'_> {
 
     fn cell(&self) -> Cell {
         let place = Place::of_all(self.tokens).unwrap_or_else(|| self.open.to(self.close));
-        let mut tokens = self.tokens.to_vec();
-        // A fragment of `macro_rules!` comes in an invisible group.
-        for _ in 0..8 {
-            match tokens.as_slice() {
-                [TokenTree::Group(g)] if g.delimiter() == Delimiter::None => tokens = g.stream().into_iter().collect(),
-                _ => break,
-            }
-        }
-        Cell { tokens, place }
+        Cell { tokens: unwrapped(self.tokens.iter().cloned()), place }
     }
 }
 
@@ -97,7 +89,7 @@ pub(super) fn read(c: &mut Cursor<'_>, errors: &mut Errors) -> Grid {
         let count = rest.iter().take_while(|s| is_rule(s.tokens)).count();
         let (rule, after) = rest.split_at(count);
         if let (Some(first), Some(last), true) = (rule.first(), rule.last(), count != columns) {
-            let text = format!("this rule line has {count} cells, the header has {columns}");
+            let text = format!("this rule line has {}, the header has {columns}", counted(count));
             errors.push(Error::new(first.open.to(last.close), text));
         }
         rest = after;
@@ -153,7 +145,7 @@ fn header(rest: &mut &[Segment<'_>], errors: &mut Errors) -> Row {
                 return row;
             }
             errors.push(Error::new(segment.open.to(segment.close), "this column has no name"));
-        } else if is_rule(segment.tokens) {
+        } else if is_rule(segment.tokens) && after.first().is_some_and(|s| is_rule(s.tokens)) {
             errors.push(Error::new(row.place, "the closing bar `|` of the header is missing"));
             return row;
         } else {
@@ -231,6 +223,11 @@ fn rows(segments: &[Segment<'_>], header: &Row, errors: &mut Errors) -> Vec<Row>
     list
 }
 
+/// `1 cell`, `5 cells`.
+fn counted(n: usize) -> String {
+    format!("{n} cell{}", if n == 1 { "" } else { "s" })
+}
+
 /// Does the text of a cell end on a line above the one where the next starts?
 fn ends_above(before: &Segment<'_>, segment: &Segment<'_>) -> bool {
     let end = Place::of_all(before.tokens).map_or(0, Place::last_line);
@@ -242,8 +239,7 @@ fn finish(mut row: Row, header: &Row, errors: &mut Errors, list: &mut Vec<Row>) 
     let (have, want) = (row.cells.len(), header.cells.len());
     if have != want && row.fits {
         let names: Vec<String> = header.cells.iter().map(|c| text::of(&c.tokens)).collect();
-        let cells = if have == 1 { "1 cell".into() } else { format!("{have} cells") };
-        let text = format!("this row has {cells}, the header has {want}: {}", names.join(", "));
+        let text = format!("this row has {}, the header has {want}: {}", counted(have), names.join(", "));
         let error = Error::new(row.place, text);
         let broken = row.cells.windows(2).find(|pair| match pair {
             [a, b] => a.place.last_line() != 0 && a.place.last_line() < b.place.line(),

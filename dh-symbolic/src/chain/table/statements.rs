@@ -1,6 +1,6 @@
 //! The lines of a table's text: struct, settings, `let` lines, the table proper, claims. No meaning yet.
 
-use super::cursor::Cursor;
+use super::cursor::{Cursor, unwrapped};
 use super::rows::{self, Grid};
 use crate::diagnostic::{Error, Errors, Place};
 use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
@@ -8,7 +8,7 @@ use proc_macro2::{Delimiter, Ident, TokenStream, TokenTree};
 /// `/// docs`, attributes, `pub struct Name;`.
 #[derive(Clone, Debug, Default)]
 pub struct Head {
-    /// All attributes in order, doc comments too.
+    /// All attributes in order, doc comments too; derives without the traits that every robot has (`Debug`, `Clone`, ...).
     pub attributes: TokenStream,
     /// The lines of the doc comment.
     pub docs: Vec<String>,
@@ -142,10 +142,7 @@ fn attributes(c: &mut Cursor<'_>, errors: &mut Errors) -> (TokenStream, Vec<Stri
         }
         match c.eat_group(Delimiter::Bracket) {
             Some(group) => {
-                let mut inside: Vec<TokenTree> = group.stream().into_iter().collect();
-                if let [TokenTree::Group(meta)] = inside.as_slice() {
-                    inside = meta.stream().into_iter().collect();
-                }
+                let inside = unwrapped(group.stream());
                 if let [TokenTree::Ident(name), TokenTree::Punct(_), TokenTree::Literal(text)] = inside.as_slice() {
                     // Other literals than strings are left to rustc.
                     if name == "doc"
@@ -186,8 +183,8 @@ fn head(c: &mut Cursor<'_>, errors: &mut Errors) -> Head {
     c.next();
     match c.eat_ident() {
         Some(name) => {
-            errors.take(super::names::check_type(name));
-            head.name = Some(name.clone());
+            // A name that cannot be a type would break the stub as well.
+            head.name = errors.take(super::names::check_type(name)).map(|()| name.clone());
         }
         None => errors.push(Error::new(c.place(), "the name of the robot is missing").help(FORM)),
     }

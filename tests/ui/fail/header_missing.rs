@@ -1,0 +1,12 @@
+use dh_robot::dh_robot;
+
+dh_robot! {
+    pub struct Arm;
+
+    convention = modified;
+
+    |   1   | 0      | 0 | 0 | q1    | -     |
+    |   2   | 0      | 0 | 0 | q2    | -     |
+}
+
+fn main() {}

@@ -1,0 +1,15 @@
+use dh_robot::dh_robot;
+
+dh_robot! {
+    pub struct Arm;
+
+    convention = modified;
+    let a2: length;
+    let a2 = 3mm;
+
+    | joint | alpha  | a | d | theta | range |
+    |-------|--------|---|---|-------|-------|
+    |   1   | 0      | 0 | 0 | q1    | -     |
+}
+
+fn main() {}

@@ -1,0 +1,5 @@
+use dh_robot::dh_robot;
+
+dh_robot! {}
+
+fn main() {}

@@ -1,0 +1,9 @@
+use dh_robot::dh_robot;
+
+dh_robot! {
+    pub struct Arm;
+
+    convention = modified;
+}
+
+fn main() {}
