@@ -14,18 +14,17 @@ impl Poly {
     /// The value at a point.
     pub fn evaluate(&self, at: &Point<'_>) -> f64 {
         let wave = |t: &[(AngleVar, i8)]| t.iter().map(|(v, k)| f64::from(*k) * (at.angle)(*v)).sum::<f64>();
-        self.terms()
-            .iter()
-            .map(|(m, c)| {
-                m.factors().fold(c.to_f64(), |x, f| {
-                    x * match f {
-                        Factor::Root(n) => f64::from(n).sqrt(),
-                        Factor::Power(s, n) => (at.symbol)(s).powi(n as i32),
-                        Factor::Cos(t) => wave(&t).cos(),
-                        Factor::Sin(t) => wave(&t).sin(),
-                    }
-                })
+        let term = |(m, c): &(super::Monomial, super::Rational)| {
+            m.factors().fold(c.to_f64(), |x, f| {
+                x * match f {
+                    Factor::Root(n) => f64::from(n).sqrt(),
+                    Factor::Power(s, n) => (at.symbol)(s).powi(n as i32),
+                    Factor::Cos(t) => wave(&t).cos(),
+                    Factor::Sin(t) => wave(&t).sin(),
+                }
             })
-            .sum()
+        };
+        // The empty sum of floats is -0.0.
+        self.terms().iter().map(term).sum::<f64>() + 0.0
     }
 }

@@ -44,10 +44,8 @@ impl Cost {
 
 impl fmt::Display for Cost {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "{} multiplications, {} additions, {} sine-cosine pairs",
-            self.multiplications, self.additions, self.sincos
-        )
+        let plural = |n: usize, what: &str| format!("{n} {what}{}", if n == 1 { "" } else { "s" });
+        let (m, a) = (plural(self.multiplications, "multiplication"), plural(self.additions, "addition"));
+        write!(f, "{m}, {a}, {}", plural(self.sincos, "sine-cosine pair"))
     }
 }

@@ -19,7 +19,8 @@ pub struct Value {
 impl std::ops::Neg for Value {
     type Output = Value;
     fn neg(self) -> Value {
-        Value { node: self.node, negative: !self.negative }
+        // Zero has one sign: else code would say -0.0.
+        Value { node: self.node, negative: !self.negative && self.node != ZERO.node }
     }
 }
 
@@ -180,10 +181,10 @@ impl Graph {
 
     /// a + b.
     pub fn add(&mut self, a: Value, b: Value) -> Value {
-        if a == ZERO || a == -ZERO {
+        if a == ZERO {
             return b;
         }
-        if b == ZERO || b == -ZERO {
+        if b == ZERO {
             return a;
         }
         if a == -b {

@@ -23,7 +23,7 @@ pub(super) fn table(chain: &Chain, extra: &str) -> String {
         }
     };
     let mut out = format!(
-        "\n\nDenavit-Hartenberg parameters, {convention}; lengths in {}:\n\n{head}\n|---|---|---|---|---|---|\n",
+        "\nDenavit-Hartenberg parameters, {convention}; lengths in {}:\n\n{head}\n|---|---|---|---|---|---|\n",
         chain.unit.name
     );
     for (i, link) in chain.links.iter().enumerate() {

@@ -8,9 +8,13 @@ mod body;
 mod docs;
 mod forward;
 mod names;
+#[cfg(feature = "cli")]
+mod pretty;
 mod structure;
 mod stub;
 
+#[cfg(feature = "cli")]
+pub use pretty::pretty;
 pub use structure::{Head, robot};
 pub use stub::stub;
 

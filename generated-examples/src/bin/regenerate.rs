@@ -1,0 +1,128 @@
+//! Writes what is made from the example robots: `expanded/<robot>.rs`, exactly what the macro leaves behind, formatted.
+//!
+//! `cargo regen` writes, `cargo regen --check` compares and fails where a file is stale.
+
+#![allow(clippy::print_stdout, clippy::print_stderr)] // a command prints
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::{fs, io};
+
+use dh_symbolic::render::rust::pretty;
+use generated_examples::source::{self, Source};
+use proc_macro2::TokenStream;
+
+const COMMAND: &str = "cargo regen";
+/// Folders whose files are all generated.
+const FOLDERS: [&str; 1] = ["expanded"];
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let check = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        [] => false,
+        ["--check"] => true,
+        _ => {
+            eprintln!("usage: {COMMAND} [--check]");
+            return ExitCode::from(2);
+        }
+    };
+    let stale = files().and_then(|files| if check { compare(&files) } else { write(&files) });
+    match stale {
+        Ok(stale) if stale.is_empty() => ExitCode::SUCCESS,
+        Ok(stale) => {
+            for line in stale {
+                println!("{line}");
+            }
+            if check {
+                eprintln!("generated files are stale; run `{COMMAND}`");
+                return ExitCode::FAILURE;
+            }
+            ExitCode::SUCCESS
+        }
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Path in the crate's folder and text of every generated file.
+type Files = BTreeMap<PathBuf, String>;
+
+fn files() -> io::Result<Files> {
+    let mut files = Files::new();
+    let mut modules = format!("// Made by `{COMMAND}`; do not edit.\n\n");
+    for source in source::all()? {
+        modules.push_str(&format!("pub mod {};\n", source.module));
+        files.insert(format!("expanded/{}.rs", source.module).into(), expanded(&source)?);
+    }
+    files.insert("expanded/mod.rs".into(), modules);
+    Ok(files)
+}
+
+/// What the macro leaves behind.
+fn expanded(source: &Source) -> io::Result<String> {
+    let fail = |error: &dyn std::fmt::Display| {
+        io::Error::new(io::ErrorKind::InvalidData, format!("{}: {error}", source.module))
+    };
+    let body: TokenStream = source.body.parse().map_err(|e: proc_macro2::LexError| fail(&e))?;
+    let text = pretty(dh_symbolic::expand(body)).map_err(|e| fail(&e))?;
+    Ok(format!("// What `dh_robot!` makes of src/{}.rs. Made by `{COMMAND}`; do not edit.\n\n{text}", source.module))
+}
+
+/// Writes what differs and removes what is no longer made. Returns what it did.
+fn write(files: &Files) -> io::Result<Vec<String>> {
+    let mut done = Vec::new();
+    for (path, text) in files {
+        let full = source::folder().join(path);
+        if fs::read_to_string(&full).ok().as_ref() != Some(text) {
+            if let Some(folder) = full.parent() {
+                fs::create_dir_all(folder)?;
+            }
+            fs::write(&full, text)?;
+            done.push(format!("wrote {}", path.display()));
+        }
+    }
+    for path in left_over(files)? {
+        fs::remove_file(source::folder().join(&path))?;
+        done.push(format!("removed {}", path.display()));
+    }
+    Ok(done)
+}
+
+/// Which files are not as they would be written.
+fn compare(files: &Files) -> io::Result<Vec<String>> {
+    let mut stale = Vec::new();
+    for (path, text) in files {
+        match fs::read_to_string(source::folder().join(path)) {
+            Ok(old) if old == *text => {}
+            Ok(old) => {
+                let line = old.lines().zip(text.lines()).take_while(|(a, b)| a == b).count() + 1;
+                stale.push(format!("differs at line {line}: generated-examples/{}", path.display()));
+            }
+            Err(_) => stale.push(format!("missing: generated-examples/{}", path.display())),
+        }
+    }
+    stale.extend(left_over(files)?.iter().map(|path| format!("left over: generated-examples/{}", path.display())));
+    Ok(stale)
+}
+
+/// Files in the generated folders that are not made any more.
+fn left_over(files: &Files) -> io::Result<Vec<PathBuf>> {
+    let mut old = Vec::new();
+    for name in FOLDERS {
+        let folder = source::folder().join(name);
+        if !folder.exists() {
+            continue;
+        }
+        for entry in fs::read_dir(folder)? {
+            let path = PathBuf::from(name).join(entry?.file_name());
+            if !files.contains_key(&path) {
+                old.push(path);
+            }
+        }
+    }
+    old.sort();
+    Ok(old)
+}
