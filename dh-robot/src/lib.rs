@@ -66,11 +66,12 @@
 //! | `convention = standard;` | `Rz(theta) Tz(d) Tx(a) Rx(alpha)` | theta(i), d(i), a(i), alpha(i) |
 //! | `convention = modified;` | `Rx(alpha) Tx(a) Rz(theta) Tz(d)` | alpha(i-1), a(i-1), d(i), theta(i), as in Craig's book |
 //!
-//! `range` holds `least..=greatest` in the unit of the joint: `-160deg..=160deg`, `0mm..=300mm`.
+//! `range` holds `least..=greatest` in the unit of the joint, `-160deg..=160deg`, `0mm..=300mm`, or `-` where it is not known.
+//! A row that does not move may say `fixed`. A table has at most 16 rows, 12 of them moving, and 64 names.
 //!
 //! ## Lengths
 //!
-//! `0`, `0.4318m`, `431.8mm`, `43.18cm`, `17in`, with signs, and sums of them. A bare number is in the table's unit, which is
+//! `0`, `0.4318m`, `431.8mm`, `43.18cm`, `17in`, `1.5ft`, with signs, and sums of them. A bare number is in the table's unit, which is
 //! also the unit of every length in the program: metres, unless `unit = mm;` (or `cm`, `in`) says otherwise. Numbers are
 //! read digit by digit, as exact fractions.
 //!
@@ -78,7 +79,8 @@
 //!
 //! `0`, `90deg`, `pi/2`, `-3*pi/4`, `0.25turn`: exact, all of them, so that the cosine of a right angle *is* zero and not
 //! 6e-17. A number of radians cannot be exact and has to say so: `approx 1.2rad`. If it is suspiciously near a multiple of
-//! 15 degrees, that is an error which names the exact spelling.
+//! 15 degrees, that is an error which names the exact spelling: `approx 1.5708rad` is refused, since it is pi/2 rounded to its
+//! four places; `approx 1.5703rad` is another angle (of a calibrated arm, say) and stays what it is.
 //!
 //! In the program angles are radians.
 //!
@@ -88,15 +90,18 @@
 //! |------|---------|
 //! | `let a2: length = 431.8mm;` | a symbol with a nominal value: a public field of the struct, so that a calibrated arm can differ |
 //! | `let a2: length;`, `let tilt: angle;` | a symbol without one: the struct has no `Default` then |
-//! | `let a2 = 431.8mm;` | a constant, folded into the code |
+//! | `let k: number;`, `let k: number = 2;` | a symbol without a unit: a ratio, a gear |
+//! | `let a2 = 431.8mm;`, `let w = pi/2;` | a constant, folded into the code; it may use the constants above it |
 //!
-//! Cells are sums and products of numbers and names: `-d4`, `a2 + 10mm`, `2*l1`. Symbols stay symbols in the formulas: the
+//! A doc comment before a `let` becomes the field's. Cells are sums and products of numbers and names, with parentheses and
+//! division by numbers: `-d4`, `a2 + 10mm`, `2*(l1 + l2)`, `l1/2`. A declared angle takes whole factors only: `2*tilt`. Symbols stay symbols in the formulas: the
 //! solution is found, and proven, for every value they may have.
 //!
 //! ## Joint variables
 //!
 //! `q1`, `q2`, ... stand where the joint moves: in `theta` the joint turns, in `d` it slides. An offset is written where the
 //! book writes it: `q2 - 90deg`, `q3 + 0.05`. A row without a variable is a fixed link.
+//! Fixed rows do not count: the k-th row that moves has the variable `qk`. A joint that turns and slides is written as two rows.
 //!
 //! ```text
 //! | joint | theta      | d        | a     | alpha  | range            |
@@ -111,14 +116,15 @@
 //!
 //! A cell may hold any linear combination of joint variables: `q3 - q2` where a parallelogram keeps the forearm's
 //! direction, `p*(q2 - q1)` in `d` where two motors share a slide. There are as many variables as moving rows, and it must be
-//! possible to solve for them. Then `q` is what the *motors* do, everywhere: forward, Jacobian, inverse and ranges.
+//! possible to solve for them. Then `q` is what the *motors* do, everywhere: forward, Jacobian, inverse and ranges. A factor or a
+//! minus (`-q2`, `q1/50`) counts as coupling too; in a table without any, a variable in another row than its own is an error.
 //!
 //! # The settings
 //!
 //! | setting | meaning |
 //! |---------|---------|
 //! | `convention = standard;` or `modified` | see [columns](#columns); must be given |
-//! | `unit = m;` (default), `mm`, `cm`, `in` | the unit of bare numbers, and of every length in the program |
+//! | `unit = m;` (default), `mm`, `cm`, `in`, `ft` | the unit of bare numbers, and of every length in the program |
 //! | `base = tz(373mm);` | a constant transform before the chain: a product of `tx ty tz rx ry rz` |
 //! | `tool = tz(206mm) * ry(90deg);` | the same after the chain |
 //! | `task = pose;` (default) | what the inverse is given; see below |

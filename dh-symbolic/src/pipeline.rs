@@ -65,6 +65,7 @@ fn head(parsed: &Parsed) -> Head {
         attributes: parsed.head.attributes.clone(),
         visibility: parsed.head.visibility.clone(),
         ident: parsed.head.name.clone().unwrap_or_else(|| Ident::new("Robot", Span::call_site())),
+        field_docs: parsed.sketch.fields.iter().map(|f| (f.name.to_string(), f.docs.clone())).collect(),
     }
 }
 

@@ -8,6 +8,7 @@ dh_robot! {
     ik = none;
     let w = pi/2;
     let l = 3cm;
+    /// A doc comment of the field.
     let k: number = 2;
     | d | theta | alpha | a |
     | -30.0 | q1 - 90deg | -w | 1_000 |

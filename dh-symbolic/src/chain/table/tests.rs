@@ -44,7 +44,7 @@ fn spec(lines: &str, rows: &str) -> ChainSpec {
     parsed.spec.unwrap_or_else(|| panic!("{}", parsed.errors.draw(&source, "-")))
 }
 
-/// "underlined text: message" for each error, in order.
+/// "underlined text: message (second place) [help]" for each error, in order.
 fn errors(source: &str) -> Vec<String> {
     let parsed = read(source);
     assert_eq!(parsed.errors.is_empty(), parsed.spec.is_some(), "either a robot or errors");
@@ -55,7 +55,8 @@ fn errors(source: &str) -> Vec<String> {
         let (start, end) = (offset(e.place.start()), offset(e.place.end()));
         let text = source.chars().skip(start).take(end - start).collect::<String>();
         let help = e.help.as_ref().map_or(String::new(), |h| format!(" [{h}]"));
-        format!("{text}: {}{help}", e.message)
+        let related = e.related.as_ref().map_or(String::new(), |(p, what)| format!(" ({what}, line {})", p.line()));
+        format!("{text}: {}{related}{help}", e.message)
     });
     list.collect()
 }
@@ -155,7 +156,7 @@ fn lengths_are_exact_in_the_unit_of_the_table() {
         let spec = spec(&lines, &format!("| 0 | {text} | {text} | q1 | - |"));
         assert_eq!((&spec.rows[0].a, &spec.rows[0].d), (&number(n, d), &number(n, d)), "{text} in {unit}");
     }
-    let spec = spec("let a2: length; let k: number;", "| 0 | -a2/2 + 10mm + 3*k*a2 | k*5 | q1 | - |");
+    let spec = spec("let a2: length; let k: number; let z = 0;", "| 0 | -a2/2 + 10mm + 3*k*a2 + z | k*5 | q1 | - |");
     assert_eq!(spec.rows[0].a.terms, [(ratio(-1, 2), vec![0]), (ratio(1, 100), vec![]), (ratio(3, 1), vec![0, 1])]);
     assert_eq!(spec.rows[0].d.terms, [(ratio(5, 1), vec![1])]);
 }
@@ -275,6 +276,25 @@ fn wrong_cells() {
 }
 
 #[test]
+fn more_wrong_cells() {
+    wrong(
+        "let b: angle;",
+        "| 5*b | 0 | 0 | q1 | - |\n| tilt | len | 0 | 2mm*q2 | - |\n| 2b | 0x1F | 0 | q3 | - |",
+        &[
+            "b: a declared angle takes whole factors from -4 to 4 \
+             [declare the part that you need as an angle of its own, besides `b`]",
+            "tilt: unknown name `tilt` [declare it: `let tilt: angle;`]",
+            "len: unknown name `len` [declare it: `let len: length;`]",
+            "q2: the coefficient of a turning joint is a number, no length",
+            "2b: unknown unit `b`; lengths: m, cm, mm, in, ft; angles: deg, rad, turn [a product is written with `*`: `2*b`]",
+            "0x1F: numbers are decimal here",
+        ],
+    );
+    let tool = format!("tool = {};", vec!["tx(1)"; 17].join("*"));
+    assert!(errors(&table(&tool, "| 0 | 0 | 0 | q1 | - |"))[0].contains("a product of more than 16 motions"));
+}
+
+#[test]
 fn radians_say_that_they_are_approximate() {
     let message = |cell: &str| errors(&table("", &format!("| {cell} | 0 | 0 | q1 | - |"))).pop().unwrap_or_default();
     assert_eq!(message("1.5708rad"), "1.5708rad: radians are never exact [write `90deg` or `pi/2`]");
@@ -329,6 +349,18 @@ fn wrong_rows() {
         "| 0 | 0 | 0 | q1 | -\n| 0 | 0 | 0 | q2 | -\n",
         &["-: the closing bar `|` of this row is missing", "-: the closing bar `|` is missing after this"],
     );
+    wrong(
+        "",
+        "| 0 | 0 | 0 | q1 | - | |\n| 0 | 0 | 0 | q2 | - |\n|\n| 0 | 0 | 0 | q3\n| 0 | 0 | 0 | q4 | - |",
+        &[
+            "| |: an empty cell too many at the end of this row",
+            "|\n|: a row without cells",
+            &format!(
+                "| 0 | 0 | 0 | q3\n| 0 | 0 | 0 | q4 | - |: this row has 9 cells, the header has 5: {columns} \
+                 (is the closing bar missing after this cell?, line 8)"
+            ),
+        ],
+    );
     wrong("", "", &["| alpha | a | d | theta | range |: the table has no rows"]);
     wrong("", "|---|---|\n| 0 | 0 | 0 | q1 | - |", &["|---|---|: this rule line has 2 cells, the header has 5"]);
     assert_eq!(errors(&table("", &"| 0 | 1 | 0 | 0 | - |\n".repeat(17))).len(), 2, "too many rows, and nothing moves");
@@ -341,7 +373,7 @@ fn wrong_headers() {
     let header = |text: &str| errors(&format!("struct R; convention = standard;\n{text}\n| 0 | 0 | 0 | q1 |"));
     assert_eq!(header("| alpha | a | d | tehta |"), ["tehta: unknown column `tehta` [did you mean `theta`?]"]);
     assert_eq!(header("| α | a | d | theta |"), ["α: unknown column `α` [did you mean `alpha`?]"]);
-    assert_eq!(header("| alpha | d | d | theta |"), ["d: column `d` appears twice"]);
+    assert_eq!(header("| alpha | d | d | theta |"), ["d: column `d` appears twice (first here, line 2)"]);
     assert_eq!(header("| joint | a | d | theta |"), ["| joint | a | d | theta |: column `alpha` is missing"]);
     assert_eq!(
         header("| alpha | a | d | theta\n|-|-|-|-|"),
@@ -359,7 +391,7 @@ fn wrong_variables() {
         "| 0 | q1 | 0 | q1 | - |\n| 0 | 0 | q2 | q2 | - |\n| 0 | 0 | 0 | q2 | - |\n| 0 | 0 | 0 | q0 | - |\n| q1 | 0 | 0 | 0 | - |",
         &[
             "q1: column `a` cannot move: a joint variable stands in column `theta` or `d`",
-            "q2: row 2 moves in `theta` and in `d`: one joint per row [write a cylindrical joint as two rows]",
+            "q2: row 2 moves in `theta` and in `d`: one joint per row (it moves here already, line 6) [write a cylindrical joint as two rows]",
             "q2: the variable of row 3 is `q3`, not `q2`",
             "q0: joint variables are numbered from 1: `q1` is the first",
             "q1: column `alpha` cannot move: a joint variable stands in column `theta` or `d`",
@@ -385,8 +417,8 @@ fn wrong_variables() {
     );
     wrong(
         "",
-        "| 0 | 1 | 0 | q1 - q2 | - |\n| 0 | 1 | 0 | q4 | - |",
-        &["q4: there is no variable `q4`: 2 rows move, so there are `q1` to `q2`"],
+        "| 0 | 1 | 0 | q1 - q2 | - |\n| 0 | 1 | 0 | q3 | - |",
+        &["q3: there is no variable `q3`: 2 rows move, so there are `q1` to `q2`"],
     );
     wrong(
         "",
@@ -423,13 +455,13 @@ fn wrong_ranges() {
 #[test]
 fn wrong_lines() {
     wrong(
-        "let a2;\nlet fn: length;\nlet b: lenght;\nlet c = 3mm;\nlet c: angle;\nlet q1: length;\nlet e: angle = 3mm;\nlet k: length;\nlet n = 2*k;",
-        "| e | b + a3 | n | q1 | - |",
+        "let a2;\nlet fn: length;\nlet b: lenght;\nlet c = 3mm;\nlet c: angle;\nlet q1: length;\nlet e: angle = 3mm;\nlet k: length;\nlet n = 2*k;let o = 3*n;let p = 1/e;",
+        "| e + p | b + a3 | n + o | q1 | - |",
         &[
             "a2: `let a2` has neither a kind nor a value [write `let a2: length;` or `let a2 = 431.8mm;`]",
             "fn: `fn` is a keyword of Rust, and a symbol becomes a field",
             "lenght: a name is a `length`, an `angle` or a `number` [did you mean `length`?]",
-            "c: `c` is declared twice",
+            "c: `c` is declared twice (first declared here, line 6)",
             "q1: `q1` is the name of a joint variable",
             "3mm: `e` holds an angle, but `3mm` is a length [write an angle: `90deg`, `pi/2`]",
             "k: `k` is a field: its value may change while the program runs \
@@ -443,7 +475,7 @@ fn wrong_lines() {
         &[
             "conventoin: unknown setting `conventoin` [did you mean `convention`?]",
             "miles: unknown unit `miles`; the table's unit is one of m, cm, mm, in, ft",
-            "scalar: `scalar` is set twice",
+            "scalar: `scalar` is set twice (first set here, line 3)",
             "poses: `task` is one of `pose`, `position`, `planar`, `axis` [did you mean `pose`?]",
             "q2: `redundant` names a joint variable of the table [one of `q1` to `q1`]",
             "yes: `ik` can only be set to `none`",
@@ -451,6 +483,9 @@ fn wrong_lines() {
             "tool: `tool` has no value",
         ],
     );
+    let three = "| 0 | 1 | 0 | q1 | - | | 0 | 1 | 0 | q2 | - | | 0 | 1 | 0 | q3 | - |";
+    let text = "q2: no joint is redundant: `task = position` takes 3 joints, and the arm has 3";
+    wrong("task = position; redundant = q2;", three, &[text]);
     wrong(
         "redundant = q1;",
         "| 0 | 0 | 0 | q1 | - |",
@@ -461,7 +496,11 @@ fn wrong_lines() {
         "| 0 | c1 | 0 | q1 | - |",
         &["c1: `c1` is a cosine or sine in the `prove` block: choose another name"],
     );
-    wrong("convention = craig;", "| 0 | 0 | 0 | q1 | - |", &["convention: `convention` is set twice"]);
+    wrong(
+        "convention = craig;",
+        "| 0 | 0 | 0 | q1 | - |",
+        &["convention: `convention` is set twice (first set here, line 2)"],
+    );
 }
 
 #[test]
@@ -487,7 +526,11 @@ fn wrong_outlines() {
         ["+ 1: this belongs to no line of the table"]
     );
     let second = format!("struct R; convention = modified;\n{row}\nik = none;\n{row}\nstruct S;");
-    assert_eq!(starts(second).len(), 2);
+    let want = [
+        "| alpha | a | d | theta |\n| 0 | 0 | 0 | q1 |: a second table: there is one robot in each call (the first table is here, line 2)",
+        "struct: a second struct: there is one robot in each call",
+    ];
+    assert_eq!(starts(second), want);
     assert_eq!(starts(String::new()), [": there is no robot here"]);
 }
 

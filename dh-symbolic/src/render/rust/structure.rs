@@ -15,6 +15,8 @@ pub struct Head {
     pub visibility: TokenStream,
     /// Name of the type.
     pub ident: Ident,
+    /// Doc comments of the fields: name and lines.
+    pub field_docs: Vec<(String, Vec<String>)>,
 }
 
 /// Lexes generated text. Were it ever not to lex, a compile error says so.
@@ -53,7 +55,8 @@ pub(super) fn declaration(head: &Head, chain: &Chain, docs: &str) -> TokenStream
         any = true;
         let name = lex(&p.name);
         let doc = docs::field(chain, p);
-        fields.extend(quote! { #[doc = #doc] pub #name: #f, });
+        let written = head.field_docs.iter().filter(|d| d.0 == p.name).flat_map(|d| &d.1);
+        fields.extend(quote! { #(#[doc = #written])* #[doc = #doc] pub #name: #f, });
         match (value, &mut defaults) {
             (Some(_), Some(list)) => {
                 let value = lex(&literal(chain.nominal(p.handle), chain.scalar));
