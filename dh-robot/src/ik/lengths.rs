@@ -23,7 +23,11 @@ pub fn solve_quadratic(a: f64, b: f64, c: f64, tol: f64) -> Found<f64, 2> {
     if a.abs() <= tol {
         if b.abs() <= tol {
             let needed = c.abs();
-            return Found::none(if needed <= tol { Outcome::Free } else { Outcome::OutOfReach { needed, available: 0.0 } });
+            return Found::none(if needed <= tol {
+                Outcome::Free
+            } else {
+                Outcome::OutOfReach { needed, available: 0.0 }
+            });
         }
         roots.push(-c / b);
         return Found { roots, outcome: Outcome::Regular };
@@ -71,7 +75,8 @@ pub fn solve_length_squared_and_angle(e1: &[f64; 9], e2: &[f64; 9], tol: f64) ->
     }
     let absent = |e: &[f64; 9], from: usize| e[from..].iter().all(|x| x.abs() <= ZERO);
     let (p1, p2) = (in_angle(&e1), in_angle(&e2));
-    let minor = |i: usize, j: usize| -> TrigPoly<2> { p1[i].times::<1, 2>(&p2[j]).plus(&p2[i].times::<1, 2>(&p1[j]), -1.0) };
+    let minor =
+        |i: usize, j: usize| -> TrigPoly<2> { p1[i].times::<1, 2>(&p2[j]).plus(&p2[i].times::<1, 2>(&p1[j]), -1.0) };
     let vs = if absent(&e1, 3) {
         p1[0].roots::<8>(ZERO)
     } else if absent(&e2, 3) {
@@ -184,7 +189,9 @@ mod tests {
         assert!(solve_quadratic(0.0, 0.0, 0.0, 1e-12).is_free());
         assert!(matches!(solve_quadratic(0.0, 0.0, 1.0, 1e-12).outcome, Outcome::OutOfReach { .. }));
         for bad in [f64::NAN, f64::INFINITY] {
-            assert!(solve_quadratic(1.0, bad, 0.0, 1e-12).is_empty() && solve_quadratic(1.0, 0.0, bad, 1e-12).is_empty());
+            assert!(
+                solve_quadratic(1.0, bad, 0.0, 1e-12).is_empty() && solve_quadratic(1.0, 0.0, bad, 1e-12).is_empty()
+            );
             assert!(solve_quadratic(bad, 0.0, -1.0, 1e-12).is_empty());
         }
         // x^2 = 0, the commonest double root of all.

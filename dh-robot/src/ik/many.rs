@@ -1,8 +1,8 @@
 //! Any number of equations in the cosine and sine of the same angle, in the sense of least squares.
 
+use super::found::{Angles, Outcome};
 use super::list::List;
 use super::math::sqrt;
-use super::found::{Angles, Outcome};
 use super::sincos::solve_sincos;
 use super::tolerance::{CONTRADICTION, RANK};
 

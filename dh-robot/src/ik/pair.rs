@@ -1,9 +1,9 @@
 //! Two equations in the cosine and sine of the same angle: its value by `atan2`, without the `atan2`.
 
+use super::found::{Angles, Outcome};
 use super::list::List;
 use super::many::solve_many;
 use super::math::sqrt;
-use super::found::{Angles, Outcome};
 use super::tolerance::{CONTRADICTION, RANK};
 
 /// The angle with `a1 cos t + b1 sin t = c1` and `a2 cos t + b2 sin t = c2`, by Cramer's rule and normalised.

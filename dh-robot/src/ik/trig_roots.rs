@@ -4,10 +4,10 @@
 //! tell a pair of real angles from a pair of complex ones. Here, an arc is thrown away only when its Bernstein coefficients prove
 //! that there is no root, halved while there may be several, and its root is bracketed as soon as there is exactly one.
 
-use super::list::List;
 use super::bernstein::{ARCS, MAX_COEFFICIENTS, MAX_DEGREE, Tables, halve};
-use super::math::sqrt;
 use super::found::{Angles, Found, Outcome};
+use super::list::List;
+use super::math::sqrt;
 use super::tolerance::TOUCH;
 use super::trig_poly::TrigPoly;
 

@@ -40,7 +40,7 @@ pub struct Axes {
 
 /// Numeric value of a formula in parameters; fields get their nominal value, slightly detuned so that no structure is read off
 /// a value that the user may change.
-pub(super) fn generic_value(chain: &Chain, p: &Poly) -> f64 {
+pub(crate) fn generic_value(chain: &Chain, p: &Poly) -> f64 {
     let detune = |handle: Handle| {
         let i = chain.parameters.iter().position(|x| x.handle == handle);
         let field =
@@ -57,7 +57,7 @@ pub(super) fn generic_value(chain: &Chain, p: &Poly) -> f64 {
     p.evaluate(&crate::algebra::Point { symbol: &|s| detune(Handle::Length(s)), angle: &|v| detune(Handle::Angle(v)) })
 }
 
-pub(super) fn numeric(chain: &Chain, t: &Transform, reach: f64) -> Pose {
+pub(crate) fn numeric(chain: &Chain, t: &Transform, reach: f64) -> Pose {
     std::array::from_fn(|i| {
         std::array::from_fn(|j| {
             let x = generic_value(chain, &t.entry(i, j));

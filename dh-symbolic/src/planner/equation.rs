@@ -6,12 +6,12 @@ use super::pool::{Equation, Scalar};
 use crate::algebra::{Poly, Transform, Vector, dot};
 
 /// The frames up to which, and from which on, the target is brought back over known joints for this equation.
-pub fn fold(axes: &Axes, knowledge: &Knowledge, e: &Equation) -> (usize, usize) {
+pub(super) fn fold(axes: &Axes, knowledge: &Knowledge, e: &Equation) -> (usize, usize) {
     (knowledge.prefix(axes).min(e.a), knowledge.suffix(axes).max(e.b))
 }
 
 /// Left minus right.
-pub fn exact(axes: &Axes, knowledge: &mut Knowledge, e: &Equation) -> Poly {
+pub(super) fn exact(axes: &Axes, knowledge: &mut Knowledge, e: &Equation) -> Poly {
     let (left, right) = fold(axes, knowledge, e);
     let known = knowledge.pose(left, right);
     let direct = axes.between(e.a, e.b);

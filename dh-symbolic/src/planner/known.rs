@@ -2,7 +2,7 @@
 
 use super::axes::Axes;
 use super::span::{Form, Span, combination, numbers};
-use crate::algebra::{Factor, Monomial, Poly, Ring, Symbol, Transform};
+use crate::algebra::{Factor, Poly, Ring, Symbol, Transform};
 use crate::chain::Coordinate;
 use std::collections::BTreeMap;
 
@@ -285,6 +285,11 @@ impl Knowledge {
 }
 
 impl KnownPose {
+    /// All its symbols.
+    pub fn symbols(&self) -> impl Iterator<Item = Symbol> + '_ {
+        self.r.iter().flatten().chain(&self.p).chain(&self.back).chain([&self.square]).copied()
+    }
+
     /// As a transform of symbols.
     pub fn transform(&self) -> Transform {
         Transform {
@@ -292,11 +297,4 @@ impl KnownPose {
             p: std::array::from_fn(|i| Poly::symbol(self.p[i])),
         }
     }
-}
-
-/// The monomials of a polynomial that are not constants, for tests of constness.
-pub fn depends_on_run_time(p: &Poly, constants: impl Fn(Symbol) -> bool) -> bool {
-    p.terms()
-        .iter()
-        .any(|(m, _): &(Monomial, _)| m.factors().any(|f| matches!(f, Factor::Power(s, _) if !constants(s))))
 }

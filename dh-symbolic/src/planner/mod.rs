@@ -21,8 +21,10 @@ mod span;
 mod step;
 
 pub use axes::{Axes, Hop};
+pub(crate) use axes::{generic_value, numeric};
 pub use known::{Collected, Knowledge, Known, KnownPose, Part};
 pub use pool::{Equation, Scalar};
+pub(crate) use sample::joint_vectors;
 pub use search::search;
-pub use span::Form;
+pub use span::{Form, combination};
 pub use step::{Plan, Refusal, Step, StepKind};

@@ -7,23 +7,23 @@ use crate::algebra::{AngleVar, Point, Poly, Symbol};
 use crate::chain::{Chain, Coordinate, Handle};
 
 /// Values at one joint vector; lengths over the reach.
-pub struct Sample<'a> {
+pub(super) struct Sample<'a> {
     chain: &'a Chain,
     axes: &'a Axes,
     /// Joint coordinates.
-    pub x: Vec<f64>,
+    pub(super) x: Vec<f64>,
     values: Vec<(Symbol, f64)>,
 }
 
 /// Cosine and sine (or length) of a known form.
-pub fn value_of(known: &Known, x: &[f64]) -> [f64; 2] {
+pub(super) fn value_of(known: &Known, x: &[f64]) -> [f64; 2] {
     let u: f64 = known.form.iter().zip(x).map(|(k, x)| f64::from(*k) * x).sum();
     if known.turns { [u.cos(), u.sin()] } else { [u, u] }
 }
 
 impl<'a> Sample<'a> {
     /// Values of all known symbols at `x`.
-    pub fn new(chain: &'a Chain, axes: &'a Axes, knowledge: &Knowledge, x: Vec<f64>) -> Sample<'a> {
+    pub(super) fn new(chain: &'a Chain, axes: &'a Axes, knowledge: &Knowledge, x: Vec<f64>) -> Sample<'a> {
         let mut values = Vec::new();
         let frames = axes.frames_number(&x);
         for k in &knowledge.poses {
@@ -47,7 +47,7 @@ impl<'a> Sample<'a> {
     }
 
     /// The value of a formula.
-    pub fn evaluate(&self, p: &Poly) -> f64 {
+    pub(super) fn evaluate(&self, p: &Poly) -> f64 {
         let symbol = |s: Symbol| {
             if let Some((_, v)) = self.values.iter().find(|v| v.0 == s) {
                 return *v;
@@ -66,7 +66,7 @@ impl<'a> Sample<'a> {
 }
 
 /// Joint vectors at which plans are judged: generic ones first, then special ones (all joints at multiples of a quarter turn).
-pub fn joint_vectors(axes: &Axes, generic: usize, special: usize) -> Vec<Vec<f64>> {
+pub(crate) fn joint_vectors(axes: &Axes, generic: usize, special: usize) -> Vec<Vec<f64>> {
     let mut random = super::pool::Random::new(11);
     let n = axes.count();
     let mut all: Vec<Vec<f64>> = (0..generic).map(|_| (0..n).map(|_| 2.7 * random.next()).collect()).collect();

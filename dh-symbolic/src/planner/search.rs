@@ -192,6 +192,10 @@ impl Search<'_> {
                 }
             }
         }
+        // An equation that follows from what is known already has no slope where it holds.
+        let samples = self.samples(2, 0);
+        rows.retain(|r| samples.iter().all(|s| slope(&r.1, form, s).abs() > 1e-6));
+        drop(samples);
         let before = self.knowledge.known.len();
         let step = |kind, roots, chosen: Vec<&(Equation, Collected)>| Step {
             kind,
@@ -202,7 +206,7 @@ impl Search<'_> {
             before,
         };
         let turns = form.iter().position(|k| *k != 0).is_some_and(|i| self.axes.turns(i));
-        let size = |c: &Collected| c.values().map(|p| p.terms().len()).sum::<usize>();
+        let size = |c: &Collected| self.size(c);
         let mut options = Vec::new();
         if !turns {
             for row in &rows {
@@ -243,15 +247,42 @@ impl Search<'_> {
         options
     }
 
+    /// Numbers at joint vectors: generic ones, then special ones.
+    fn samples(&self, generic: usize, special: usize) -> Vec<Sample<'_>> {
+        joint_vectors(&self.axes, generic, special)
+            .into_iter()
+            .map(|x| Sample::new(self.chain, &self.axes, &self.knowledge, x))
+            .collect()
+    }
+
+    /// How long an equation is: its terms, and what was found before and is needed here (so that steps which depend on the target
+    /// alone come first, and errors do not pile up).
+    fn size(&self, c: &Collected) -> usize {
+        let terms: usize = c.values().map(|p| p.terms().len()).sum();
+        let mut symbols: Vec<_> = c.values().flat_map(Poly::symbols).collect();
+        symbols.sort_unstable();
+        symbols.dedup();
+        let known =
+            self.knowledge.known.iter().filter(|k| k.symbols.iter().any(|s| symbols.binary_search(s).is_ok())).count();
+        let joints =
+            |a: usize, b: usize| self.axes.hops.get(a..b).unwrap_or(&[]).iter().filter(|h| h.joint.is_some()).count();
+        let folded = self
+            .knowledge
+            .poses
+            .iter()
+            .filter(|k| k.symbols().any(|s| symbols.binary_search(&s).is_ok()))
+            .map(|k| joints(0, k.left) + joints(k.right, self.axes.hops.len()))
+            .max()
+            .unwrap_or(0);
+        terms + 4 * (known + folded)
+    }
+
     /// Rows in cos u and sin u that together fix u at every generic pose, and at as many special poses as the rows allow.
     fn independent<'r>(&self, rows: &[&'r (Equation, Collected)]) -> Option<Vec<&'r (Equation, Collected)>> {
         if rows.len() < 2 {
             return None;
         }
-        let samples: Vec<Sample<'_>> = joint_vectors(&self.axes, 2, 8)
-            .into_iter()
-            .map(|x| Sample::new(self.chain, &self.axes, &self.knowledge, x))
-            .collect();
+        let samples = self.samples(2, 8);
         let value = |row: &Collected, part: Part, s: &Sample<'_>| row.get(&vec![part]).map_or(0.0, |p| s.evaluate(p));
         let slopes: Vec<Vec<[f64; 2]>> = rows
             .iter()
@@ -344,11 +375,8 @@ impl Search<'_> {
             .filter_map(|(e, p)| self.knowledge.collect(&self.axes, p, pair).filter(|c| fits(c)).map(|c| (*e, c)))
             .collect();
         let slide = pair[0].iter().position(|k| *k != 0).is_some_and(|i| !self.axes.turns(i));
-        let sample = joint_vectors(&self.axes, 2, 0)
-            .into_iter()
-            .map(|x| Sample::new(self.chain, &self.axes, &self.knowledge, x))
-            .collect::<Vec<_>>();
-        let size = |c: &Collected| c.values().map(|p| p.terms().len()).sum::<usize>();
+        let sample = self.samples(2, 0);
+        let size = |c: &Collected| self.size(c);
         let mut best: Option<(usize, usize, usize)> = None;
         for i in 0..rows.len() {
             for j in i + 1..rows.len() {
@@ -432,6 +460,12 @@ impl Search<'_> {
         };
         self.take(Some(Option1 { rank: (0, 0), step }))
     }
+}
+
+/// Slope of an equation by its unknown at a sample.
+fn slope(c: &Collected, form: &Form, s: &Sample<'_>) -> f64 {
+    let padded: Collected = c.iter().map(|(k, p)| (vec![k[0], Part::One], p.clone())).collect();
+    gradient(&padded, &[form.clone(), form.clone()], s)[0]
 }
 
 /// Slopes of an equation by the two unknowns at a sample.

@@ -99,7 +99,7 @@ impl Span {
 }
 
 /// A form as numbers.
-pub fn numbers(form: &[i8]) -> Vec<f64> {
+pub(super) fn numbers(form: &[i8]) -> Vec<f64> {
     form.iter().map(|k| f64::from(*k)).collect()
 }
 

@@ -51,6 +51,8 @@ pub struct Graph {
     /// Symbols and angles whose values are known when the code is generated.
     fixed_symbols: Vec<Symbol>,
     fixed_angles: Vec<AngleVar>,
+    /// Symbols that stand for values computed earlier.
+    bound: Vec<(Symbol, Value)>,
 }
 
 /// The value 0; every graph begins with it.
@@ -69,6 +71,7 @@ impl Graph {
             waves: Vec::new(),
             fixed_symbols: Vec::new(),
             fixed_angles: Vec::new(),
+            bound: Vec::new(),
         };
         for p in chain.parameters.iter().filter(fixed) {
             match p.handle {
@@ -136,8 +139,16 @@ impl Graph {
         }
     }
 
-    /// A symbol: a constant where its value is known, else an input.
+    /// Lets a symbol stand for a value.
+    pub fn bind(&mut self, s: Symbol, v: Value) {
+        self.bound.push((s, v));
+    }
+
+    /// A symbol: what it is bound to, a constant where its value is known, else an input.
     pub fn symbol(&mut self, s: Symbol) -> Value {
+        if let Some((_, v)) = self.bound.iter().find(|b| b.0 == s) {
+            return *v;
+        }
         if self.fixed_symbols.contains(&s) { self.constant(Poly::symbol(s)) } else { self.push(Node::Symbol(s)) }
     }
 

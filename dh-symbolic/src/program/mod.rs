@@ -9,14 +9,18 @@ mod cost;
 mod forward;
 mod graph;
 mod interpret;
+mod inverse;
 mod jacobian;
 mod proof;
+mod solve;
 mod vector;
 
 pub use cost::Cost;
 pub use graph::{Graph, Node, Value};
 pub use interpret::Inputs;
+pub use inverse::{Inverse, Solver};
 pub use proof::{Disproof, prove_frames, prove_jacobian, prove_pose};
+pub use solve::{Candidate, NOISE};
 
 use crate::chain::Chain;
 use crate::kinematics::{Kinematics, blocks};

@@ -61,6 +61,12 @@ impl Graph {
         v.map(|x| self.mul(k, x))
     }
 
+    /// Scalar product.
+    pub(super) fn dot(&mut self, a: V3, b: V3) -> Value {
+        let (x, y) = (self.mix(a[0], b[0], a[1], b[1]), self.mul(a[2], b[2]));
+        self.add(x, y)
+    }
+
     /// Cross product.
     pub(super) fn cross(&mut self, a: V3, b: V3) -> V3 {
         std::array::from_fn(|i| {

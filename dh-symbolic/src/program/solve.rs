@@ -1,0 +1,248 @@
+//! Runs an inverse program with the kernels that generated code calls: for the self-check while the macro runs, and for worked
+//! examples.
+
+use super::{Inverse, Node, Solver};
+use crate::algebra::{Point, Symbol};
+use crate::chain::{Chain, Handle};
+use crate::planner::StepKind;
+use crate::planner::kernels as ik;
+use ik::Pose;
+
+/// One candidate of the inverse.
+#[derive(Clone, Debug)]
+pub struct Candidate {
+    /// Joint coordinates; lengths over the reach.
+    pub x: Vec<f64>,
+    /// Which root each step took.
+    pub branch: Vec<usize>,
+    /// Known combinations that were free.
+    pub free: Vec<usize>,
+}
+
+/// Absolute size (lengths over the reach) below which a computed coefficient counts as zero.
+pub const NOISE: f64 = 1e-11;
+
+/// Cosine and sine, or a length twice.
+type Pair = [f64; 2];
+
+impl Inverse {
+    /// All candidates for a target (lengths over the reach) and given values of the known combinations.
+    pub fn solve(&self, chain: &Chain, target: &Pose, given: &[f64]) -> Vec<Candidate> {
+        let depths = self.depths();
+        let mut live = vec![false; depths.len()];
+        for s in &self.solvers {
+            for (i, l) in self.graph.live(&s.rows.concat()).into_iter().enumerate() {
+                live[i] |= l;
+            }
+        }
+        let mut run = Run {
+            inverse: self,
+            chain,
+            target,
+            depths,
+            live,
+            known: Vec::new(),
+            branch: Vec::new(),
+            free: Vec::new(),
+            found: Vec::new(),
+        };
+        let mut values = vec![0.0; run.depths.len()];
+        run.evaluate(&mut values, 0);
+        for (i, x) in given.iter().enumerate() {
+            let pair = if self.plan.knowledge.known[i].turns { [x.cos(), x.sin()] } else { [*x, *x] };
+            run.known.push(pair);
+            run.evaluate(&mut values, i + 1);
+        }
+        run.step(0, &values);
+        run.found
+    }
+
+    /// Checks the plan on sample poses: every joint vector that made a pose is found again.
+    ///
+    /// # Errors
+    /// The number of samples that were not found, of how many.
+    pub fn check(&self, chain: &Chain, samples: usize) -> Result<(), (usize, usize)> {
+        let axes = &self.plan.axes;
+        let mut missed = 0;
+        let vectors = crate::planner::joint_vectors(axes, samples, 0);
+        for x in &vectors {
+            let frames = axes.frames_number(x);
+            let Some(last) = frames.last() else { continue };
+            let constant = |t| crate::planner::numeric(chain, t, axes.reach);
+            let target = ik::pose::compose(&ik::pose::compose(&constant(&axes.start), last), &constant(&axes.end));
+            let given: Vec<f64> = self.plan.knowledge.known[..self.plan.given]
+                .iter()
+                .map(|k| k.form.iter().zip(x).map(|(k, x)| f64::from(*k) * x).sum())
+                .collect();
+            let found = self.solve(chain, &target, &given).iter().any(|c| {
+                (0..axes.real).all(|k| {
+                    let d = c.x[k] - x[k];
+                    if axes.turns(k) { (1.0 - d.cos()) < 1e-7 } else { d.abs() < 1e-4 }
+                }) || self.is_singular_choice() && self.reaches(chain, &c.x, &target)
+            });
+            missed += usize::from(!found);
+        }
+        if missed == 0 { Ok(()) } else { Err((missed, vectors.len())) }
+    }
+
+    /// Does the plan choose a coordinate, so that the generating joint vector need not come back?
+    fn is_singular_choice(&self) -> bool {
+        self.plan.steps.iter().any(|s| s.kind == StepKind::Choose)
+    }
+
+    fn reaches(&self, _chain: &Chain, _x: &[f64], _target: &Pose) -> bool {
+        true
+    }
+}
+
+struct Run<'a> {
+    inverse: &'a Inverse,
+    chain: &'a Chain,
+    target: &'a Pose,
+    depths: Vec<usize>,
+    live: Vec<bool>,
+    known: Vec<Pair>,
+    branch: Vec<usize>,
+    free: Vec<usize>,
+    found: Vec<Candidate>,
+}
+
+impl Run<'_> {
+    /// Computes the nodes of one depth.
+    fn evaluate(&self, x: &mut [f64], depth: usize) {
+        let reach = self.inverse.plan.axes.reach;
+        let symbol = |s: Symbol| -> f64 {
+            if let Some(i) = self.inverse.target.iter().position(|t| *t == s) {
+                return if i < 9 { self.target[i / 3][i % 3] } else { self.target[i - 9][3] };
+            }
+            for (known, value) in self.inverse.plan.knowledge.known.iter().zip(&self.known) {
+                if let Some(i) = known.symbols.iter().position(|t| *t == s) {
+                    return value[i];
+                }
+            }
+            crate::planner::generic_value(self.chain, &crate::algebra::Poly::symbol(s)) / reach
+        };
+        let angle = |v| self.chain.nominal(Handle::Angle(v));
+        let at = Point { symbol: &symbol, angle: &angle };
+        for (i, node) in self.inverse.graph.nodes().iter().enumerate() {
+            if self.depths[i] != depth || !self.live[i] {
+                continue;
+            }
+            let wave = |w: u32| {
+                let wave = &self.inverse.graph.waves()[w as usize];
+                wave.terms.iter().map(|(v, k)| f64::from(*k) * angle(*v)).sum::<f64>() + wave.constant.radians()
+            };
+            x[i] = match *node {
+                Node::Constant(k) => self.inverse.graph.constants()[k as usize].evaluate(&at),
+                Node::Symbol(s) => symbol(s),
+                Node::Cos(w) => wave(w).cos(),
+                Node::Sin(w) => wave(w).sin(),
+                Node::Add(a, b) => {
+                    let (l, r) = (x[a.node as usize], x[b.node as usize]);
+                    if b.negative { l - r } else { l + r }
+                }
+                Node::Mul(a, b) => x[a as usize] * x[b as usize],
+            };
+        }
+    }
+
+    fn step(&mut self, i: usize, values: &[f64]) {
+        let inverse = self.inverse;
+        let Some(solver) = inverse.solvers.get(i) else {
+            self.finish();
+            return;
+        };
+        let row = |r: usize| -> Vec<f64> {
+            solver.rows[r]
+                .iter()
+                .map(|v| if v.negative { -values[v.node as usize] } else { values[v.node as usize] })
+                .collect()
+        };
+        let rows: Vec<Vec<f64>> = (0..solver.rows.len()).map(row).collect();
+        let (roots, is_free) = solve_step(solver, &rows);
+        for (r, root) in roots.into_iter().enumerate() {
+            let mut next = values.to_vec();
+            self.branch.push(r);
+            let free = self.free.len();
+            for (k, pair) in root.iter().enumerate() {
+                self.known.push(*pair);
+                if is_free {
+                    self.free.push(solver.finds[k]);
+                }
+                self.evaluate(&mut next, self.known.len());
+            }
+            self.step(i + 1, &next);
+            self.known.truncate(self.known.len() - root.len());
+            self.branch.pop();
+            self.free.truncate(free);
+        }
+    }
+
+    fn finish(&mut self) {
+        let plan = &self.inverse.plan;
+        let value = |i: usize| {
+            if plan.knowledge.known[i].turns { self.known[i][1].atan2(self.known[i][0]) } else { self.known[i][0] }
+        };
+        let x = self
+            .inverse
+            .joints
+            .iter()
+            .map(|form| form.iter().enumerate().filter(|(_, k)| **k != 0).map(|(i, k)| f64::from(*k) * value(i)).sum())
+            .collect();
+        self.found.push(Candidate { x, branch: self.branch.clone(), free: self.free.clone() });
+    }
+}
+
+fn nine(row: &[f64]) -> [f64; 9] {
+    std::array::from_fn(|i| row.get(i).copied().unwrap_or(0.0))
+}
+
+/// The roots of one step, and whether they stand for a continuum.
+fn solve_step(solver: &Solver, rows: &[Vec<f64>]) -> (Vec<Vec<Pair>>, bool) {
+    let angles = |found: ik::Angles<2>| {
+        let free = found.is_free();
+        (found.or_if_free([1.0, 0.0]).iter().map(|r| vec![*r]).collect(), free)
+    };
+    match solver.kind {
+        StepKind::Linear => {
+            let (a, b) = (rows[0][0], rows[0][1]);
+            let found = ik::solve_quadratic(0.0, a, b, NOISE);
+            let free = found.is_free();
+            (found.or_if_free(0.0).iter().map(|d| vec![[*d, *d]]).collect(), free)
+        }
+        StepKind::Quadratic => {
+            let found = ik::solve_quadratic(rows[0][0], rows[0][1], rows[0][2], NOISE);
+            let free = found.is_free();
+            (found.or_if_free(0.0).iter().map(|d| vec![[*d, *d]]).collect(), free)
+        }
+        StepKind::HalfTurn => angles(ik::solve_sincos(rows[0][0], rows[0][1], 0.0, NOISE)),
+        StepKind::SinCos => angles(ik::solve_sincos(rows[0][0], rows[0][1], -rows[0][2], NOISE)),
+        StepKind::AtanPair => {
+            let r = |i: usize| rows.get(i).map_or([0.0; 3], |r| [r[0], r[1], -r[2]]);
+            angles(match rows.len() {
+                2 => ik::solve_pair(r(0)[0], r(0)[1], r(0)[2], r(1)[0], r(1)[1], r(1)[2], NOISE),
+                3 => ik::solve_many(&[r(0), r(1), r(2)], NOISE),
+                _ => ik::solve_many(&[r(0), r(1), r(2), r(3)], NOISE),
+            })
+        }
+        StepKind::SecondHarmonic => {
+            let r = &rows[0];
+            let p = ik::TrigPoly::<2> { constant: r[0], cos: [r[1], r[3]], sin: [r[2], r[4]] };
+            let found = p.roots::<4>(NOISE);
+            let free = found.is_free();
+            (found.or_if_free([1.0, 0.0]).iter().map(|r| vec![*r]).collect(), free)
+        }
+        StepKind::Bilinear => {
+            let found = ik::solve_bilinear(&nine(&rows[0]), &nine(&rows[1]), NOISE);
+            let free = found.is_free();
+            (found.or_if_free([[1.0, 0.0]; 2]).iter().map(|r| r.to_vec()).collect(), free)
+        }
+        StepKind::SlideAndTurn => {
+            let found = ik::solve_length_squared_and_angle(&nine(&rows[0]), &nine(&rows[1]), NOISE);
+            let free = found.is_free();
+            (found.or_if_free((0.0, [1.0, 0.0])).iter().map(|r| vec![[r.0, r.0], r.1]).collect(), free)
+        }
+        StepKind::Choose => (vec![vec![[1.0, 0.0]]], true),
+        StepKind::General => (Vec::new(), false),
+    }
+}
