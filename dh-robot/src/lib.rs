@@ -248,6 +248,8 @@ modules! {
     mod free;
     #[doc(hidden)]
     pub mod ik;
+    #[doc(hidden)]
+    pub mod inverse;
     mod joint;
     pub mod math;
     pub mod pose;

@@ -5,7 +5,8 @@ use crate::chain::table::{Claims, Parsed, Sketch, parse};
 use crate::chain::{Chain, Scalar, Task};
 use crate::diagnostic::{Error, Place};
 use crate::kinematics::claims;
-use crate::program::Forward;
+use crate::planner;
+use crate::program::{Forward, Inverse};
 use crate::render::rust::{self, Head};
 use crate::render::verdict::complaints;
 use proc_macro2::{Ident, Span, TokenStream};
@@ -28,7 +29,10 @@ pub fn expand(input: TokenStream) -> TokenStream {
 fn items(head: &Head, chain: Chain, parsed: &mut Parsed) -> TokenStream {
     check_derivation(&chain, parsed);
     match Forward::derive(&chain) {
-        Ok(forward) => rust::robot(head, &chain, &forward, "", ""),
+        Ok(forward) => {
+            let inverse = if chain.ik { inverse(head, &chain, &forward, parsed) } else { String::new() };
+            rust::robot(head, &chain, &forward, &inverse, "")
+        }
         Err(difference) => {
             let text = format!(
                 "{difference}: {}; this is a defect of dh-symbolic",
@@ -53,6 +57,43 @@ fn check_derivation(chain: &Chain, parsed: &mut Parsed) {
             error.help = help;
             parsed.errors.push(error);
         }
+    }
+}
+
+/// The text of everything inverse; errors at the cells where the planner got stuck.
+fn inverse(head: &Head, chain: &Chain, forward: &Forward, parsed: &mut Parsed) -> String {
+    let plan = match planner::search(chain) {
+        Ok(plan) => plan,
+        Err(refusal) => {
+            refuse(chain, &refusal, parsed);
+            return String::new();
+        }
+    };
+    let inverse = Inverse::derive(chain, plan);
+    if let Err((missed, of)) = inverse.check(chain, SAMPLES) {
+        let text = format!(
+            "the plan for the inverse missed {missed} of {of} sample poses, so it is not emitted; `ik = none;` asks for no inverse"
+        );
+        parsed.errors.push(Error::new(Place::at(head.ident.span()), text));
+    }
+    rust::inverse(chain, &head.ident.to_string(), forward, &inverse)
+}
+
+/// Sample poses that every plan must solve before it is emitted.
+const SAMPLES: usize = 6;
+
+fn refuse(chain: &Chain, refusal: &planner::Refusal, parsed: &mut Parsed) {
+    let free = chain.dof() - usize::from(chain.redundant.is_some());
+    if free > 6 {
+        let text = format!("{free} joints leave the inverse open: say which one the caller chooses, `redundant = q3;`, or `ik = none;`");
+        parsed.errors.push(Error::new(parsed.origins.name, text));
+        return;
+    }
+    let solved = if refusal.solved.is_empty() { "nothing".into() } else { refusal.solved.join(", ") };
+    for joint in &refusal.open {
+        let name = chain.joints.get(*joint).map_or("", |j| j.name.as_str());
+        let text = format!("no closed form was found for `{name}` (found: {solved}); `ik = none;` asks for no inverse");
+        parsed.errors.push(Error::new(parsed.origins.joint(*joint), text));
     }
 }
 

@@ -1,19 +1,26 @@
-//! A program as statements: sines and cosines in one batch, then `let` lines; values used once stand where they are used.
+//! Instructions as statements: sines and cosines in one batch, then `let` lines; values used once stand where they are used.
 
 use super::names::{Names, subscript};
-use super::{constant, literal, shift_expression};
-use crate::algebra::{Factor, LinearAngle, Poly};
-use crate::chain::{Chain, Coordinate, Handle, Role};
-use crate::program::{Node, Program, Value};
+use super::{literal, scaled_constant, shift_expression};
+use crate::algebra::{Factor, LinearAngle, Poly, Symbol};
+use crate::chain::{Chain, Coordinate, Handle, Role, Scalar};
+use crate::program::{Graph, Node, Program, Value};
 
 /// Longest expression that is not given a name.
 const INLINE: usize = 56;
 
-/// Writes the statements of a program and the expressions of its outputs.
+/// Writes the statements of a graph and the expressions of its outputs.
 pub(super) struct Body<'a> {
     chain: &'a Chain,
-    program: &'a Program,
+    graph: &'a Graph,
+    outputs: Vec<Value>,
     names: Names,
+    /// Number type of the code.
+    scalar: Scalar,
+    /// Factor of every length: 1, or 1 over the reach.
+    scale: f64,
+    /// Names of input symbols that are neither fields nor joints.
+    inputs: Vec<(Symbol, String)>,
     /// Text of each node, once known, and whether it is a sum (needs parentheses in a product).
     text: Vec<Option<(String, bool)>>,
     /// The statements.
@@ -28,16 +35,35 @@ struct Linear {
 }
 
 impl<'a> Body<'a> {
-    pub(super) fn new(chain: &'a Chain, program: &'a Program) -> Body<'a> {
-        let names = Names::new(&["q", "s", "c", "self"]);
-        let mut body = Body { chain, program, names, text: vec![None; program.graph.nodes().len()], lines: Vec::new() };
+    /// All statements of a program.
+    pub(super) fn new(chain: &'a Chain, program: &'a Program, scalar: Scalar) -> Body<'a> {
+        let mut body = Body::staged(chain, &program.graph, program.outputs.clone(), scalar, 1.0, Vec::new());
+        let depths = vec![0; program.graph.nodes().len()];
+        body.statements(&depths, 0, &[]);
+        body
+    }
+
+    /// A graph whose statements are asked for depth by depth, see [`Body::statements`]. `inputs` names symbols.
+    pub(super) fn staged(
+        chain: &'a Chain,
+        graph: &'a Graph,
+        outputs: Vec<Value>,
+        scalar: Scalar,
+        scale: f64,
+        inputs: Vec<(Symbol, String)>,
+    ) -> Body<'a> {
+        let mut names = Names::new(&["q", "s", "c", "self", "t", "angles", "found", "attempt", "given"]);
+        for (_, name) in &inputs {
+            names.take(name);
+        }
+        let text = vec![None; graph.nodes().len()];
+        let mut body = Body { chain, graph, outputs, names, scalar, scale, inputs, text, lines: Vec::new() };
         body.trigonometry();
-        body.statements();
         body
     }
 
     fn literal(&self, x: f64) -> String {
-        literal(x, self.chain.scalar)
+        literal(x, self.scalar)
     }
 
     /// One coefficient times a variable.
@@ -62,20 +88,28 @@ impl<'a> Body<'a> {
             .collect(field)
             .into_iter()
             .map(|(m, k)| {
-                let k = constant(self.chain, &k);
+                let k = scaled_constant(self.chain, &k, 1.0);
                 let mut factors: Vec<String> = Vec::new();
                 if k != 1.0 || m.is_one() {
                     factors.push(self.literal(k));
                 }
                 for f in m.factors() {
                     if let Factor::Power(s, n) = f {
-                        factors.extend((0..n).map(|_| format!("self.{}", self.chain.ring.symbol_name(s))));
+                        factors.extend((0..n).map(|_| self.field(self.chain.ring.symbol_name(s))));
                     }
                 }
                 factors.join(" * ")
             })
             .collect();
         if parts.is_empty() { self.literal(0.0) } else { sum(&parts) }
+    }
+
+    /// A field as a number of the code's type.
+    fn field(&self, name: &str) -> String {
+        match (self.chain.scalar, self.scalar) {
+            (Scalar::F32, Scalar::F64) => format!("f64::from(self.{name})"),
+            _ => format!("self.{name}"),
+        }
     }
 
     fn is_field(&self, handle: Handle) -> bool {
@@ -85,7 +119,7 @@ impl<'a> Body<'a> {
     /// The coordinate of joint `i` in terms of q.
     fn coordinate(&self, i: usize) -> Linear {
         let motors = self.chain.drive[i].iter().map(|k| (!k.is_zero()).then(|| k.clone())).collect();
-        let shift = shift_expression(self.chain, &self.chain.joints[i].shift);
+        let shift = shift_expression(self.chain, &self.chain.joints[i].shift, self.scalar);
         Linear { motors, shift: shift.into_iter().collect() }
     }
 
@@ -107,7 +141,7 @@ impl<'a> Body<'a> {
                     }
                 }
                 None if self.is_field(Handle::Angle(*v)) => {
-                    rest.push(self.multiple(*k, &format!("self.{}", self.chain.ring.angle_name(*v))));
+                    rest.push(self.multiple(*k, &self.field(self.chain.ring.angle_name(*v))));
                 }
                 None => {
                     let x = self.chain.nominal(Handle::Angle(*v)) * f64::from(*k);
@@ -142,9 +176,9 @@ impl<'a> Body<'a> {
 
     /// The batch of sines and cosines.
     fn trigonometry(&mut self) {
-        let live = self.program.graph.live(&self.program.outputs);
+        let live = self.graph.live(&self.outputs);
         let mut used: Vec<u32> = Vec::new();
-        for (node, _) in self.program.graph.nodes().iter().zip(&live).filter(|(_, l)| **l) {
+        for (node, _) in self.graph.nodes().iter().zip(&live).filter(|(_, l)| **l) {
             if let Node::Cos(w) | Node::Sin(w) = node {
                 if !used.contains(w) {
                     used.push(*w);
@@ -157,11 +191,11 @@ impl<'a> Body<'a> {
         }
         let (mut sines, mut cosines, mut angles) = (Vec::new(), Vec::new(), Vec::new());
         for w in &used {
-            let wave = &self.program.graph.waves()[*w as usize];
+            let wave = &self.graph.waves()[*w as usize];
             let tail = subscript(&self.chain.ring, wave);
             let (s, c) = (self.names.take(&format!("s{tail}")), self.names.take(&format!("c{tail}")));
             angles.push(self.angle(wave));
-            for (i, node) in self.program.graph.nodes().iter().enumerate() {
+            for (i, node) in self.graph.nodes().iter().enumerate() {
                 match node {
                     Node::Cos(x) if x == w => self.text[i] = Some((c.clone(), false)),
                     Node::Sin(x) if x == w => self.text[i] = Some((s.clone(), false)),
@@ -170,7 +204,7 @@ impl<'a> Body<'a> {
             }
             let unused = |sine: bool| {
                 let is = |n: &Node| if sine { *n == Node::Sin(*w) } else { *n == Node::Cos(*w) };
-                !self.program.graph.nodes().iter().zip(&live).any(|(n, l)| *l && is(n))
+                !self.graph.nodes().iter().zip(&live).any(|(n, l)| *l && is(n))
             };
             sines.push(if unused(true) { "_".to_string() } else { s });
             cosines.push(if unused(false) { "_".to_string() } else { c });
@@ -183,44 +217,55 @@ impl<'a> Body<'a> {
         ));
     }
 
-    fn statements(&mut self) {
-        let live = self.program.graph.live(&self.program.outputs);
-        let uses = self.uses(&live);
-        for (i, node) in self.program.graph.nodes().iter().enumerate() {
-            if !live[i] || self.text[i].is_some() {
+    /// Appends the statements of one depth: nodes whose inputs are known there. `extra` are values that code outside the graph uses
+    /// (each once).
+    pub(super) fn statements(&mut self, depths: &[usize], depth: usize, extra: &[Value]) {
+        let mut all = self.outputs.clone();
+        all.extend(extra);
+        let live = self.graph.live(&all);
+        let users = self.users(&live, depths);
+        for (i, node) in self.graph.nodes().iter().enumerate() {
+            if !live[i] || depths[i] != depth || self.text[i].is_some() {
                 continue;
             }
             let (text, is_sum) = match *node {
                 Node::Constant(k) => {
-                    (self.literal(constant(self.chain, &self.program.graph.constants()[k as usize])), false)
+                    let x = scaled_constant(self.chain, &self.graph.constants()[k as usize], self.scale);
+                    (self.literal(x), false)
                 }
-                Node::Symbol(s) => {
-                    let joint = self.chain.joints.iter().position(|j| j.coordinate == Coordinate::Length(s));
-                    match joint {
-                        Some(j) => {
-                            let x = self.coordinate(j);
-                            let parts: Vec<String> = x
-                                .motors
-                                .iter()
-                                .enumerate()
-                                .filter_map(|(m, k)| k.as_ref().map(|k| self.scaled(k, &format!("q[{m}]"))))
-                                .collect();
-                            (sum(&parts), parts.len() > 1)
-                        }
-                        None => (format!("self.{}", self.chain.ring.symbol_name(s)), false),
-                    }
-                }
+                Node::Symbol(s) => self.symbol(s),
                 Node::Cos(_) | Node::Sin(_) => continue,
                 Node::Add(a, b) => (sum(&[self.signed(a), self.signed(b)]), true),
                 Node::Mul(a, b) => (format!("{} * {}", self.factor(a), self.factor(b)), false),
             };
             let leaf = !matches!(node, Node::Add(..) | Node::Mul(..)) && !text.contains(' ');
-            if leaf || (uses[i] <= 1 && text.len() <= INLINE) {
+            let once_here = users[i].0 <= 1 && users[i].1 == depth;
+            if leaf || (once_here && text.len() <= INLINE) {
                 self.text[i] = Some((text, is_sum));
             } else {
                 let name = self.name(node);
                 self.lines.push(format!("let {name} = {text};"));
                 self.text[i] = Some((name, false));
+            }
+        }
+    }
+
+    /// An input, and whether it is written as a sum.
+    fn symbol(&self, s: Symbol) -> (String, bool) {
+        if let Some((_, name)) = self.inputs.iter().find(|x| x.0 == s) {
+            return (name.clone(), false);
+        }
+        match self.chain.joints.iter().position(|j| j.coordinate == Coordinate::Length(s)) {
+            Some(j) => {
+                let x = self.coordinate(j);
+                let motors = x.motors.iter().enumerate();
+                let parts: Vec<String> =
+                    motors.filter_map(|(m, k)| k.as_ref().map(|k| self.scaled(k, &format!("q[{m}]")))).collect();
+                (sum(&parts), parts.len() > 1)
+            }
+            None => {
+                let field = self.field(self.chain.ring.symbol_name(s));
+                if self.scale == 1.0 { (field, false) } else { (format!("{field} * {}", self.literal(self.scale)), false) }
             }
         }
     }
@@ -238,25 +283,31 @@ impl<'a> Body<'a> {
         self.names.take(&wish)
     }
 
-    fn uses(&self, live: &[bool]) -> Vec<usize> {
-        let mut uses = vec![0; live.len()];
-        for (node, _) in self.program.graph.nodes().iter().zip(live).filter(|(_, l)| **l) {
+    /// Per node: how often it is used, and the depth of its user (the greatest).
+    fn users(&self, live: &[bool], depths: &[usize]) -> Vec<(usize, usize)> {
+        let mut users: Vec<(usize, usize)> = vec![(0, 0); live.len()];
+        let mut note = |node: u32, depth: usize| {
+            let u = &mut users[node as usize];
+            *u = (u.0 + 1, u.1.max(depth));
+        };
+        for (i, node) in self.graph.nodes().iter().enumerate().filter(|(i, _)| live[*i]) {
             match node {
                 Node::Add(a, b) => {
-                    uses[a.node as usize] += 1;
-                    uses[b.node as usize] += 1;
+                    note(a.node, depths[i]);
+                    note(b.node, depths[i]);
                 }
                 Node::Mul(a, b) => {
-                    uses[*a as usize] += 1;
-                    uses[*b as usize] += 1;
+                    note(*a, depths[i]);
+                    note(*b, depths[i]);
                 }
                 _ => {}
             }
         }
-        for v in &self.program.outputs {
-            uses[v.node as usize] += 1;
+        for v in &self.outputs {
+            let depth = depths[v.node as usize];
+            note(v.node, depth);
         }
-        uses
+        users
     }
 
     fn factor(&self, node: u32) -> String {
@@ -278,8 +329,29 @@ impl<'a> Body<'a> {
 
     /// The expression of output `i`.
     pub(super) fn output(&self, i: usize) -> String {
-        self.program.outputs.get(i).map_or_else(|| self.literal(0.0), |v| self.signed(*v))
+        self.outputs.get(i).map_or_else(|| self.literal(0.0), |v| self.signed(*v))
     }
+
+    /// The expression of a value.
+    pub(super) fn value(&self, v: Value) -> String {
+        self.signed(v)
+    }
+
+    /// The expression of its negative.
+    pub(super) fn negative(&self, v: Value) -> String {
+        if self.graph.as_constant(v).is_some_and(|p| p.is_zero()) { self.literal(0.0) } else { self.signed(-v) }
+    }
+
+    /// Takes the statements written so far.
+    pub(super) fn take_lines(&mut self) -> Vec<String> {
+        std::mem::take(&mut self.lines)
+    }
+}
+
+/// A polynomial in constants and fields as an `f64` expression.
+pub(super) fn field_polynomial(chain: &Chain, p: &Poly) -> String {
+    let graph = Graph::new(chain);
+    Body::staged(chain, &graph, Vec::new(), Scalar::F64, 1.0, Vec::new()).polynomial(p)
 }
 
 /// a + b - c, with signs pulled into the operators.

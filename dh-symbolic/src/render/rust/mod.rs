@@ -7,6 +7,7 @@
 mod body;
 mod docs;
 mod forward;
+mod inverse;
 mod names;
 #[cfg(feature = "cli")]
 mod pretty;
@@ -15,6 +16,7 @@ mod stub;
 
 #[cfg(feature = "cli")]
 pub use pretty::pretty;
+pub use inverse::inverse;
 pub use structure::{Head, robot};
 pub use stub::stub;
 
@@ -45,28 +47,33 @@ pub(crate) fn bound(b: &Bound) -> f64 {
     }
 }
 
-/// A constant formula as a number.
-pub(crate) fn constant(chain: &Chain, p: &Poly) -> f64 {
-    p.evaluate(&Point { symbol: &|s| chain.nominal(Handle::Length(s)), angle: &|v| chain.nominal(Handle::Angle(v)) })
+/// A constant formula as a number, with all lengths multiplied by `scale`.
+pub(crate) fn scaled_constant(chain: &Chain, p: &Poly, scale: f64) -> f64 {
+    p.evaluate(&Point {
+        symbol: &|s| chain.nominal(Handle::Length(s)) * scale,
+        angle: &|v| chain.nominal(Handle::Angle(v)),
+    })
 }
 
 /// The joint angle offset (radians) that is kept out of formulas, with declared angles by name: an expression, `None` if zero.
-pub(crate) fn shift_expression(chain: &Chain, cell: &AngleCell) -> Option<String> {
+pub(crate) fn shift_expression(chain: &Chain, cell: &AngleCell, scalar: Scalar) -> Option<String> {
+    let wide = chain.scalar == Scalar::F32 && scalar == Scalar::F64;
+    let field = |name: &str| if wide { format!("f64::from(self.{name})") } else { format!("self.{name}") };
     let mut parts = Vec::new();
     let mut number = cell.radians();
     for (i, k) in &cell.symbols {
         let Some(p) = chain.parameters.get(*i) else { continue };
         match &p.role {
             Role::Field(_) => parts.push(match k {
-                1 => format!("self.{}", p.name),
-                -1 => format!("-self.{}", p.name),
-                _ => format!("{} * self.{}", literal(f64::from(*k), chain.scalar), p.name),
+                1 => field(&p.name),
+                -1 => format!("-{}", field(&p.name)),
+                _ => format!("{} * {}", literal(f64::from(*k), scalar), field(&p.name)),
             }),
             Role::Constant(_) => number += f64::from(*k) * chain.nominal(p.handle),
         }
     }
     if number != 0.0 {
-        parts.push(literal(number, chain.scalar));
+        parts.push(literal(number, scalar));
     }
     let mut out = String::new();
     for p in parts {
