@@ -85,7 +85,9 @@ const SAMPLES: usize = 6;
 fn refuse(chain: &Chain, refusal: &planner::Refusal, parsed: &mut Parsed) {
     let free = chain.dof() - usize::from(chain.redundant.is_some());
     if free > 6 {
-        let text = format!("{free} joints leave the inverse open: say which one the caller chooses, `redundant = q3;`, or `ik = none;`");
+        let text = format!(
+            "{free} joints leave the inverse open: say which one the caller chooses, `redundant = q3;`, or `ik = none;`"
+        );
         parsed.errors.push(Error::new(parsed.origins.name, text));
         return;
     }

@@ -265,7 +265,11 @@ impl<'a> Body<'a> {
             }
             None => {
                 let field = self.field(self.chain.ring.symbol_name(s));
-                if self.scale == 1.0 { (field, false) } else { (format!("{field} * {}", self.literal(self.scale)), false) }
+                if self.scale == 1.0 {
+                    (field, false)
+                } else {
+                    (format!("{field} * {}", self.literal(self.scale)), false)
+                }
             }
         }
     }

@@ -57,7 +57,9 @@ fn target(chain: &Chain, reach: &str) -> (String, String, String, String) {
     match chain.task {
         Task::Pose => (
             format!("target: &::dh_robot::nalgebra::IsometryMatrix3<{f}>"),
-            format!("let frame = match ::dh_robot::inverse::frame_of(target, {reach}) {{ Ok(frame) => frame, Err(why) => {refuse} }};"),
+            format!(
+                "let frame = match ::dh_robot::inverse::frame_of(target, {reach}) {{ Ok(frame) => frame, Err(why) => {refuse} }};"
+            ),
             format!("::dh_robot::ik::Task::Pose(::dh_robot::inverse::in_units(&frame, {reach}))"),
             format!("::dh_robot::nalgebra::IsometryMatrix3<{f}>"),
         ),
@@ -206,8 +208,10 @@ fn determinant(m: &[Vec<Poly>]) -> Poly {
         .enumerate()
         .filter(|(_, x)| !x.is_zero())
         .map(|(j, x)| {
-            let rest: Vec<Vec<Poly>> =
-                m[1..].iter().map(|r| r.iter().enumerate().filter(|(k, _)| *k != j).map(|(_, p)| p.clone()).collect()).collect();
+            let rest: Vec<Vec<Poly>> = m[1..]
+                .iter()
+                .map(|r| r.iter().enumerate().filter(|(k, _)| *k != j).map(|(_, p)| p.clone()).collect())
+                .collect();
             let term = x * &determinant(&rest);
             if j % 2 == 1 { -&term } else { term }
         })
@@ -276,7 +280,8 @@ fn candidates(chain: &Chain, inverse: &Inverse) -> String {
             "if r{i}.roots.is_empty() {{ attempt.note(r{i}.outcome, \"{}\", {scale}, \"{what}\"); }}\n",
             names.join(", ")
         ));
-        let bits: Vec<String> = step.unknown.iter().flat_map(|f| joints_of(f, plan.axes.real)).map(|j| j.to_string()).collect();
+        let bits: Vec<String> =
+            step.unknown.iter().flat_map(|f| joints_of(f, plan.axes.real)).map(|j| j.to_string()).collect();
         out.push_str(&format!(
             "let free = if r{i}.is_free() {{ attempt.degenerate = true; free.union(::dh_robot::FreeJoints::of(&[{}])) }} else {{ free }};\n",
             bits.join(", ")
@@ -287,7 +292,10 @@ fn candidates(chain: &Chain, inverse: &Inverse) -> String {
             .map(|k| plan.knowledge.known[*k].symbols.map(|s| identifier(plan.knowledge.ring.symbol_name(s))))
             .collect();
         let pattern = (call.pattern)(&symbols);
-        out.push_str(&format!("for (i{i}, &{pattern}) in r{i}.or_if_free({}).iter().enumerate() {{\n", call.representative));
+        out.push_str(&format!(
+            "for (i{i}, &{pattern}) in r{i}.or_if_free({}).iter().enumerate() {{\n",
+            call.representative
+        ));
         for (k, [c, s]) in solver.finds.iter().zip(&symbols) {
             let form = &plan.knowledge.known[*k];
             if form.turns {
@@ -360,9 +368,13 @@ fn branch(inverse: &Inverse) -> String {
             continue;
         }
         out.push_str(&match part {
-            0 => format!(".with_shoulder(if i{i} == 0 {{ ::dh_robot::Shoulder::Left }} else {{ ::dh_robot::Shoulder::Right }})"),
+            0 => format!(
+                ".with_shoulder(if i{i} == 0 {{ ::dh_robot::Shoulder::Left }} else {{ ::dh_robot::Shoulder::Right }})"
+            ),
             1 => format!(".with_elbow(if i{i} == 0 {{ ::dh_robot::Elbow::Up }} else {{ ::dh_robot::Elbow::Down }})"),
-            _ => format!(".with_wrist(if i{i} == 0 {{ ::dh_robot::Wrist::NoFlip }} else {{ ::dh_robot::Wrist::Flip }})"),
+            _ => {
+                format!(".with_wrist(if i{i} == 0 {{ ::dh_robot::Wrist::NoFlip }} else {{ ::dh_robot::Wrist::Flip }})")
+            }
         });
     }
     out
@@ -378,7 +390,8 @@ struct Call {
 fn call(solver: &Solver, body: &Body<'_>) -> Call {
     let noise = format!("{NOISE:e}");
     let v = |r: usize, i: usize| solver.rows.get(r).and_then(|row| row.get(i)).map_or("0.0".into(), |v| body.value(*v));
-    let minus = |r: usize, i: usize| solver.rows.get(r).and_then(|row| row.get(i)).map_or("0.0".into(), |v| body.negative(*v));
+    let minus =
+        |r: usize, i: usize| solver.rows.get(r).and_then(|row| row.get(i)).map_or("0.0".into(), |v| body.negative(*v));
     let list = |r: usize, n: usize| (0..n).map(|i| v(r, i)).collect::<Vec<_>>().join(", ");
     let angle: fn(&[[String; 2]]) -> String = |s| format!("[{}, {}]", s[0][0], s[0][1]);
     let length: fn(&[[String; 2]]) -> String = |s| s[0][0].clone();
@@ -400,7 +413,12 @@ fn call(solver: &Solver, body: &Body<'_>) -> Call {
         StepKind::AtanPair if solver.rows.len() == 2 => (
             format!(
                 "::dh_robot::ik::solve_pair({}, {}, {}, {}, {}, {}, {noise})",
-                v(0, 0), v(0, 1), minus(0, 2), v(1, 0), v(1, 1), minus(1, 2)
+                v(0, 0),
+                v(0, 1),
+                minus(0, 2),
+                v(1, 0),
+                v(1, 1),
+                minus(1, 2)
             ),
             "[1.0, 0.0]",
             angle,
@@ -413,7 +431,11 @@ fn call(solver: &Solver, body: &Body<'_>) -> Call {
         StepKind::SecondHarmonic => (
             format!(
                 "::dh_robot::ik::TrigPoly::<2> {{ constant: {}, cos: [{}, {}], sin: [{}, {}] }}.roots::<4>({noise})",
-                v(0, 0), v(0, 1), v(0, 3), v(0, 2), v(0, 4)
+                v(0, 0),
+                v(0, 1),
+                v(0, 3),
+                v(0, 2),
+                v(0, 4)
             ),
             "[1.0, 0.0]",
             angle,
@@ -428,11 +450,7 @@ fn call(solver: &Solver, body: &Body<'_>) -> Call {
             "(0.0, [1.0, 0.0])",
             (|s| format!("({}, [{}, {}])", s[0][0], s[1][0], s[1][1])) as fn(&[[String; 2]]) -> String,
         ),
-        StepKind::Choose => (
-            format!("::dh_robot::ik::solve_sincos(0.0, 0.0, 0.0, {noise})"),
-            "[1.0, 0.0]",
-            angle,
-        ),
+        StepKind::Choose => (format!("::dh_robot::ik::solve_sincos(0.0, 0.0, 0.0, {noise})"), "[1.0, 0.0]", angle),
         StepKind::General => {
             let poses: Vec<String> = (0..7)
                 .map(|r| {
