@@ -1,6 +1,5 @@
 //! The whole way, from tokens to output, in one screen.
 
-use crate::algebra::Ring;
 use crate::chain::table::{Claims, Parsed, Sketch, parse};
 use crate::chain::{Chain, Scalar, Task};
 use crate::diagnostic::{Error, Place};
@@ -34,10 +33,7 @@ fn items(head: &Head, chain: Chain, parsed: &mut Parsed) -> TokenStream {
             rust::robot(head, &chain, &forward, &inverse, "")
         }
         Err(difference) => {
-            let text = format!(
-                "{difference}: {}; this is a defect of dh-symbolic",
-                readable(&chain.ring, &difference.difference)
-            );
+            let text = format!("{difference}; this is a defect of dh-symbolic");
             parsed.errors.push(Error::new(Place::at(head.ident.span()), text));
             TokenStream::new()
         }
@@ -97,10 +93,6 @@ fn refuse(chain: &Chain, refusal: &planner::Refusal, parsed: &mut Parsed) {
         let text = format!("no closed form was found for `{name}` (found: {solved}); `ik = none;` asks for no inverse");
         parsed.errors.push(Error::new(parsed.origins.joint(*joint), text));
     }
-}
-
-fn readable(ring: &Ring, p: &crate::algebra::Poly) -> String {
-    ring.text(p).chars().take(200).collect()
 }
 
 fn head(parsed: &Parsed) -> Head {

@@ -20,7 +20,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let spec = table::parse(table.body.parse()?).spec.ok_or("the table is not in order")?;
     let chain = Chain::new(spec);
     let pose = Kinematics::new(&chain).pose();
-    for (k, name) in ["r11", "r21", "r31", "r12", "r22", "r32", "r13", "r23", "r33", "px", "py", "pz"].iter().enumerate() {
+    for (k, name) in
+        ["r11", "r21", "r31", "r12", "r22", "r32", "r13", "r23", "r33", "px", "py", "pz"].iter().enumerate()
+    {
         println!("{name} = {}", chain.ring.text(&pose.entry(k % 3, k / 3)));
     }
     Ok(())

@@ -33,9 +33,10 @@ fn one(module: &str) -> io::Result<Source> {
     let text = fs::read_to_string(&path)?;
     match body(&text) {
         Some(body) => Ok(Source { module: module.to_string(), body }),
-        None => {
-            Err(io::Error::new(io::ErrorKind::InvalidData, format!("{}: no `dh_robot! {{ }}` at its end", path.display())))
-        }
+        None => Err(io::Error::new(
+            io::ErrorKind::InvalidData,
+            format!("{}: no `dh_robot! {{ }}` at its end", path.display()),
+        )),
     }
 }
 

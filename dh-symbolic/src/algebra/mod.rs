@@ -15,6 +15,7 @@
 pub mod angle;
 mod derivative;
 mod evaluate;
+mod field;
 mod matrix;
 mod monomial;
 mod poly;
@@ -28,6 +29,7 @@ mod text;
 
 pub use angle::Angle;
 pub use evaluate::Point;
+pub use field::{Element, FieldPoint};
 pub use matrix::{Transform, Vector};
 pub(crate) use matrix::{cross, dot};
 pub use monomial::{Factor, Monomial};

@@ -139,6 +139,20 @@ impl Rational {
         }
     }
 
+    /// (numerator, denominator) modulo a prime below 2^63.
+    pub(super) fn modulo(&self, p: u64) -> (u64, u64) {
+        match &self.0 {
+            Repr::Small(n, d) => {
+                let n = i128::from(*n).rem_euclid(i128::from(p));
+                (n as u64, *d as u64 % p)
+            }
+            Repr::Big(b) => {
+                let p = BigInt::from(p);
+                (b.0.mod_floor(&p).to_u64().unwrap_or(0), b.1.mod_floor(&p).to_u64().unwrap_or(1))
+            }
+        }
+    }
+
     /// The absolute value.
     pub fn abs(&self) -> Rational {
         if self.is_negative() { -self } else { self.clone() }

@@ -38,23 +38,25 @@ pub struct Axes {
     pub reach: f64,
 }
 
-/// Numeric value of a formula in parameters; fields get their nominal value, slightly detuned so that no structure is read off
-/// a value that the user may change.
+/// Numeric value of a parameter; fields get their nominal value, slightly detuned so that no structure is read off a value that the
+/// user may change.
+pub(crate) fn generic_parameter(chain: &Chain, handle: Handle) -> f64 {
+    let value = chain.nominal(handle);
+    let Some(i) = chain.parameters.iter().position(|x| x.handle == handle) else { return value };
+    if !matches!(chain.parameters[i].role, crate::chain::Role::Field(_)) {
+        return value;
+    }
+    let unit = if matches!(handle, Handle::Angle(_)) { 0.9 } else { 1.0 };
+    let base = if value == 0.0 { unit } else { value };
+    base * (1.0 + 0.0113 * (1.0 + i as f64).sqrt())
+}
+
+/// The same for a formula in parameters.
 pub(crate) fn generic_value(chain: &Chain, p: &Poly) -> f64 {
-    let detune = |handle: Handle| {
-        let i = chain.parameters.iter().position(|x| x.handle == handle);
-        let field =
-            i.and_then(|i| chain.parameters.get(i)).is_some_and(|p| matches!(p.role, crate::chain::Role::Field(_)));
-        let value = chain.nominal(handle);
-        if field {
-            let unit = if matches!(handle, Handle::Angle(_)) { 0.9 } else { 1.0 };
-            let base = if value == 0.0 { unit } else { value };
-            base * (1.0 + 0.0113 * (1.0 + i.unwrap_or(0) as f64).sqrt())
-        } else {
-            value
-        }
-    };
-    p.evaluate(&crate::algebra::Point { symbol: &|s| detune(Handle::Length(s)), angle: &|v| detune(Handle::Angle(v)) })
+    p.evaluate(&crate::algebra::Point {
+        symbol: &|s| generic_parameter(chain, Handle::Length(s)),
+        angle: &|v| generic_parameter(chain, Handle::Angle(v)),
+    })
 }
 
 pub(crate) fn numeric(chain: &Chain, t: &Transform, reach: f64) -> Pose {

@@ -21,7 +21,7 @@ mod span;
 mod step;
 
 pub use axes::{Axes, Hop};
-pub(crate) use axes::{generic_value, numeric};
+pub(crate) use axes::{generic_parameter, numeric};
 pub use known::{Collected, Knowledge, Known, KnownPose, Part};
 pub use pool::{Equation, Scalar};
 pub(crate) use sample::joint_vectors;

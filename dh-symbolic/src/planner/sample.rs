@@ -1,6 +1,6 @@
 //! Numbers for everything a plan knows, at a joint vector that solves it: for choosing well-conditioned equations and for checks.
 
-use super::axes::{Axes, generic_value};
+use super::axes::{Axes, generic_parameter};
 use super::kernels::pose;
 use super::known::{Knowledge, Known};
 use crate::algebra::{AngleVar, Point, Poly, Symbol};
@@ -55,11 +55,11 @@ impl<'a> Sample<'a> {
             if let Some(i) = self.axes.coordinates.iter().position(|c| *c == Coordinate::Length(s)) {
                 return self.x[i];
             }
-            generic_value(self.chain, &Poly::symbol(s)) / self.axes.reach
+            generic_parameter(self.chain, Handle::Length(s)) / self.axes.reach
         };
         let angle = |v: AngleVar| match self.axes.index_of_angle(v) {
             Some(i) => self.x[i],
-            None => self.chain.nominal(Handle::Angle(v)),
+            None => generic_parameter(self.chain, Handle::Angle(v)),
         };
         p.evaluate(&Point { symbol: &symbol, angle: &angle })
     }

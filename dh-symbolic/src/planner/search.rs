@@ -497,9 +497,10 @@ fn always_free(axes: &Axes, knowledge: &Knowledge) -> Option<usize> {
         let s = &rates[k];
         vec![s[2][1], s[0][2], s[1][0], s[0][3], s[1][3], s[2][3]]
     };
+    // What a task leaves open (virtual coordinates) is open anyway: of dependent coordinates a real one is chosen.
     let mut rank = Span::default();
     let mut last = None;
-    for k in &open {
+    for k in open.iter().filter(|k| **k >= axes.real).chain(open.iter().filter(|k| **k < axes.real)) {
         if !rank.add(&column(*k)) {
             last = Some(*k);
         }

@@ -8,6 +8,7 @@
 mod cost;
 mod forward;
 mod graph;
+mod identity;
 mod interpret;
 mod inverse;
 mod jacobian;
@@ -17,6 +18,7 @@ mod vector;
 
 pub use cost::Cost;
 pub use graph::{Graph, Node, Value};
+pub use identity::test_identities;
 pub use interpret::Inputs;
 pub use inverse::{Inverse, Solver};
 pub use proof::{Disproof, prove_frames, prove_jacobian, prove_pose};
@@ -46,7 +48,8 @@ pub struct Forward {
 }
 
 impl Forward {
-    /// Searches the cheapest programs and proves each against the product of link transforms.
+    /// Searches the cheapest programs and proves each against the product of link transforms: all of them by values in a prime
+    /// field, and the pose by its normal form too where that has no more than some hundred terms.
     ///
     /// # Errors
     /// Where a program differs from the product: a defect of this crate, never of the table.
@@ -56,11 +59,38 @@ impl Forward {
         let pose = forward::pose(chain, &blocks);
         let frames = forward::frames(chain, &blocks);
         let jacobian = jacobian::jacobian(chain, &blocks);
-        prove_pose(&pose, &kinematics)?;
-        prove_frames(&frames, &kinematics)?;
-        prove_jacobian(&jacobian, chain, &kinematics)?;
-        Ok(Forward { pose, frames, jacobian })
+        let forward = Forward { pose, frames, jacobian };
+        test_identities(&forward, chain, &kinematics)?;
+        if waves_in_a_row(chain, &blocks) <= SHORT {
+            prove_pose(&forward.pose, &kinematics)?;
+        }
+        Ok(forward)
     }
+
+    /// Proves every program by normal forms, however long that takes.
+    ///
+    /// # Errors
+    /// Where a program differs from the product.
+    pub fn prove(&self, chain: &Chain) -> Result<(), Disproof> {
+        let kinematics = Kinematics::new(chain);
+        prove_pose(&self.pose, &kinematics)?;
+        prove_frames(&self.frames, &kinematics)?;
+        prove_jacobian(&self.jacobian, chain, &kinematics)
+    }
+}
+
+/// Up to this many independent turns the normal form of a pose is short: a term has one factor of each, so there are at most 2^6 times the
+/// number of lengths.
+const SHORT: usize = 6;
+
+/// Independent turns on the way from base to tip: blocks, and twists without exact sine.
+fn waves_in_a_row(chain: &Chain, blocks: &[crate::kinematics::Block]) -> usize {
+    let named = |e: &crate::chain::Elementary| match e {
+        crate::chain::Elementary::Rotate(_, angle) => !angle.terms.is_empty(),
+        crate::chain::Elementary::Translate(..) => false,
+    };
+    let _ = chain;
+    blocks.iter().map(|b| usize::from(!b.joints.is_empty()) + b.exit.iter().filter(|e| named(e)).count()).sum()
 }
 
 #[cfg(test)]
@@ -71,7 +101,8 @@ mod tests {
 
     fn counts(convention: Convention, rows: &[(i64, &str, &str, i64)]) -> [(usize, usize, usize); 2] {
         let chain = revolute_chain(convention, rows);
-        let f = Forward::derive(&chain).unwrap_or_else(|e| panic!("{e}: {}", chain.ring.text(&e.difference)));
+        let f = Forward::derive(&chain).unwrap_or_else(|e| panic!("{e}"));
+        f.prove(&chain).unwrap_or_else(|e| panic!("{e}"));
         [&f.pose, &f.jacobian].map(|p| {
             let c = Cost::of(&p.graph, &p.outputs);
             (c.multiplications, c.additions, c.sincos)

@@ -1,4 +1,4 @@
-//! The proof that a program computes what it should: expanded back into the algebra it must be the product itself.
+//! The proof that a program computes what it should, by normal forms: expanded back into the algebra it must be the product itself.
 
 use super::{Graph, Node, Program, Value};
 use crate::algebra::{Poly, Transform};
@@ -11,8 +11,8 @@ use std::fmt;
 pub struct Disproof {
     /// Which output.
     pub output: String,
-    /// The difference, program minus truth, in plain text or as a polynomial of the chain's ring.
-    pub difference: Poly,
+    /// The difference, program minus truth, where it was written out.
+    pub difference: Option<Poly>,
 }
 
 impl fmt::Display for Disproof {
@@ -59,20 +59,24 @@ impl Program {
     }
 }
 
+/// An output, by its place.
+fn place(k: usize, name: &str) -> String {
+    format!("entry ({}, {}) of {name}", k % 3 + 1, k / 3 + 1)
+}
+
 fn compare(got: &Poly, want: &Poly, output: impl Fn() -> String) -> Result<(), Disproof> {
-    if got == want { Ok(()) } else { Err(Disproof { output: output(), difference: got - want }) }
+    if got == want { Ok(()) } else { Err(Disproof { output: output(), difference: Some(got - want) }) }
 }
 
 fn compare_pose(got: &[Poly], want: &Transform, name: &str) -> Result<(), Disproof> {
     for k in 0..12 {
-        let (row, column) = (k % 3, k / 3);
         let got = got.get(k).cloned().unwrap_or_default();
-        compare(&got, &want.entry(row, column), || format!("entry ({}, {}) of {name}", row + 1, column + 1))?;
+        compare(&got, &want.entry(k % 3, k / 3), || place(k, name))?;
     }
     Ok(())
 }
 
-/// The 12 outputs are the pose.
+/// The 12 outputs are the pose, by normal forms.
 ///
 /// # Errors
 /// The first output that differs.
@@ -80,7 +84,7 @@ pub fn prove_pose(program: &Program, kinematics: &Kinematics) -> Result<(), Disp
     compare_pose(&program.expand(), &kinematics.pose(), "the pose")
 }
 
-/// The outputs are all frames.
+/// The outputs are all frames, by normal forms.
 ///
 /// # Errors
 /// The first output that differs.
@@ -96,7 +100,7 @@ pub fn prove_frames(program: &Program, kinematics: &Kinematics) -> Result<(), Di
     Ok(())
 }
 
-/// The outputs are pose and Jacobian.
+/// The outputs are pose and Jacobian, by normal forms.
 ///
 /// # Errors
 /// The first output that differs.

@@ -120,9 +120,9 @@ impl Run<'_> {
                     return value[i];
                 }
             }
-            crate::planner::generic_value(self.chain, &crate::algebra::Poly::symbol(s)) / reach
+            crate::planner::generic_parameter(self.chain, Handle::Length(s)) / reach
         };
-        let angle = |v| self.chain.nominal(Handle::Angle(v));
+        let angle = |v| crate::planner::generic_parameter(self.chain, Handle::Angle(v));
         let at = Point { symbol: &symbol, angle: &angle };
         for (i, node) in self.inverse.graph.nodes().iter().enumerate() {
             if self.depths[i] != depth || !self.live[i] {

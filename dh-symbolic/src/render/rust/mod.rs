@@ -14,9 +14,9 @@ mod pretty;
 mod structure;
 mod stub;
 
+pub use inverse::inverse;
 #[cfg(feature = "cli")]
 pub use pretty::pretty;
-pub use inverse::inverse;
 pub use structure::{Head, robot};
 pub use stub::stub;
 

@@ -1,0 +1,137 @@
+//! The proof that a program computes what it should, by values in a prime field (see [`FieldPoint`]): for long chains and odd twists,
+//! whose normal forms have thousands of terms. Program and product of link transforms must agree at every point.
+
+use super::proof::Disproof;
+use super::{Node, Program};
+use crate::algebra::{Element, FieldPoint, Transform};
+use crate::chain::{Chain, Coordinate, Elementary};
+use crate::kinematics::Kinematics;
+
+/// Number of points: the chance that different formulas agree at all of them is below 1e-60.
+const POINTS: u64 = 4;
+
+/// Columns and position.
+type Frame = [[Element; 3]; 4];
+
+fn values(program: &Program, at: &FieldPoint) -> Vec<Element> {
+    let mut all: Vec<Element> = Vec::with_capacity(program.graph.nodes().len());
+    let waves: Vec<(Element, Element)> =
+        program.graph.waves().iter().map(|w| at.cos_sin(w).unwrap_or((Element::ZERO, Element::ZERO))).collect();
+    for node in program.graph.nodes() {
+        let signed = |v: super::Value, all: &[Element]| {
+            let x = all[v.node as usize];
+            if v.negative { x.negative() } else { x }
+        };
+        let x = match *node {
+            Node::Constant(i) => at.value(&program.graph.constants()[i as usize]),
+            Node::Symbol(s) => at.symbol(s),
+            Node::Cos(w) => waves[w as usize].0,
+            Node::Sin(w) => waves[w as usize].1,
+            Node::Add(a, b) => signed(a, &all).plus(signed(b, &all)),
+            Node::Mul(a, b) => all[a as usize].times(all[b as usize]),
+        };
+        all.push(x);
+    }
+    program
+        .outputs
+        .iter()
+        .map(|v| if v.negative { all[v.node as usize].negative() } else { all[v.node as usize] })
+        .collect()
+}
+
+fn frame_of(t: &Transform, at: &FieldPoint) -> Frame {
+    std::array::from_fn(|j| t.column(j).map(|p| at.value(&p)))
+}
+
+fn times(a: &Frame, b: &Frame) -> Frame {
+    let apply = |v: &[Element; 3], shift: bool| -> [Element; 3] {
+        std::array::from_fn(|i| {
+            let sum = (0..3).fold(Element::ZERO, |s, k| s.plus(a[k][i].times(v[k])));
+            if shift { sum.plus(a[3][i]) } else { sum }
+        })
+    };
+    std::array::from_fn(|j| apply(&b[j], j == 3))
+}
+
+fn cross(a: &[Element; 3], b: &[Element; 3]) -> [Element; 3] {
+    std::array::from_fn(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        a[j].times(b[k]).plus(a[k].times(b[j]).negative())
+    })
+}
+
+/// What the product of link transforms gives: every frame, the pose, and per joint its axis and a point on it.
+struct Truth {
+    frames: Vec<Frame>,
+    pose: Frame,
+    axes: Vec<Frame>,
+}
+
+fn truth(chain: &Chain, kinematics: &Kinematics, at: &FieldPoint) -> Truth {
+    let mut t = frame_of(kinematics.base(), at);
+    let (mut frames, mut axes) = (Vec::new(), Vec::new());
+    for (row, link) in chain.links.iter().enumerate() {
+        if link.joint.is_some() {
+            let mut axis = t;
+            for e in chain.link_factors(row) {
+                if matches!(e, Elementary::Rotate(2, _) | Elementary::Translate(2, _)) {
+                    break;
+                }
+                axis = times(&axis, &frame_of(&e.transform(), at));
+            }
+            axes.push(axis);
+        }
+        if let Some(link) = kinematics.link(row + 1) {
+            t = times(&t, &frame_of(link, at));
+        }
+        frames.push(t);
+    }
+    Truth { pose: times(&t, &frame_of(kinematics.tool(), at)), frames, axes }
+}
+
+fn same(got: &[Element], want: impl Iterator<Item = Element>, name: impl Fn(usize) -> String) -> Result<(), Disproof> {
+    for (i, want) in want.enumerate() {
+        if got.get(i) != Some(&want) {
+            return Err(Disproof { output: name(i), difference: None });
+        }
+    }
+    Ok(())
+}
+
+/// Pose, frames and Jacobian (see [`super::Forward`]) against the product of link transforms.
+///
+/// # Errors
+/// The first output that differs.
+pub fn test_identities(forward: &super::Forward, chain: &Chain, kinematics: &Kinematics) -> Result<(), Disproof> {
+    for n in 0..POINTS {
+        let at = FieldPoint::new(n);
+        let truth = truth(chain, kinematics, &at);
+        let entries = |f: &Frame| f.concat().into_iter().collect::<Vec<_>>().into_iter();
+        same(&values(&forward.pose, &at), entries(&truth.pose), |k| format!("output {k} of the pose"))?;
+        let frames = truth.frames.iter().flat_map(|f| f.concat()).collect::<Vec<_>>().into_iter();
+        same(&values(&forward.frames, &at), frames, |k| format!("output {} of frame {}", k % 12, k / 12 + 1))?;
+        let mut want: Vec<Element> = truth.pose.concat();
+        let columns: Vec<[[Element; 3]; 2]> = chain
+            .joints
+            .iter()
+            .zip(&truth.axes)
+            .map(|(joint, axis)| match joint.coordinate {
+                Coordinate::Length(_) => [axis[2], [Element::ZERO; 3]],
+                Coordinate::Angle(_) => {
+                    let lever = std::array::from_fn(|i| truth.pose[3][i].plus(axis[3][i].negative()));
+                    [cross(&axis[2], &lever), axis[2]]
+                }
+            })
+            .collect();
+        for motor in 0..chain.dof() {
+            let drive: Vec<Element> = chain.drive.iter().map(|row| at.value(&row[motor])).collect();
+            for part in 0..2 {
+                for i in 0..3 {
+                    want.push(columns.iter().zip(&drive).fold(Element::ZERO, |s, (c, k)| s.plus(c[part][i].times(*k))));
+                }
+            }
+        }
+        same(&values(&forward.jacobian, &at), want.into_iter(), |k| format!("output {k} of pose and Jacobian"))?;
+    }
+    Ok(())
+}
