@@ -108,7 +108,7 @@ impl Interpreter {
     #[must_use]
     pub fn new(spec: &ChainSpec) -> Interpreter {
         let chain = Chain::new(spec.clone());
-        let forward = Forward::derive(&chain).unwrap_or_else(|e| panic!("{e}: {}", chain.ring.text(&e.difference)));
+        let forward = Forward::derive(&chain).unwrap_or_else(|e| panic!("{e}: {e:?}"));
         let fields = Box::new(fields(&chain));
         Interpreter { chain, forward, fields }
     }

@@ -58,27 +58,27 @@ impl Cobra600 {
         let ([s1, s12, s12m4], [c1, c12, c12m4]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t = c1 * 0.325;
-        let t_2 = s1 * 0.325;
-        let t_3 = t + 0.275 * c12;
-        let t_4 = t_2 + 0.275 * s12;
-        let t_5 = 0.387 - q[2];
+        let t_2 = c1 * 0.325;
+        let t_3 = s1 * 0.325;
+        let t_4 = t_2 + 0.275 * c12;
+        let t_5 = t_3 + 0.275 * s12;
+        let t_6 = 0.387 - q[2];
         [
             ::dh_robot::pose::from_entries(
                 [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
-                [t, t_2, 0.387],
+                [t_2, t_3, 0.387],
             ),
             ::dh_robot::pose::from_entries(
                 [[c12, s12, 0.0], [s12, -c12, 0.0], [0.0, 0.0, -1.0]],
-                [t_3, t_4, 0.387],
+                [t_4, t_5, 0.387],
             ),
             ::dh_robot::pose::from_entries(
                 [[c12, s12, 0.0], [s12, -c12, 0.0], [0.0, 0.0, -1.0]],
-                [t_3, t_4, t_5],
+                [t_4, t_5, t_6],
             ),
             ::dh_robot::pose::from_entries(
                 [[c12m4, s12m4, 0.0], [s12m4, -c12m4, 0.0], [0.0, 0.0, -1.0]],
-                [t_3, t_4, t_5],
+                [t_4, t_5, t_6],
             ),
         ]
     }
@@ -91,12 +91,12 @@ impl Cobra600 {
     pub fn jacobian(&self, q: &[f64; 4]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 4> {
         let angles = [q[0] + q[1], q[0]];
         let ([s12, s1], [c12, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t = 0.275 * c12;
-        let t_2 = 0.275 * s12;
+        let t_2 = 0.275 * c12;
+        let t_3 = 0.275 * s12;
         ::dh_robot::nalgebra::SMatrix::from_data(
             ::dh_robot::nalgebra::ArrayStorage([
-                [-(t_2 + 0.325 * s1), t + 0.325 * c1, 0.0, 0.0, 0.0, 1.0],
-                [-t_2, t, 0.0, 0.0, 0.0, 1.0],
+                [-(t_3 + 0.325 * s1), t_2 + 0.325 * c1, 0.0, 0.0, 0.0, 1.0],
+                [-t_3, t_2, 0.0, 0.0, 0.0, 1.0],
                 [0.0, 0.0, -1.0, 0.0, 0.0, 0.0],
                 [0.0, 0.0, 0.0, 0.0, 0.0, -1.0],
             ]),
@@ -118,19 +118,19 @@ impl Cobra600 {
         let ([s12m4, s12, s1], [c12m4, c12, c1]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t = 0.275 * c12;
-        let t_2 = 0.275 * s12;
-        let t_3 = t + 0.325 * c1;
-        let t_4 = t_2 + 0.325 * s1;
+        let t_2 = 0.275 * c12;
+        let t_3 = 0.275 * s12;
+        let t_4 = t_2 + 0.325 * c1;
+        let t_5 = t_3 + 0.325 * s1;
         (
             ::dh_robot::pose::from_entries(
                 [[c12m4, s12m4, 0.0], [s12m4, -c12m4, 0.0], [0.0, 0.0, -1.0]],
-                [t_3, t_4, -(q[2] - 0.387)],
+                [t_4, t_5, -(q[2] - 0.387)],
             ),
             ::dh_robot::nalgebra::SMatrix::from_data(
                 ::dh_robot::nalgebra::ArrayStorage([
-                    [-t_4, t_3, 0.0, 0.0, 0.0, 1.0],
-                    [-t_2, t, 0.0, 0.0, 0.0, 1.0],
+                    [-t_5, t_4, 0.0, 0.0, 0.0, 1.0],
+                    [-t_3, t_2, 0.0, 0.0, 0.0, 1.0],
                     [0.0, 0.0, -1.0, 0.0, 0.0, 0.0],
                     [0.0, 0.0, 0.0, 0.0, 0.0, -1.0],
                 ]),
@@ -157,5 +157,193 @@ impl ::dh_robot::Jacobian<4, f64> for Cobra600 {
     #[inline]
     fn jacobian(&self, q: &[f64; 4]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 4> {
         Cobra600::jacobian(self, q)
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl Cobra600 {
+    /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
+    pub const MAX_SOLUTIONS: usize = 2;
+    /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
+    ///
+    /// Plan:
+    /// 1. `q3`: a linear equation.
+    /// 2. `q1 + q2 - q4`: two equations in its sine and cosine: one value.
+    /// 3. `q2`: a cos + b sin = c: two values.
+    /// 4. `q1`: two equations in its sine and cosine: one value.
+    #[must_use]
+    pub fn inverse(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 4, 2> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 0.987) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 0.987,
+            few: true,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 0.987),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, found| self.candidates(frame, found),
+        )
+    }
+    /// Runs the plan: calls `found` with every candidate.
+    fn candidates(
+        &self,
+        t: &::dh_robot::ik::Pose,
+        found: &mut dyn FnMut([f64; 4], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+    ) -> ::dh_robot::inverse::Attempt {
+        let mut attempt = ::dh_robot::inverse::Attempt::new();
+        let free = ::dh_robot::FreeJoints::NONE;
+        let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
+        let t_3 = t_2 - 0.3397962776479236;
+        let r0 = ::dh_robot::ik::solve_quadratic(
+            0.0,
+            -1.0,
+            -(t[2][3] - 0.39209726443769),
+            1e-11,
+        );
+        if r0.roots.is_empty() {
+            attempt.note(r0.outcome, "q3", 0.987, "m");
+        }
+        let free = if r0.is_free() {
+            attempt.degenerate = true;
+            free.union(::dh_robot::FreeJoints::of(&[2]))
+        } else {
+            free
+        };
+        for (i0, &q3) in r0.or_if_free(0.0).iter().enumerate() {
+            let a0 = q3 * 0.987;
+            let r1 = ::dh_robot::ik::solve_pair(
+                1.0,
+                0.0,
+                t[0][0],
+                0.0,
+                1.0,
+                t[0][1],
+                1e-11,
+            );
+            if r1.roots.is_empty() {
+                attempt.note(r1.outcome, "q1 + q2 - q4", 1.0, "");
+            }
+            let free = if r1.is_free() {
+                attempt.degenerate = true;
+                free.union(::dh_robot::FreeJoints::of(&[0, 1, 3]))
+            } else {
+                free
+            };
+            for (i1, &[c12m4, s12m4]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+                let a1 = ::dh_robot::math::atan2(s12m4, c12m4);
+                let r2 = ::dh_robot::ik::solve_sincos(
+                    0.18348972303573616,
+                    0.0,
+                    q3 * (0.78419452887538 - q3) + t_3,
+                    1e-11,
+                );
+                if r2.roots.is_empty() {
+                    attempt.note(r2.outcome, "q2", 0.987, "m");
+                }
+                let free = if r2.is_free() {
+                    attempt.degenerate = true;
+                    free.union(::dh_robot::FreeJoints::of(&[1]))
+                } else {
+                    free
+                };
+                for (i2, &[c2, s2]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    let a2 = ::dh_robot::math::atan2(s2, c2);
+                    let t_4 = 0.32928064842958465 + 0.27862208713272546 * c2;
+                    let t_5 = 0.27862208713272546 * s2;
+                    let r3 = ::dh_robot::ik::solve_pair(
+                        t_4,
+                        -t_5,
+                        t[0][3],
+                        t_5,
+                        t_4,
+                        t[1][3],
+                        1e-11,
+                    );
+                    if r3.roots.is_empty() {
+                        attempt.note(r3.outcome, "q1", 0.987, "m");
+                    }
+                    let free = if r3.is_free() {
+                        attempt.degenerate = true;
+                        free.union(::dh_robot::FreeJoints::of(&[0]))
+                    } else {
+                        free
+                    };
+                    for (i3, &[c1, s1]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                        let a3 = ::dh_robot::math::atan2(s1, c1);
+                        let branch = ::dh_robot::Branch::ANY
+                            .with_step(0, i2)
+                            .with_elbow(
+                                if i2 == 0 {
+                                    ::dh_robot::Elbow::Up
+                                } else {
+                                    ::dh_robot::Elbow::Down
+                                },
+                            );
+                        found([a3, a2, a0, -a1 + a2 + a3], branch, free);
+                    }
+                }
+            }
+        }
+        attempt
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl ::dh_robot::ik::Kinematics<4> for Cobra600 {
+    #[inline]
+    fn forward(&self, q: &[f64; 4]) -> ::dh_robot::ik::Pose {
+        let angles = [q[0] + q[1], q[0], q[0] + q[1] - q[3]];
+        let ([s12, s1, s12m4], [c12, c1, c12m4]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        [
+            [c12m4, s12m4, 0.0, 0.275 * c12 + 0.325 * c1],
+            [s12m4, -c12m4, 0.0, 0.275 * s12 + 0.325 * s1],
+            [0.0, 0.0, -1.0, -(q[2] - 0.387)],
+        ]
+    }
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 4],
+    ) -> (::dh_robot::ik::Pose, [[f64; 4]; 6]) {
+        let angles = [q[0] + q[1] - q[3], q[0] + q[1], q[0]];
+        let ([s12m4, s12, s1], [c12m4, c12, c1]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let t_2 = 0.275 * c12;
+        let t_3 = 0.275 * s12;
+        let t_4 = t_2 + 0.325 * c1;
+        let t_5 = t_3 + 0.325 * s1;
+        (
+            [
+                [c12m4, s12m4, 0.0, t_4],
+                [s12m4, -c12m4, 0.0, t_5],
+                [0.0, 0.0, -1.0, -(q[2] - 0.387)],
+            ],
+            [
+                [-t_5, -t_3, 0.0, 0.0],
+                [t_4, t_2, 0.0, 0.0],
+                [0.0, 0.0, -1.0, 0.0],
+                [0.0, 0.0, 0.0, 0.0],
+                [0.0, 0.0, 0.0, 0.0],
+                [1.0, 1.0, 0.0, -1.0],
+            ],
+        )
+    }
+}
+impl ::dh_robot::InverseKinematics<4, 2, f64> for Cobra600 {
+    type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
+    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 4, 2> {
+        Cobra600::inverse(self, target)
     }
 }

@@ -42,35 +42,35 @@ impl CupArm {
         let ([s6, s5, s4, s23, s2, s1], [c6, c5, c4, c23, c2, c1]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t = 206.0 * s5;
-        let t_2 = 206.0 * c5 + 338.0;
-        let t_3 = t * s4;
-        let t_4 = 40.0 + t * c4;
-        let t_5 = 30.0 + t_4 * c23 + t_2 * s23 - 340.0 * c2;
+        let t_2 = 206.0 * s5;
+        let t_3 = 206.0 * c5 + 338.0;
+        let t_4 = t_2 * s4;
+        let t_5 = 40.0 + t_2 * c4;
+        let t_6 = 30.0 + t_5 * c23 + t_3 * s23 - 340.0 * c2;
         let c6c5 = c6 * c5;
         let c6s5 = c6 * s5;
-        let t_6 = c4 * c6c5 - s6 * s4;
-        let t_7 = s4 * c6c5 + s6 * c4;
-        let t_8 = c23 * t_6 - s23 * c6s5;
-        let t_9 = s23 * t_6 + c23 * c6s5;
-        let t_10 = c1 * t_8 + s1 * t_7;
-        let t_11 = s1 * t_8 - c1 * t_7;
+        let t_7 = c4 * c6c5 - s6 * s4;
+        let t_8 = s4 * c6c5 + s6 * c4;
+        let t_9 = c23 * t_7 - s23 * c6s5;
+        let t_10 = s23 * t_7 + c23 * c6s5;
+        let t_11 = c1 * t_9 + s1 * t_8;
+        let t_12 = s1 * t_9 - c1 * t_8;
         let s5c4 = s5 * c4;
         let s5s4 = s5 * s4;
-        let t_12 = c23 * s5c4 + c5 * s23;
-        let t_13 = s23 * s5c4 - c5 * c23;
-        let t_14 = c1 * t_12 + s1 * s5s4;
-        let t_15 = s1 * t_12 - c1 * s5s4;
+        let t_13 = c23 * s5c4 + c5 * s23;
+        let t_14 = s23 * s5c4 - c5 * c23;
+        let t_15 = c1 * t_13 + s1 * s5s4;
+        let t_16 = s1 * t_13 - c1 * s5s4;
         ::dh_robot::pose::from_entries(
             [
-                [t_10, t_9 * t_15 - t_11 * t_13, -t_14],
-                [t_11, t_10 * t_13 - t_9 * t_14, -t_15],
-                [-t_9, -(t_11 * t_14 - t_10 * t_15), t_13],
+                [t_11, t_10 * t_16 - t_12 * t_14, -t_15],
+                [t_12, t_11 * t_14 - t_10 * t_15, -t_16],
+                [-t_10, -(t_12 * t_15 - t_11 * t_16), t_14],
             ],
             [
-                -(t_5 * c1 + t_3 * s1),
-                -(t_5 * s1 - t_3 * c1),
-                t_4 * s23 - t_2 * c23 - 340.0 * s2 + 373.0,
+                -(t_6 * c1 + t_4 * s1),
+                -(t_6 * s1 - t_4 * c1),
+                t_5 * s23 - t_3 * c23 - 340.0 * s2 + 373.0,
             ],
         )
     }
@@ -86,31 +86,31 @@ impl CupArm {
         let ([s1, s2, s23, s4, s5, s6], [c1, c2, c23, c4, c5, c6]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t = c1 * 30.0;
-        let t_2 = s1 * 30.0;
-        let t_3 = c2 * 340.0;
-        let t_4 = t - c1 * t_3;
-        let t_5 = t_2 - s1 * t_3;
-        let t_6 = 373.0 - s2 * 340.0;
+        let t_2 = c1 * 30.0;
+        let t_3 = s1 * 30.0;
+        let t_4 = c2 * 340.0;
+        let t_5 = t_2 - c1 * t_4;
+        let t_6 = t_3 - s1 * t_4;
+        let t_7 = 373.0 - s2 * 340.0;
         let c1c23 = c1 * c23;
         let s1c23 = s1 * c23;
         let c1s23 = c1 * s23;
         let s1s23 = s1 * s23;
-        let t_7 = t_4 + c1c23 * 40.0 + c1s23 * 338.0;
-        let t_8 = t_5 + s1c23 * 40.0 + s1s23 * 338.0;
-        let t_9 = t_6 + s23 * 40.0 - c23 * 338.0;
+        let t_8 = t_5 + c1c23 * 40.0 + c1s23 * 338.0;
+        let t_9 = t_6 + s1c23 * 40.0 + s1s23 * 338.0;
+        let t_10 = t_7 + s23 * 40.0 - c23 * 338.0;
         let s23c4 = s23 * c4;
-        let t_10 = c1c23 * c4 + s1 * s4;
-        let t_11 = s1c23 * c4 - c1 * s4;
+        let t_11 = c1c23 * c4 + s1 * s4;
+        let t_12 = s1c23 * c4 - c1 * s4;
         let s23s4 = s23 * s4;
-        let t_12 = s1 * c4 - c1c23 * s4;
-        let t_13 = c1 * c4 + s1c23 * s4;
-        let t_14 = t_10 * c5 - c1s23 * s5;
-        let t_15 = t_11 * c5 - s1s23 * s5;
-        let t_16 = s23c4 * c5 + c23 * s5;
-        let t_17 = c1s23 * c5 + t_10 * s5;
-        let t_18 = s1s23 * c5 + t_11 * s5;
-        let t_19 = c23 * c5 - s23c4 * s5;
+        let t_13 = s1 * c4 - c1c23 * s4;
+        let t_14 = c1 * c4 + s1c23 * s4;
+        let t_15 = t_11 * c5 - c1s23 * s5;
+        let t_16 = t_12 * c5 - s1s23 * s5;
+        let t_17 = s23c4 * c5 + c23 * s5;
+        let t_18 = c1s23 * c5 + t_11 * s5;
+        let t_19 = s1s23 * c5 + t_12 * s5;
+        let t_20 = c23 * c5 - s23c4 * s5;
         [
             ::dh_robot::pose::from_entries(
                 [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
@@ -118,27 +118,27 @@ impl CupArm {
             ),
             ::dh_robot::pose::from_entries(
                 [[c1 * c2, -c1 * s2, -s1], [s1 * c2, -s1 * s2, c1], [-s2, -c2, 0.0]],
-                [-t, -t_2, 373.0],
+                [-t_2, -t_3, 373.0],
             ),
             ::dh_robot::pose::from_entries(
                 [[c1c23, -c1s23, -s1], [s1c23, -s1s23, c1], [-s23, -c23, 0.0]],
-                [-t_4, -t_5, t_6],
+                [-t_5, -t_6, t_7],
             ),
             ::dh_robot::pose::from_entries(
-                [[t_10, t_12, -c1s23], [t_11, -t_13, -s1s23], [-s23c4, s23s4, -c23]],
-                [-t_7, -t_8, t_9],
+                [[t_11, t_13, -c1s23], [t_12, -t_14, -s1s23], [-s23c4, s23s4, -c23]],
+                [-t_8, -t_9, t_10],
             ),
             ::dh_robot::pose::from_entries(
-                [[t_14, -t_17, -t_12], [t_15, -t_18, t_13], [-t_16, -t_19, -s23s4]],
-                [-t_7, -t_8, t_9],
+                [[t_15, -t_18, -t_13], [t_16, -t_19, t_14], [-t_17, -t_20, -s23s4]],
+                [-t_8, -t_9, t_10],
             ),
             ::dh_robot::pose::from_entries(
                 [
-                    [t_14 * c6 + t_12 * s6, t_12 * c6 - t_14 * s6, -t_17],
-                    [t_15 * c6 - t_13 * s6, -(t_13 * c6 + t_15 * s6), -t_18],
-                    [-(t_16 * c6 - s23s4 * s6), s23s4 * c6 + t_16 * s6, -t_19],
+                    [t_15 * c6 + t_13 * s6, t_13 * c6 - t_15 * s6, -t_18],
+                    [t_16 * c6 - t_14 * s6, -(t_14 * c6 + t_16 * s6), -t_19],
+                    [-(t_17 * c6 - s23s4 * s6), s23s4 * c6 + t_17 * s6, -t_20],
                 ],
-                [-t_7, -t_8, t_9],
+                [-t_8, -t_9, t_10],
             ),
         ]
     }
@@ -158,36 +158,36 @@ impl CupArm {
         let c1s23 = c1 * s23;
         let s1s23 = s1 * s23;
         let s23c4 = s23 * c4;
-        let t = c1c23 * c4 + s1 * s4;
-        let t_2 = s1c23 * c4 - c1 * s4;
-        let t_3 = s5 * 206.0;
-        let t_4 = c5 * 206.0;
-        let t_5 = t_4 + 338.0;
-        let t_6 = c4 * t_3;
-        let t_7 = s4 * t_3;
-        let t_8 = t_6 + 40.0;
-        let t_9 = c23 * t_8 + s23 * t_5;
-        let t_10 = s23 * t_8 - c23 * t_5;
-        let t_11 = t_9 - 340.0 * c2;
-        let t_12 = t_10 - 340.0 * s2;
-        let t_13 = t_11 + 30.0;
+        let t_2 = c1c23 * c4 + s1 * s4;
+        let t_3 = s1c23 * c4 - c1 * s4;
+        let t_4 = s5 * 206.0;
+        let t_5 = c5 * 206.0;
+        let t_6 = t_5 + 338.0;
+        let t_7 = c4 * t_4;
+        let t_8 = s4 * t_4;
+        let t_9 = t_7 + 40.0;
+        let t_10 = c23 * t_9 + s23 * t_6;
+        let t_11 = s23 * t_9 - c23 * t_6;
+        let t_12 = t_10 - 340.0 * c2;
+        let t_13 = t_11 - 340.0 * s2;
+        let t_14 = t_12 + 30.0;
         ::dh_robot::nalgebra::SMatrix::from_data(
             ::dh_robot::nalgebra::ArrayStorage([
-                [s1 * t_13 - c1 * t_7, -(c1 * t_13 + s1 * t_7), 0.0, 0.0, 0.0, 1.0],
-                [c1 * t_12, s1 * t_12, t_11, -s1, c1, 0.0],
-                [c1 * t_10, s1 * t_10, t_9, -s1, c1, 0.0],
+                [s1 * t_14 - c1 * t_8, -(c1 * t_14 + s1 * t_8), 0.0, 0.0, 0.0, 1.0],
+                [c1 * t_13, s1 * t_13, t_12, -s1, c1, 0.0],
+                [c1 * t_11, s1 * t_11, t_10, -s1, c1, 0.0],
                 [
-                    c1c23 * t_7 - s1 * t_6,
-                    s1c23 * t_7 + c1 * t_6,
-                    -s23 * t_7,
+                    c1c23 * t_8 - s1 * t_7,
+                    s1c23 * t_8 + c1 * t_7,
+                    -s23 * t_8,
                     -c1s23,
                     -s1s23,
                     -c23,
                 ],
                 [
-                    -(t * t_4 - c1s23 * t_3),
-                    -(t_2 * t_4 - s1s23 * t_3),
-                    s23c4 * t_4 + c23 * t_3,
+                    -(t_2 * t_5 - c1s23 * t_4),
+                    -(t_3 * t_5 - s1s23 * t_4),
+                    s23c4 * t_5 + c23 * t_4,
                     -(s1 * c4 - c1c23 * s4),
                     c1 * c4 + s1c23 * s4,
                     -s23 * s4,
@@ -196,8 +196,8 @@ impl CupArm {
                     0.0,
                     0.0,
                     0.0,
-                    -(c1s23 * c5 + t * s5),
-                    -(s1s23 * c5 + t_2 * s5),
+                    -(c1s23 * c5 + t_2 * s5),
+                    -(s1s23 * c5 + t_3 * s5),
                     -(c23 * c5 - s23c4 * s5),
                 ],
             ]),
@@ -224,61 +224,61 @@ impl CupArm {
         let c1s23 = c1 * s23;
         let s1s23 = s1 * s23;
         let s23c4 = s23 * c4;
-        let t = c1c23 * c4 + s1 * s4;
-        let t_2 = s1c23 * c4 - c1 * s4;
+        let t_2 = c1c23 * c4 + s1 * s4;
+        let t_3 = s1c23 * c4 - c1 * s4;
         let s23s4 = s23 * s4;
-        let t_3 = s1 * c4 - c1c23 * s4;
-        let t_4 = c1 * c4 + s1c23 * s4;
-        let t_5 = t * c5 - c1s23 * s5;
-        let t_6 = t_2 * c5 - s1s23 * s5;
-        let t_7 = s23c4 * c5 + c23 * s5;
-        let t_8 = c1s23 * c5 + t * s5;
-        let t_9 = s1s23 * c5 + t_2 * s5;
-        let t_10 = c23 * c5 - s23c4 * s5;
-        let t_11 = s5 * 206.0;
-        let t_12 = c5 * 206.0;
-        let t_13 = t_12 + 338.0;
-        let t_14 = c4 * t_11;
-        let t_15 = s4 * t_11;
-        let t_16 = t_14 + 40.0;
-        let t_17 = c23 * t_16 + s23 * t_13;
-        let t_18 = s23 * t_16 - c23 * t_13;
-        let t_19 = t_17 - 340.0 * c2;
-        let t_20 = t_18 - 340.0 * s2;
-        let t_21 = t_19 + 30.0;
-        let t_22 = c1 * t_21 + s1 * t_15;
-        let t_23 = s1 * t_21 - c1 * t_15;
+        let t_4 = s1 * c4 - c1c23 * s4;
+        let t_5 = c1 * c4 + s1c23 * s4;
+        let t_6 = t_2 * c5 - c1s23 * s5;
+        let t_7 = t_3 * c5 - s1s23 * s5;
+        let t_8 = s23c4 * c5 + c23 * s5;
+        let t_9 = c1s23 * c5 + t_2 * s5;
+        let t_10 = s1s23 * c5 + t_3 * s5;
+        let t_11 = c23 * c5 - s23c4 * s5;
+        let t_12 = s5 * 206.0;
+        let t_13 = c5 * 206.0;
+        let t_14 = t_13 + 338.0;
+        let t_15 = c4 * t_12;
+        let t_16 = s4 * t_12;
+        let t_17 = t_15 + 40.0;
+        let t_18 = c23 * t_17 + s23 * t_14;
+        let t_19 = s23 * t_17 - c23 * t_14;
+        let t_20 = t_18 - 340.0 * c2;
+        let t_21 = t_19 - 340.0 * s2;
+        let t_22 = t_20 + 30.0;
+        let t_23 = c1 * t_22 + s1 * t_16;
+        let t_24 = s1 * t_22 - c1 * t_16;
         (
             ::dh_robot::pose::from_entries(
                 [
-                    [t_5 * c6 + t_3 * s6, t_3 * c6 - t_5 * s6, -t_8],
-                    [t_6 * c6 - t_4 * s6, -(t_4 * c6 + t_6 * s6), -t_9],
-                    [-(t_7 * c6 - s23s4 * s6), s23s4 * c6 + t_7 * s6, -t_10],
+                    [t_6 * c6 + t_4 * s6, t_4 * c6 - t_6 * s6, -t_9],
+                    [t_7 * c6 - t_5 * s6, -(t_5 * c6 + t_7 * s6), -t_10],
+                    [-(t_8 * c6 - s23s4 * s6), s23s4 * c6 + t_8 * s6, -t_11],
                 ],
-                [-t_22, -t_23, t_20 + 373.0],
+                [-t_23, -t_24, t_21 + 373.0],
             ),
             ::dh_robot::nalgebra::SMatrix::from_data(
                 ::dh_robot::nalgebra::ArrayStorage([
-                    [t_23, -t_22, 0.0, 0.0, 0.0, 1.0],
-                    [c1 * t_20, s1 * t_20, t_19, -s1, c1, 0.0],
-                    [c1 * t_18, s1 * t_18, t_17, -s1, c1, 0.0],
+                    [t_24, -t_23, 0.0, 0.0, 0.0, 1.0],
+                    [c1 * t_21, s1 * t_21, t_20, -s1, c1, 0.0],
+                    [c1 * t_19, s1 * t_19, t_18, -s1, c1, 0.0],
                     [
-                        c1c23 * t_15 - s1 * t_14,
-                        s1c23 * t_15 + c1 * t_14,
-                        -s23 * t_15,
+                        c1c23 * t_16 - s1 * t_15,
+                        s1c23 * t_16 + c1 * t_15,
+                        -s23 * t_16,
                         -c1s23,
                         -s1s23,
                         -c23,
                     ],
                     [
-                        -(t * t_12 - c1s23 * t_11),
-                        -(t_2 * t_12 - s1s23 * t_11),
-                        s23c4 * t_12 + c23 * t_11,
-                        -t_3,
-                        t_4,
+                        -(t_2 * t_13 - c1s23 * t_12),
+                        -(t_3 * t_13 - s1s23 * t_12),
+                        s23c4 * t_13 + c23 * t_12,
+                        -t_4,
+                        t_5,
                         -s23s4,
                     ],
-                    [0.0, 0.0, 0.0, -t_8, -t_9, -t_10],
+                    [0.0, 0.0, 0.0, -t_9, -t_10, -t_11],
                 ]),
             ),
         )
@@ -303,5 +303,328 @@ impl ::dh_robot::Jacobian<6, f64> for CupArm {
     #[inline]
     fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         CupArm::jacobian(self, q)
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl CupArm {
+    /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
+    pub const MAX_SOLUTIONS: usize = 8;
+    /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
+    ///
+    /// Plan:
+    /// 1. `q1`: a cos + b sin = 0: two values half a turn apart.
+    /// 2. `q3`: a cos + b sin = c: two values.
+    /// 3. `q2`: two equations in its sine and cosine: one value.
+    /// 4. `q6`: a cos + b sin = 0: two values half a turn apart.
+    /// 5. `q5`: two equations in its sine and cosine: one value.
+    /// 6. `q4`: two equations in its sine and cosine: one value.
+    #[must_use]
+    pub fn inverse(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 6, 8> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 954.0) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 954.0,
+            few: false,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 954.0),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, found| self.candidates(frame, found),
+        )
+    }
+    /// Runs the plan: calls `found` with every candidate.
+    fn candidates(
+        &self,
+        t: &::dh_robot::ik::Pose,
+        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+    ) -> ::dh_robot::inverse::Attempt {
+        let mut attempt = ::dh_robot::inverse::Attempt::new();
+        let free = ::dh_robot::FreeJoints::NONE;
+        let t_2 = t[0][3] - t[0][2] * 0.2159329140461216;
+        let t_3 = t[1][3] - t[1][2] * 0.2159329140461216;
+        let t_4 = t[2][3] - t[2][2] * 0.2159329140461216 - 0.39098532494758914;
+        let t_5 = t_4 * t_4;
+        let r0 = ::dh_robot::ik::solve_sincos(-t_3, t_2, 0.0, 1e-11);
+        if r0.roots.is_empty() {
+            attempt.note(r0.outcome, "q1", 954.0, "mm");
+        }
+        let free = if r0.is_free() {
+            attempt.degenerate = true;
+            free.union(::dh_robot::FreeJoints::of(&[0]))
+        } else {
+            free
+        };
+        for (i0, &[c1, s1]) in r0.or_if_free([1.0, 0.0]).iter().enumerate() {
+            let a0 = ::dh_robot::math::atan2(s1, c1);
+            let t_6 = t_2 * c1 + t_3 * s1;
+            let t_7 = t_2 * s1 - t_3 * c1;
+            let t_8 = t[0][0] * c1 + t[1][0] * s1;
+            let t_9 = t[0][1] * c1 + t[1][1] * s1;
+            let t_10 = t[0][2] * c1 + t[1][2] * s1;
+            let t_11 = 0.031446540880503145 * (0.031446540880503145 + t_6 * 2.0);
+            let t_12 = t_6 + 0.031446540880503145;
+            let r1 = ::dh_robot::ik::solve_sincos(
+                -0.02988630020788559,
+                -0.2525392367566332,
+                t_11 + t_5 + t_6 * t_6 + t_7 * t_7 - 0.25430164946006883,
+                1e-11,
+            );
+            if r1.roots.is_empty() {
+                attempt.note(r1.outcome, "q3", 954.0, "mm");
+            }
+            let free = if r1.is_free() {
+                attempt.degenerate = true;
+                free.union(::dh_robot::FreeJoints::of(&[2]))
+            } else {
+                free
+            };
+            for (i1, &[c3, s3]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+                let a1 = ::dh_robot::math::atan2(s3, c3);
+                let t_13 = 0.35639412997903563 - 0.041928721174004195 * c3
+                    - 0.35429769392033544 * s3;
+                let r2 = ::dh_robot::ik::solve_pair(
+                    -t_12,
+                    t_4,
+                    -t_13,
+                    t_4,
+                    t_12,
+                    -(c3 * 0.35429769392033544 - 0.041928721174004195 * s3),
+                    1e-11,
+                );
+                if r2.roots.is_empty() {
+                    attempt.note(r2.outcome, "q2", 954.0, "mm");
+                }
+                let free = if r2.is_free() {
+                    attempt.degenerate = true;
+                    free.union(::dh_robot::FreeJoints::of(&[1]))
+                } else {
+                    free
+                };
+                for (i2, &[c2, s2]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    let a2 = ::dh_robot::math::atan2(s2, c2);
+                    let t_14 = c3 * c2 - s3 * s2;
+                    let t_15 = c3 * s2 + s3 * c2;
+                    let t_16 = t_8 * t_14 - t[2][0] * t_15;
+                    let t_17 = t_8 * t_15 + t[2][0] * t_14;
+                    let t_18 = t_9 * t_14 - t[2][1] * t_15;
+                    let t_19 = t_9 * t_15 + t[2][1] * t_14;
+                    let t_20 = t_10 * t_14 - t[2][2] * t_15;
+                    let r3 = ::dh_robot::ik::solve_sincos(-t_19, -t_17, 0.0, 1e-11);
+                    if r3.roots.is_empty() {
+                        attempt.note(r3.outcome, "q6", 1.0, "");
+                    }
+                    let free = if r3.is_free() {
+                        attempt.degenerate = true;
+                        free.union(::dh_robot::FreeJoints::of(&[5]))
+                    } else {
+                        free
+                    };
+                    for (i3, &[c6, s6]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                        let a3 = ::dh_robot::math::atan2(s6, c6);
+                        let t_21 = t_16 * c6 - t_18 * s6;
+                        let r4 = ::dh_robot::ik::solve_pair(
+                            0.0,
+                            1.0,
+                            -(t_17 * c6 - t_19 * s6),
+                            1.0,
+                            0.0,
+                            -(t_10 * t_15 + t[2][2] * t_14),
+                            1e-11,
+                        );
+                        if r4.roots.is_empty() {
+                            attempt.note(r4.outcome, "q5", 1.0, "");
+                        }
+                        let free = if r4.is_free() {
+                            attempt.degenerate = true;
+                            free.union(::dh_robot::FreeJoints::of(&[4]))
+                        } else {
+                            free
+                        };
+                        for (i4, &[c5, s5]) in r4
+                            .or_if_free([1.0, 0.0])
+                            .iter()
+                            .enumerate()
+                        {
+                            let a4 = ::dh_robot::math::atan2(s5, c5);
+                            let r5 = ::dh_robot::ik::solve_pair(
+                                1.0,
+                                0.0,
+                                t_21 * c5 - t_20 * s5,
+                                0.0,
+                                -1.0,
+                                t_16 * s6 + t_18 * c6,
+                                1e-11,
+                            );
+                            if r5.roots.is_empty() {
+                                attempt.note(r5.outcome, "q4", 1.0, "");
+                            }
+                            let free = if r5.is_free() {
+                                attempt.degenerate = true;
+                                free.union(::dh_robot::FreeJoints::of(&[3]))
+                            } else {
+                                free
+                            };
+                            for (i5, &[c4, s4]) in r5
+                                .or_if_free([1.0, 0.0])
+                                .iter()
+                                .enumerate()
+                            {
+                                let a5 = ::dh_robot::math::atan2(s4, c4);
+                                let branch = ::dh_robot::Branch::ANY
+                                    .with_step(0, i0)
+                                    .with_shoulder(
+                                        if i0 == 0 {
+                                            ::dh_robot::Shoulder::Left
+                                        } else {
+                                            ::dh_robot::Shoulder::Right
+                                        },
+                                    )
+                                    .with_step(1, i1)
+                                    .with_elbow(
+                                        if i1 == 0 {
+                                            ::dh_robot::Elbow::Up
+                                        } else {
+                                            ::dh_robot::Elbow::Down
+                                        },
+                                    )
+                                    .with_step(2, i3)
+                                    .with_wrist(
+                                        if i3 == 0 {
+                                            ::dh_robot::Wrist::NoFlip
+                                        } else {
+                                            ::dh_robot::Wrist::Flip
+                                        },
+                                    );
+                                found([a0, a2, a1, a5, a4, a3], branch, free);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        attempt
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl ::dh_robot::ik::Kinematics<6> for CupArm {
+    #[inline]
+    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {
+        let angles = [q[5], q[4], q[3], q[1] + q[2], q[1], q[0]];
+        let ([s6, s5, s4, s23, s2, s1], [c6, c5, c4, c23, c2, c1]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let t_2 = 206.0 * s5;
+        let t_3 = 206.0 * c5 + 338.0;
+        let t_4 = t_2 * s4;
+        let t_5 = 40.0 + t_2 * c4;
+        let t_6 = 30.0 + t_5 * c23 + t_3 * s23 - 340.0 * c2;
+        let c6c5 = c6 * c5;
+        let c6s5 = c6 * s5;
+        let t_7 = c4 * c6c5 - s6 * s4;
+        let t_8 = s4 * c6c5 + s6 * c4;
+        let t_9 = c23 * t_7 - s23 * c6s5;
+        let t_10 = s23 * t_7 + c23 * c6s5;
+        let t_11 = c1 * t_9 + s1 * t_8;
+        let t_12 = s1 * t_9 - c1 * t_8;
+        let s5c4 = s5 * c4;
+        let s5s4 = s5 * s4;
+        let t_13 = c23 * s5c4 + c5 * s23;
+        let t_14 = s23 * s5c4 - c5 * c23;
+        let t_15 = c1 * t_13 + s1 * s5s4;
+        let t_16 = s1 * t_13 - c1 * s5s4;
+        [
+            [t_11, t_10 * t_16 - t_12 * t_14, -t_15, -(t_6 * c1 + t_4 * s1)],
+            [t_12, t_11 * t_14 - t_10 * t_15, -t_16, -(t_6 * s1 - t_4 * c1)],
+            [
+                -t_10,
+                -(t_12 * t_15 - t_11 * t_16),
+                t_14,
+                t_5 * s23 - t_3 * c23 - 340.0 * s2 + 373.0,
+            ],
+        ]
+    }
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 6],
+    ) -> (::dh_robot::ik::Pose, [[f64; 6]; 6]) {
+        let angles = [q[0], q[1] + q[2], q[3], q[4], q[5], q[1]];
+        let ([s1, s23, s4, s5, s6, s2], [c1, c23, c4, c5, c6, c2]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let c1c23 = c1 * c23;
+        let s1c23 = s1 * c23;
+        let c1s23 = c1 * s23;
+        let s1s23 = s1 * s23;
+        let s23c4 = s23 * c4;
+        let t_2 = c1c23 * c4 + s1 * s4;
+        let t_3 = s1c23 * c4 - c1 * s4;
+        let s23s4 = s23 * s4;
+        let t_4 = s1 * c4 - c1c23 * s4;
+        let t_5 = c1 * c4 + s1c23 * s4;
+        let t_6 = t_2 * c5 - c1s23 * s5;
+        let t_7 = t_3 * c5 - s1s23 * s5;
+        let t_8 = s23c4 * c5 + c23 * s5;
+        let t_9 = c1s23 * c5 + t_2 * s5;
+        let t_10 = s1s23 * c5 + t_3 * s5;
+        let t_11 = c23 * c5 - s23c4 * s5;
+        let t_12 = s5 * 206.0;
+        let t_13 = c5 * 206.0;
+        let t_14 = t_13 + 338.0;
+        let t_15 = c4 * t_12;
+        let t_16 = s4 * t_12;
+        let t_17 = t_15 + 40.0;
+        let t_18 = c23 * t_17 + s23 * t_14;
+        let t_19 = s23 * t_17 - c23 * t_14;
+        let t_20 = t_18 - 340.0 * c2;
+        let t_21 = t_19 - 340.0 * s2;
+        let t_22 = t_20 + 30.0;
+        let t_23 = c1 * t_22 + s1 * t_16;
+        let t_24 = s1 * t_22 - c1 * t_16;
+        (
+            [
+                [t_6 * c6 + t_4 * s6, t_4 * c6 - t_6 * s6, -t_9, -t_23],
+                [t_7 * c6 - t_5 * s6, -(t_5 * c6 + t_7 * s6), -t_10, -t_24],
+                [-(t_8 * c6 - s23s4 * s6), s23s4 * c6 + t_8 * s6, -t_11, t_21 + 373.0],
+            ],
+            [
+                [
+                    t_24,
+                    c1 * t_21,
+                    c1 * t_19,
+                    c1c23 * t_16 - s1 * t_15,
+                    -(t_2 * t_13 - c1s23 * t_12),
+                    0.0,
+                ],
+                [
+                    -t_23,
+                    s1 * t_21,
+                    s1 * t_19,
+                    s1c23 * t_16 + c1 * t_15,
+                    -(t_3 * t_13 - s1s23 * t_12),
+                    0.0,
+                ],
+                [0.0, t_20, t_18, -s23 * t_16, s23c4 * t_13 + c23 * t_12, 0.0],
+                [0.0, -s1, -s1, -c1s23, -t_4, -t_9],
+                [0.0, c1, c1, -s1s23, t_5, -t_10],
+                [1.0, 0.0, 0.0, -c23, -s23s4, -t_11],
+            ],
+        )
+    }
+}
+impl ::dh_robot::InverseKinematics<6, 8, f64> for CupArm {
+    type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
+    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 6, 8> {
+        CupArm::inverse(self, target)
     }
 }

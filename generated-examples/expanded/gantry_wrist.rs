@@ -42,16 +42,16 @@ impl GantryWrist {
         let ([s6_30, s5, s4], [c6_30, c5, c4]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t = 0.2 * s5;
-        let t_2 = c6_30 * c5;
-        let t_3 = s6_30 * c5;
+        let t_2 = 0.2 * s5;
+        let t_3 = c6_30 * c5;
+        let t_4 = s6_30 * c5;
         ::dh_robot::pose::from_entries(
             [
-                [s4 * t_2 + s6_30 * c4, -(s4 * t_3 - c6_30 * c4), -s5 * s4],
+                [s4 * t_3 + s6_30 * c4, -(s4 * t_4 - c6_30 * c4), -s5 * s4],
                 [c6_30 * s5, -s6_30 * s5, c5],
-                [c4 * t_2 - s6_30 * s4, -(c4 * t_3 + c6_30 * s4), -s5 * c4],
+                [c4 * t_3 - s6_30 * s4, -(c4 * t_4 + c6_30 * s4), -s5 * c4],
             ],
-            [-(t * s4 - q[1]), 0.2 * c5 + 0.1 + q[2], -(t * c4 - q[0])],
+            [-(t_2 * s4 - q[1]), 0.2 * c5 + 0.1 + q[2], -(t_2 * c4 - q[0])],
         )
     }
     /// Pose of every moving link's frame in the base, without the tool.
@@ -66,7 +66,7 @@ impl GantryWrist {
         let ([s4, s5, s6_30], [c4, c5, c6_30]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t = q[2] + 0.1;
+        let t_2 = q[2] + 0.1;
         let s4c5 = s4 * c5;
         let c4c5 = c4 * c5;
         let s4s5 = s4 * s5;
@@ -86,11 +86,11 @@ impl GantryWrist {
             ),
             ::dh_robot::pose::from_entries(
                 [[s4, c4, 0.0], [0.0, 0.0, 1.0], [c4, -s4, 0.0]],
-                [q[1], t, q[0]],
+                [q[1], t_2, q[0]],
             ),
             ::dh_robot::pose::from_entries(
                 [[s4c5, -s4s5, -c4], [s5, c5, 0.0], [c4c5, -c4s5, s4]],
-                [q[1], t, q[0]],
+                [q[1], t_2, q[0]],
             ),
             ::dh_robot::pose::from_entries(
                 [
@@ -98,7 +98,7 @@ impl GantryWrist {
                     [s5 * c6_30, -s5 * s6_30, c5],
                     [c4c5 * c6_30 - s4 * s6_30, -(s4 * c6_30 + c4c5 * s6_30), -c4s5],
                 ],
-                [q[1] - s4s5 * 0.2, t + c5 * 0.2, q[0] - c4s5 * 0.2],
+                [q[1] - s4s5 * 0.2, t_2 + c5 * 0.2, q[0] - c4s5 * 0.2],
             ),
         ]
     }
@@ -111,15 +111,15 @@ impl GantryWrist {
     pub fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         let angles = [q[4], q[3]];
         let ([s5, s4], [c5, c4]) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t = s5 * 0.2;
-        let t_2 = c5 * 0.2;
+        let t_2 = s5 * 0.2;
+        let t_3 = c5 * 0.2;
         ::dh_robot::nalgebra::SMatrix::from_data(
             ::dh_robot::nalgebra::ArrayStorage([
                 [0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
                 [1.0, 0.0, 0.0, 0.0, 0.0, 0.0],
                 [0.0, 1.0, 0.0, 0.0, 0.0, 0.0],
-                [-c4 * t, 0.0, s4 * t, 0.0, 1.0, 0.0],
-                [-s4 * t_2, -t, -c4 * t_2, -c4, 0.0, s4],
+                [-c4 * t_2, 0.0, s4 * t_2, 0.0, 1.0, 0.0],
+                [-s4 * t_3, -t_2, -c4 * t_3, -c4, 0.0, s4],
                 [0.0, 0.0, 0.0, -s5 * s4, c5, -s5 * c4],
             ]),
         )
@@ -140,30 +140,30 @@ impl GantryWrist {
         let ([s6_30, s5, s4], [c6_30, c5, c4]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t = c6_30 * c5;
-        let t_2 = s6_30 * c5;
+        let t_2 = c6_30 * c5;
+        let t_3 = s6_30 * c5;
         let s5c4 = s5 * c4;
         let s5s4 = s5 * s4;
-        let t_3 = s5 * 0.2;
-        let t_4 = c5 * 0.2;
-        let t_5 = c4 * t_3;
-        let t_6 = s4 * t_3;
+        let t_4 = s5 * 0.2;
+        let t_5 = c5 * 0.2;
+        let t_6 = c4 * t_4;
+        let t_7 = s4 * t_4;
         (
             ::dh_robot::pose::from_entries(
                 [
-                    [t * s4 + s6_30 * c4, -(s4 * t_2 - c6_30 * c4), -s5s4],
+                    [t_2 * s4 + s6_30 * c4, -(s4 * t_3 - c6_30 * c4), -s5s4],
                     [c6_30 * s5, -s6_30 * s5, c5],
-                    [t * c4 - s6_30 * s4, -(c4 * t_2 + c6_30 * s4), -s5c4],
+                    [t_2 * c4 - s6_30 * s4, -(c4 * t_3 + c6_30 * s4), -s5c4],
                 ],
-                [-(t_6 - q[1]), t_4 + 0.1 + q[2], -(t_5 - q[0])],
+                [-(t_7 - q[1]), t_5 + 0.1 + q[2], -(t_6 - q[0])],
             ),
             ::dh_robot::nalgebra::SMatrix::from_data(
                 ::dh_robot::nalgebra::ArrayStorage([
                     [0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
                     [1.0, 0.0, 0.0, 0.0, 0.0, 0.0],
                     [0.0, 1.0, 0.0, 0.0, 0.0, 0.0],
-                    [-t_5, 0.0, t_6, 0.0, 1.0, 0.0],
-                    [-s4 * t_4, -t_3, -c4 * t_4, -c4, 0.0, s4],
+                    [-t_6, 0.0, t_7, 0.0, 1.0, 0.0],
+                    [-s4 * t_5, -t_4, -c4 * t_5, -c4, 0.0, s4],
                     [0.0, 0.0, 0.0, -s5s4, c5, -s5c4],
                 ]),
             ),
@@ -189,5 +189,248 @@ impl ::dh_robot::Jacobian<6, f64> for GantryWrist {
     #[inline]
     fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         GantryWrist::jacobian(self, q)
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl GantryWrist {
+    /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
+    pub const MAX_SOLUTIONS: usize = 2;
+    /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
+    ///
+    /// Plan:
+    /// 1. `q2`: a linear equation.
+    /// 2. `q1`: a linear equation.
+    /// 3. `q3`: a linear equation.
+    /// 4. `q6`: a cos + b sin = 0: two values half a turn apart.
+    /// 5. `q5`: two equations in its sine and cosine: one value.
+    /// 6. `q4`: two equations in its sine and cosine: one value.
+    #[must_use]
+    pub fn inverse(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 6, 2> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 0.30000000000000004) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 0.30000000000000004,
+            few: false,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 0.30000000000000004),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, found| self.candidates(frame, found),
+        )
+    }
+    /// Runs the plan: calls `found` with every candidate.
+    fn candidates(
+        &self,
+        t: &::dh_robot::ik::Pose,
+        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+    ) -> ::dh_robot::inverse::Attempt {
+        let mut attempt = ::dh_robot::inverse::Attempt::new();
+        let free = ::dh_robot::FreeJoints::NONE;
+        let t_2 = t[1][0] * 0.8660254037844386 - t[1][1] * 0.5;
+        let t_3 = t[2][0] * 0.8660254037844386 - t[2][1] * 0.5;
+        let t_4 = t[1][0] * 0.5 + t[1][1] * 0.8660254037844386;
+        let t_5 = t[2][0] * 0.5 + t[2][1] * 0.8660254037844386;
+        let t_6 = t[1][3] - t[1][2] * 0.6666666666666666 - 0.3333333333333333;
+        let r0 = ::dh_robot::ik::solve_quadratic(
+            0.0,
+            -1.0,
+            t[0][3] - t[0][2] * 0.6666666666666666,
+            1e-11,
+        );
+        if r0.roots.is_empty() {
+            attempt.note(r0.outcome, "q2", 0.30000000000000004, "m");
+        }
+        let free = if r0.is_free() {
+            attempt.degenerate = true;
+            free.union(::dh_robot::FreeJoints::of(&[1]))
+        } else {
+            free
+        };
+        for (i0, &q2) in r0.or_if_free(0.0).iter().enumerate() {
+            let a0 = q2 * 0.30000000000000004;
+            let r1 = ::dh_robot::ik::solve_quadratic(
+                0.0,
+                1.0,
+                -(t[2][3] - t[2][2] * 0.6666666666666666),
+                1e-11,
+            );
+            if r1.roots.is_empty() {
+                attempt.note(r1.outcome, "q1", 0.30000000000000004, "m");
+            }
+            let free = if r1.is_free() {
+                attempt.degenerate = true;
+                free.union(::dh_robot::FreeJoints::of(&[0]))
+            } else {
+                free
+            };
+            for (i1, &q1) in r1.or_if_free(0.0).iter().enumerate() {
+                let a1 = q1 * 0.30000000000000004;
+                let r2 = ::dh_robot::ik::solve_quadratic(0.0, -1.0, t_6, 1e-11);
+                if r2.roots.is_empty() {
+                    attempt.note(r2.outcome, "q3", 0.30000000000000004, "m");
+                }
+                let free = if r2.is_free() {
+                    attempt.degenerate = true;
+                    free.union(::dh_robot::FreeJoints::of(&[2]))
+                } else {
+                    free
+                };
+                for (i2, &q3) in r2.or_if_free(0.0).iter().enumerate() {
+                    let a2 = q3 * 0.30000000000000004;
+                    let r3 = ::dh_robot::ik::solve_sincos(-t_4, -t_2, 0.0, 1e-11);
+                    if r3.roots.is_empty() {
+                        attempt.note(r3.outcome, "q6", 1.0, "");
+                    }
+                    let free = if r3.is_free() {
+                        attempt.degenerate = true;
+                        free.union(::dh_robot::FreeJoints::of(&[5]))
+                    } else {
+                        free
+                    };
+                    for (i3, &[c6, s6]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                        let a3 = ::dh_robot::math::atan2(s6, c6);
+                        let t_7 = t_3 * c6 - t_5 * s6;
+                        let r4 = ::dh_robot::ik::solve_pair(
+                            0.0,
+                            1.0,
+                            t_2 * c6 - t_4 * s6,
+                            1.0,
+                            0.0,
+                            t[1][2],
+                            1e-11,
+                        );
+                        if r4.roots.is_empty() {
+                            attempt.note(r4.outcome, "q5", 1.0, "");
+                        }
+                        let free = if r4.is_free() {
+                            attempt.degenerate = true;
+                            free.union(::dh_robot::FreeJoints::of(&[4]))
+                        } else {
+                            free
+                        };
+                        for (i4, &[c5, s5]) in r4
+                            .or_if_free([1.0, 0.0])
+                            .iter()
+                            .enumerate()
+                        {
+                            let a4 = ::dh_robot::math::atan2(s5, c5);
+                            let r5 = ::dh_robot::ik::solve_pair(
+                                1.0,
+                                0.0,
+                                t_7 * c5 - t[2][2] * s5,
+                                0.0,
+                                -1.0,
+                                t_3 * s6 + t_5 * c6,
+                                1e-11,
+                            );
+                            if r5.roots.is_empty() {
+                                attempt.note(r5.outcome, "q4", 1.0, "");
+                            }
+                            let free = if r5.is_free() {
+                                attempt.degenerate = true;
+                                free.union(::dh_robot::FreeJoints::of(&[3]))
+                            } else {
+                                free
+                            };
+                            for (i5, &[c4, s4]) in r5
+                                .or_if_free([1.0, 0.0])
+                                .iter()
+                                .enumerate()
+                            {
+                                let a5 = ::dh_robot::math::atan2(s4, c4);
+                                let branch = ::dh_robot::Branch::ANY
+                                    .with_step(0, i3)
+                                    .with_wrist(
+                                        if i3 == 0 {
+                                            ::dh_robot::Wrist::NoFlip
+                                        } else {
+                                            ::dh_robot::Wrist::Flip
+                                        },
+                                    );
+                                found([a1, a0, a2, a5, a4, a3], branch, free);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        attempt
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl ::dh_robot::ik::Kinematics<6> for GantryWrist {
+    #[inline]
+    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {
+        let angles = [q[5] + 0.5235987755982988, q[4], q[3]];
+        let ([s6_30, s5, s4], [c6_30, c5, c4]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let t_2 = 0.2 * s5;
+        let t_3 = c6_30 * c5;
+        let t_4 = s6_30 * c5;
+        [
+            [
+                s4 * t_3 + s6_30 * c4,
+                -(s4 * t_4 - c6_30 * c4),
+                -s5 * s4,
+                -(t_2 * s4 - q[1]),
+            ],
+            [c6_30 * s5, -s6_30 * s5, c5, 0.2 * c5 + 0.1 + q[2]],
+            [
+                c4 * t_3 - s6_30 * s4,
+                -(c4 * t_4 + c6_30 * s4),
+                -s5 * c4,
+                -(t_2 * c4 - q[0]),
+            ],
+        ]
+    }
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 6],
+    ) -> (::dh_robot::ik::Pose, [[f64; 6]; 6]) {
+        let angles = [q[5] + 0.5235987755982988, q[4], q[3]];
+        let ([s6_30, s5, s4], [c6_30, c5, c4]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let t_2 = c6_30 * c5;
+        let t_3 = s6_30 * c5;
+        let s5c4 = s5 * c4;
+        let s5s4 = s5 * s4;
+        let t_4 = s5 * 0.2;
+        let t_5 = c5 * 0.2;
+        let t_6 = c4 * t_4;
+        let t_7 = s4 * t_4;
+        (
+            [
+                [t_2 * s4 + s6_30 * c4, -(s4 * t_3 - c6_30 * c4), -s5s4, -(t_7 - q[1])],
+                [c6_30 * s5, -s6_30 * s5, c5, t_5 + 0.1 + q[2]],
+                [t_2 * c4 - s6_30 * s4, -(c4 * t_3 + c6_30 * s4), -s5c4, -(t_6 - q[0])],
+            ],
+            [
+                [0.0, 1.0, 0.0, -t_6, -s4 * t_5, 0.0],
+                [0.0, 0.0, 1.0, 0.0, -t_4, 0.0],
+                [1.0, 0.0, 0.0, t_7, -c4 * t_5, 0.0],
+                [0.0, 0.0, 0.0, 0.0, -c4, -s5s4],
+                [0.0, 0.0, 0.0, 1.0, 0.0, c5],
+                [0.0, 0.0, 0.0, 0.0, s4, -s5c4],
+            ],
+        )
+    }
+}
+impl ::dh_robot::InverseKinematics<6, 2, f64> for GantryWrist {
+    type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
+    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 6, 2> {
+        GantryWrist::inverse(self, target)
     }
 }

@@ -35,10 +35,10 @@ impl LegWheel {
     pub fn forward(&self, q: &[f64; 2]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[0]];
         let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t = (-1.0 * self.p) * q[0] + self.p * q[1];
+        let t_2 = (-1.0 * self.p) * q[0] + self.p * q[1];
         ::dh_robot::pose::from_entries(
             [[c1, 0.0, -s1], [s1, 0.0, c1], [0.0, -1.0, 0.0]],
-            [-t * s1, t * c1, 0.0],
+            [-t_2 * s1, t_2 * c1, 0.0],
         )
     }
     /// Pose of every moving link's frame in the base, without the tool.
@@ -51,7 +51,7 @@ impl LegWheel {
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 2] {
         let angles = [q[0]];
         let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t = (-1.0 * self.p) * q[0] + self.p * q[1];
+        let t_2 = (-1.0 * self.p) * q[0] + self.p * q[1];
         [
             ::dh_robot::pose::from_entries(
                 [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
@@ -59,7 +59,7 @@ impl LegWheel {
             ),
             ::dh_robot::pose::from_entries(
                 [[c1, 0.0, -s1], [s1, 0.0, c1], [0.0, -1.0, 0.0]],
-                [-s1 * t, c1 * t, 0.0],
+                [-s1 * t_2, c1 * t_2, 0.0],
             ),
         ]
     }
@@ -72,13 +72,13 @@ impl LegWheel {
     pub fn jacobian(&self, q: &[f64; 2]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 2> {
         let angles = [q[0]];
         let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t = (-1.0 * self.p) * q[0] + self.p * q[1];
-        let t_2 = s1 * self.p;
-        let t_3 = c1 * self.p;
+        let t_2 = (-1.0 * self.p) * q[0] + self.p * q[1];
+        let t_3 = s1 * self.p;
+        let t_4 = c1 * self.p;
         ::dh_robot::nalgebra::SMatrix::from_data(
             ::dh_robot::nalgebra::ArrayStorage([
-                [-(c1 * t - t_2), -(s1 * t + t_3), 0.0, 0.0, 0.0, 1.0],
-                [-t_2, t_3, 0.0, 0.0, 0.0, 0.0],
+                [-(c1 * t_2 - t_3), -(s1 * t_2 + t_4), 0.0, 0.0, 0.0, 1.0],
+                [-t_3, t_4, 0.0, 0.0, 0.0, 0.0],
             ]),
         )
     }
@@ -96,20 +96,20 @@ impl LegWheel {
     ) {
         let angles = [q[0]];
         let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t = (-1.0 * self.p) * q[0] + self.p * q[1];
-        let t_2 = s1 * t;
-        let t_3 = c1 * t;
-        let t_4 = s1 * self.p;
-        let t_5 = c1 * self.p;
+        let t_2 = (-1.0 * self.p) * q[0] + self.p * q[1];
+        let t_3 = s1 * t_2;
+        let t_4 = c1 * t_2;
+        let t_5 = s1 * self.p;
+        let t_6 = c1 * self.p;
         (
             ::dh_robot::pose::from_entries(
                 [[c1, 0.0, -s1], [s1, 0.0, c1], [0.0, -1.0, 0.0]],
-                [-t_2, t_3, 0.0],
+                [-t_3, t_4, 0.0],
             ),
             ::dh_robot::nalgebra::SMatrix::from_data(
                 ::dh_robot::nalgebra::ArrayStorage([
-                    [-(t_3 - t_4), -(t_2 + t_5), 0.0, 0.0, 0.0, 1.0],
-                    [-t_4, t_5, 0.0, 0.0, 0.0, 0.0],
+                    [-(t_4 - t_5), -(t_3 + t_6), 0.0, 0.0, 0.0, 1.0],
+                    [-t_5, t_6, 0.0, 0.0, 0.0, 0.0],
                 ]),
             ),
         )
@@ -134,5 +134,133 @@ impl ::dh_robot::Jacobian<2, f64> for LegWheel {
     #[inline]
     fn jacobian(&self, q: &[f64; 2]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 2> {
         LegWheel::jacobian(self, q)
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl LegWheel {
+    /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
+    pub const MAX_SOLUTIONS: usize = 1;
+    /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
+    ///
+    /// Plan:
+    /// 1. `x2`: a linear equation.
+    /// 2. `q1`: two equations in its sine and cosine: one value.
+    #[must_use]
+    pub fn inverse(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 2, 1> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 1.0) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 1.0,
+            few: true,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 1.0),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, found| self.candidates(frame, found),
+        )
+    }
+    /// Runs the plan: calls `found` with every candidate.
+    fn candidates(
+        &self,
+        t: &::dh_robot::ik::Pose,
+        found: &mut dyn FnMut([f64; 2], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+    ) -> ::dh_robot::inverse::Attempt {
+        let mut attempt = ::dh_robot::inverse::Attempt::new();
+        let free = ::dh_robot::FreeJoints::NONE;
+        let t_2 = t[0][2] * t[0][3] + t[1][2] * t[1][3] + t[2][2] * t[2][3];
+        let r0 = ::dh_robot::ik::solve_quadratic(0.0, -1.0, t_2, 1e-11);
+        if r0.roots.is_empty() {
+            attempt.note(r0.outcome, "x2", 1.0, "m");
+        }
+        let free = if r0.is_free() {
+            attempt.degenerate = true;
+            free.union(::dh_robot::FreeJoints::of(&[1]))
+        } else {
+            free
+        };
+        for (i0, &x2) in r0.or_if_free(0.0).iter().enumerate() {
+            let a0 = x2 * 1.0;
+            let r1 = ::dh_robot::ik::solve_pair(
+                1.0,
+                0.0,
+                t[0][0],
+                0.0,
+                -1.0,
+                t[0][2],
+                1e-11,
+            );
+            if r1.roots.is_empty() {
+                attempt.note(r1.outcome, "q1", 1.0, "");
+            }
+            let free = if r1.is_free() {
+                attempt.degenerate = true;
+                free.union(::dh_robot::FreeJoints::of(&[0]))
+            } else {
+                free
+            };
+            for (i1, &[c1, s1]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+                let a1 = ::dh_robot::math::atan2(s1, c1);
+                let branch = ::dh_robot::Branch::ANY;
+                found(
+                    [
+                        ((self.p) * (a1)) / (self.p),
+                        ((self.p) * (a1) + (1.0) * (a0)) / (self.p),
+                    ],
+                    branch,
+                    free,
+                );
+            }
+        }
+        attempt
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl ::dh_robot::ik::Kinematics<2> for LegWheel {
+    #[inline]
+    fn forward(&self, q: &[f64; 2]) -> ::dh_robot::ik::Pose {
+        let angles = [q[0]];
+        let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let t_2 = (-1.0 * self.p) * q[0] + self.p * q[1];
+        [[c1, 0.0, -s1, -t_2 * s1], [s1, 0.0, c1, t_2 * c1], [0.0, -1.0, 0.0, 0.0]]
+    }
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 2],
+    ) -> (::dh_robot::ik::Pose, [[f64; 2]; 6]) {
+        let angles = [q[0]];
+        let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let t_2 = (-1.0 * self.p) * q[0] + self.p * q[1];
+        let t_3 = s1 * t_2;
+        let t_4 = c1 * t_2;
+        let t_5 = s1 * self.p;
+        let t_6 = c1 * self.p;
+        (
+            [[c1, 0.0, -s1, -t_3], [s1, 0.0, c1, t_4], [0.0, -1.0, 0.0, 0.0]],
+            [
+                [-(t_4 - t_5), -t_5],
+                [-(t_3 + t_6), t_6],
+                [0.0, 0.0],
+                [0.0, 0.0],
+                [0.0, 0.0],
+                [1.0, 0.0],
+            ],
+        )
+    }
+}
+impl ::dh_robot::InverseKinematics<2, 1, f64> for LegWheel {
+    type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
+    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 2, 1> {
+        LegWheel::inverse(self, target)
     }
 }

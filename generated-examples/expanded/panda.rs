@@ -51,44 +51,44 @@ impl Panda {
         let ([s7, s6, s5, s4, s3, s2, s1], [c7, c6, c5, c4, c3, c2, c1]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t = 0.088 * c6 + 0.107 * s6;
-        let t_2 = 0.088 * s6 - 0.107 * c6 + 0.384;
-        let t_3 = t * s5;
-        let t_4 = 0.0825 - t * c5;
-        let t_5 = 0.0825 - (t_4 * c4 + t_2 * s4);
-        let t_6 = t_4 * s4 - t_2 * c4 - 0.316;
-        let t_7 = t_5 * c3 - t_3 * s3;
-        let t_8 = t_5 * s3 + t_3 * c3;
-        let t_9 = t_7 * c2 - t_6 * s2;
+        let t_2 = 0.088 * c6 + 0.107 * s6;
+        let t_3 = 0.088 * s6 - 0.107 * c6 + 0.384;
+        let t_4 = t_2 * s5;
+        let t_5 = 0.0825 - t_2 * c5;
+        let t_6 = 0.0825 - (t_5 * c4 + t_3 * s4);
+        let t_7 = t_5 * s4 - t_3 * c4 - 0.316;
+        let t_8 = t_6 * c3 - t_4 * s3;
+        let t_9 = t_6 * s3 + t_4 * c3;
+        let t_10 = t_8 * c2 - t_7 * s2;
         let c7c6 = c7 * c6;
         let c7s6 = c7 * s6;
-        let t_10 = c5 * c7c6 + s7 * s5;
-        let t_11 = s5 * c7c6 - s7 * c5;
-        let t_12 = c4 * t_10 - s4 * c7s6;
-        let t_13 = s4 * t_10 + c4 * c7s6;
-        let t_14 = c3 * t_12 - s3 * t_11;
-        let t_15 = s3 * t_12 + c3 * t_11;
-        let t_16 = c2 * t_14 + s2 * t_13;
-        let t_17 = s2 * t_14 - c2 * t_13;
-        let t_18 = c1 * t_16 - s1 * t_15;
-        let t_19 = s1 * t_16 + c1 * t_15;
+        let t_11 = c5 * c7c6 + s7 * s5;
+        let t_12 = s5 * c7c6 - s7 * c5;
+        let t_13 = c4 * t_11 - s4 * c7s6;
+        let t_14 = s4 * t_11 + c4 * c7s6;
+        let t_15 = c3 * t_13 - s3 * t_12;
+        let t_16 = s3 * t_13 + c3 * t_12;
+        let t_17 = c2 * t_15 + s2 * t_14;
+        let t_18 = s2 * t_15 - c2 * t_14;
+        let t_19 = c1 * t_17 - s1 * t_16;
+        let t_20 = s1 * t_17 + c1 * t_16;
         let s6c5 = s6 * c5;
         let s6s5 = s6 * s5;
-        let t_20 = c4 * s6c5 + c6 * s4;
-        let t_21 = s4 * s6c5 - c6 * c4;
-        let t_22 = c3 * t_20 - s3 * s6s5;
-        let t_23 = s3 * t_20 + c3 * s6s5;
-        let t_24 = c2 * t_22 + s2 * t_21;
-        let t_25 = s2 * t_22 - c2 * t_21;
-        let t_26 = c1 * t_24 - s1 * t_23;
-        let t_27 = s1 * t_24 + c1 * t_23;
+        let t_21 = c4 * s6c5 + c6 * s4;
+        let t_22 = s4 * s6c5 - c6 * c4;
+        let t_23 = c3 * t_21 - s3 * s6s5;
+        let t_24 = s3 * t_21 + c3 * s6s5;
+        let t_25 = c2 * t_23 + s2 * t_22;
+        let t_26 = s2 * t_23 - c2 * t_22;
+        let t_27 = c1 * t_25 - s1 * t_24;
+        let t_28 = s1 * t_25 + c1 * t_24;
         ::dh_robot::pose::from_entries(
             [
-                [t_18, -(t_17 * t_27 - t_19 * t_25), t_26],
-                [t_19, -(t_18 * t_25 - t_17 * t_26), t_27],
-                [-t_17, t_19 * t_26 - t_18 * t_27, -t_25],
+                [t_19, -(t_18 * t_28 - t_20 * t_26), t_27],
+                [t_20, -(t_19 * t_26 - t_18 * t_27), t_28],
+                [-t_18, t_20 * t_27 - t_19 * t_28, -t_26],
             ],
-            [t_9 * c1 - t_8 * s1, t_9 * s1 + t_8 * c1, -(t_7 * s2 + t_6 * c2 - 0.333)],
+            [t_10 * c1 - t_9 * s1, t_10 * s1 + t_9 * c1, -(t_8 * s2 + t_7 * c2 - 0.333)],
         )
     }
     /// Pose of every moving link's frame in the base, without the tool.
@@ -107,39 +107,39 @@ impl Panda {
         let s1c2 = s1 * c2;
         let c1s2 = c1 * s2;
         let s1s2 = s1 * s2;
-        let t = c1s2 * 0.316;
-        let t_2 = s1s2 * 0.316;
-        let t_3 = 0.333 + c2 * 0.316;
+        let t_2 = c1s2 * 0.316;
+        let t_3 = s1s2 * 0.316;
+        let t_4 = 0.333 + c2 * 0.316;
         let s2c3 = s2 * c3;
-        let t_4 = c1c2 * c3 - s1 * s3;
-        let t_5 = s1c2 * c3 + c1 * s3;
+        let t_5 = c1c2 * c3 - s1 * s3;
+        let t_6 = s1c2 * c3 + c1 * s3;
         let s2s3 = s2 * s3;
-        let t_6 = s1 * c3 + c1c2 * s3;
-        let t_7 = c1 * c3 - s1c2 * s3;
-        let t_8 = t + t_4 * 0.0825;
+        let t_7 = s1 * c3 + c1c2 * s3;
+        let t_8 = c1 * c3 - s1c2 * s3;
         let t_9 = t_2 + t_5 * 0.0825;
-        let t_10 = t_3 - s2c3 * 0.0825;
-        let t_11 = t_4 * c4 + c1s2 * s4;
-        let t_12 = t_5 * c4 + s1s2 * s4;
-        let t_13 = s2c3 * c4 - c2 * s4;
-        let t_14 = c1s2 * c4 - t_4 * s4;
-        let t_15 = s1s2 * c4 - t_5 * s4;
-        let t_16 = c2 * c4 + s2c3 * s4;
-        let t_17 = t_8 - 0.0825 * t_11 + t_14 * 0.384;
+        let t_10 = t_3 + t_6 * 0.0825;
+        let t_11 = t_4 - s2c3 * 0.0825;
+        let t_12 = t_5 * c4 + c1s2 * s4;
+        let t_13 = t_6 * c4 + s1s2 * s4;
+        let t_14 = s2c3 * c4 - c2 * s4;
+        let t_15 = c1s2 * c4 - t_5 * s4;
+        let t_16 = s1s2 * c4 - t_6 * s4;
+        let t_17 = c2 * c4 + s2c3 * s4;
         let t_18 = t_9 - 0.0825 * t_12 + t_15 * 0.384;
-        let t_19 = t_10 + 0.0825 * t_13 + t_16 * 0.384;
-        let t_20 = t_11 * c5 - t_6 * s5;
-        let t_21 = t_12 * c5 + t_7 * s5;
-        let t_22 = t_13 * c5 - s2s3 * s5;
-        let t_23 = t_6 * c5 + t_11 * s5;
-        let t_24 = t_7 * c5 - t_12 * s5;
-        let t_25 = s2s3 * c5 + t_13 * s5;
-        let t_26 = t_20 * c6 + t_14 * s6;
+        let t_19 = t_10 - 0.0825 * t_13 + t_16 * 0.384;
+        let t_20 = t_11 + 0.0825 * t_14 + t_17 * 0.384;
+        let t_21 = t_12 * c5 - t_7 * s5;
+        let t_22 = t_13 * c5 + t_8 * s5;
+        let t_23 = t_14 * c5 - s2s3 * s5;
+        let t_24 = t_7 * c5 + t_12 * s5;
+        let t_25 = t_8 * c5 - t_13 * s5;
+        let t_26 = s2s3 * c5 + t_14 * s5;
         let t_27 = t_21 * c6 + t_15 * s6;
-        let t_28 = t_22 * c6 - t_16 * s6;
-        let t_29 = t_14 * c6 - t_20 * s6;
+        let t_28 = t_22 * c6 + t_16 * s6;
+        let t_29 = t_23 * c6 - t_17 * s6;
         let t_30 = t_15 * c6 - t_21 * s6;
-        let t_31 = t_16 * c6 + t_22 * s6;
+        let t_31 = t_16 * c6 - t_22 * s6;
+        let t_32 = t_17 * c6 + t_23 * s6;
         [
             ::dh_robot::pose::from_entries(
                 [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
@@ -150,31 +150,31 @@ impl Panda {
                 [0.0, 0.0, 0.333],
             ),
             ::dh_robot::pose::from_entries(
-                [[t_4, -t_6, c1s2], [t_5, t_7, s1s2], [-s2c3, s2s3, c2]],
-                [t, t_2, t_3],
+                [[t_5, -t_7, c1s2], [t_6, t_8, s1s2], [-s2c3, s2s3, c2]],
+                [t_2, t_3, t_4],
             ),
             ::dh_robot::pose::from_entries(
-                [[t_11, t_14, t_6], [t_12, t_15, -t_7], [-t_13, t_16, -s2s3]],
-                [t_8, t_9, t_10],
+                [[t_12, t_15, t_7], [t_13, t_16, -t_8], [-t_14, t_17, -s2s3]],
+                [t_9, t_10, t_11],
             ),
             ::dh_robot::pose::from_entries(
-                [[t_20, -t_23, t_14], [t_21, t_24, t_15], [-t_22, t_25, t_16]],
-                [t_17, t_18, t_19],
+                [[t_21, -t_24, t_15], [t_22, t_25, t_16], [-t_23, t_26, t_17]],
+                [t_18, t_19, t_20],
             ),
             ::dh_robot::pose::from_entries(
-                [[t_26, t_29, t_23], [t_27, t_30, -t_24], [-t_28, t_31, -t_25]],
-                [t_17, t_18, t_19],
+                [[t_27, t_30, t_24], [t_28, t_31, -t_25], [-t_29, t_32, -t_26]],
+                [t_18, t_19, t_20],
             ),
             ::dh_robot::pose::from_entries(
                 [
-                    [t_26 * c7 + t_23 * s7, t_23 * c7 - t_26 * s7, -t_29],
-                    [t_27 * c7 - t_24 * s7, -(t_24 * c7 + t_27 * s7), -t_30],
-                    [-(t_28 * c7 + t_25 * s7), -(t_25 * c7 - t_28 * s7), -t_31],
+                    [t_27 * c7 + t_24 * s7, t_24 * c7 - t_27 * s7, -t_30],
+                    [t_28 * c7 - t_25 * s7, -(t_25 * c7 + t_28 * s7), -t_31],
+                    [-(t_29 * c7 + t_26 * s7), -(t_26 * c7 - t_29 * s7), -t_32],
                 ],
                 [
-                    t_17 + t_26 * 0.088 - t_29 * 0.107,
                     t_18 + t_27 * 0.088 - t_30 * 0.107,
-                    t_19 - t_28 * 0.088 - t_31 * 0.107,
+                    t_19 + t_28 * 0.088 - t_31 * 0.107,
+                    t_20 - t_29 * 0.088 - t_32 * 0.107,
                 ],
             ),
         ]
@@ -195,77 +195,77 @@ impl Panda {
         let c1s2 = c1 * s2;
         let s1s2 = s1 * s2;
         let s2c3 = s2 * c3;
-        let t = c1c2 * c3 - s1 * s3;
-        let t_2 = s1c2 * c3 + c1 * s3;
+        let t_2 = c1c2 * c3 - s1 * s3;
+        let t_3 = s1c2 * c3 + c1 * s3;
         let s2s3 = s2 * s3;
-        let t_3 = s1 * c3 + c1c2 * s3;
-        let t_4 = c1 * c3 - s1c2 * s3;
-        let t_5 = t * c4 + c1s2 * s4;
-        let t_6 = t_2 * c4 + s1s2 * s4;
-        let t_7 = s2c3 * c4 - c2 * s4;
-        let t_8 = c1s2 * c4 - t * s4;
-        let t_9 = s1s2 * c4 - t_2 * s4;
-        let t_10 = c2 * c4 + s2c3 * s4;
-        let t_11 = t_5 * c5 - t_3 * s5;
-        let t_12 = t_6 * c5 + t_4 * s5;
-        let t_13 = t_7 * c5 - s2s3 * s5;
-        let t_14 = c6 * 0.088 + s6 * 0.107;
-        let t_15 = s6 * 0.088 - c6 * 0.107;
-        let t_16 = t_15 + 0.384;
-        let t_17 = c5 * t_14;
-        let t_18 = s5 * t_14;
-        let t_19 = t_17 - 0.0825;
-        let t_20 = c4 * t_19 - s4 * t_16;
-        let t_21 = s4 * t_19 + c4 * t_16;
-        let t_22 = 0.0825 + t_20;
-        let t_23 = t_21 + 0.316;
-        let t_24 = c3 * t_22 - s3 * t_18;
-        let t_25 = s3 * t_22 + c3 * t_18;
-        let t_26 = c2 * t_24 + s2 * t_23;
-        let t_27 = s2 * t_24 - c2 * t_23;
+        let t_4 = s1 * c3 + c1c2 * s3;
+        let t_5 = c1 * c3 - s1c2 * s3;
+        let t_6 = t_2 * c4 + c1s2 * s4;
+        let t_7 = t_3 * c4 + s1s2 * s4;
+        let t_8 = s2c3 * c4 - c2 * s4;
+        let t_9 = c1s2 * c4 - t_2 * s4;
+        let t_10 = s1s2 * c4 - t_3 * s4;
+        let t_11 = c2 * c4 + s2c3 * s4;
+        let t_12 = t_6 * c5 - t_4 * s5;
+        let t_13 = t_7 * c5 + t_5 * s5;
+        let t_14 = t_8 * c5 - s2s3 * s5;
+        let t_15 = c6 * 0.088 + s6 * 0.107;
+        let t_16 = s6 * 0.088 - c6 * 0.107;
+        let t_17 = t_16 + 0.384;
+        let t_18 = c5 * t_15;
+        let t_19 = s5 * t_15;
+        let t_20 = t_18 - 0.0825;
+        let t_21 = c4 * t_20 - s4 * t_17;
+        let t_22 = s4 * t_20 + c4 * t_17;
+        let t_23 = 0.0825 + t_21;
+        let t_24 = t_22 + 0.316;
+        let t_25 = c3 * t_23 - s3 * t_19;
+        let t_26 = s3 * t_23 + c3 * t_19;
+        let t_27 = c2 * t_25 + s2 * t_24;
+        let t_28 = s2 * t_25 - c2 * t_24;
         ::dh_robot::nalgebra::SMatrix::from_data(
             ::dh_robot::nalgebra::ArrayStorage([
-                [-(s1 * t_26 + c1 * t_25), c1 * t_26 - s1 * t_25, 0.0, 0.0, 0.0, 1.0],
-                [-c1 * t_27, -s1 * t_27, -t_26, -s1, c1, 0.0],
+                [-(s1 * t_27 + c1 * t_26), c1 * t_27 - s1 * t_26, 0.0, 0.0, 0.0, 1.0],
+                [-c1 * t_28, -s1 * t_28, -t_27, -s1, c1, 0.0],
                 [
-                    -(c1c2 * t_25 + s1 * t_24),
-                    -(s1c2 * t_25 - c1 * t_24),
-                    s2 * t_25,
+                    -(c1c2 * t_26 + s1 * t_25),
+                    -(s1c2 * t_26 - c1 * t_25),
+                    s2 * t_26,
                     c1s2,
                     s1s2,
                     c2,
                 ],
                 [
-                    -(t * t_21 - c1s2 * t_20),
-                    -(t_2 * t_21 - s1s2 * t_20),
-                    s2c3 * t_21 + c2 * t_20,
-                    t_3,
-                    -t_4,
+                    -(t_2 * t_22 - c1s2 * t_21),
+                    -(t_3 * t_22 - s1s2 * t_21),
+                    s2c3 * t_22 + c2 * t_21,
+                    t_4,
+                    -t_5,
                     -s2s3,
                 ],
                 [
-                    -(t_5 * t_18 + t_3 * t_17),
-                    -(t_6 * t_18 - t_4 * t_17),
-                    t_7 * t_18 + s2s3 * t_17,
-                    t_8,
+                    -(t_6 * t_19 + t_4 * t_18),
+                    -(t_7 * t_19 - t_5 * t_18),
+                    t_8 * t_19 + s2s3 * t_18,
                     t_9,
                     t_10,
+                    t_11,
                 ],
                 [
-                    -(t_11 * t_15 - t_8 * t_14),
-                    -(t_12 * t_15 - t_9 * t_14),
-                    t_13 * t_15 + t_10 * t_14,
-                    t_3 * c5 + t_5 * s5,
-                    -(t_4 * c5 - t_6 * s5),
-                    -(s2s3 * c5 + t_7 * s5),
+                    -(t_12 * t_16 - t_9 * t_15),
+                    -(t_13 * t_16 - t_10 * t_15),
+                    t_14 * t_16 + t_11 * t_15,
+                    t_4 * c5 + t_6 * s5,
+                    -(t_5 * c5 - t_7 * s5),
+                    -(s2s3 * c5 + t_8 * s5),
                 ],
                 [
                     0.0,
                     0.0,
                     0.0,
-                    -(t_8 * c6 - t_11 * s6),
                     -(t_9 * c6 - t_12 * s6),
-                    -(t_10 * c6 + t_13 * s6),
+                    -(t_10 * c6 - t_13 * s6),
+                    -(t_11 * c6 + t_14 * s6),
                 ],
             ]),
         )
@@ -291,91 +291,91 @@ impl Panda {
         let c1s2 = c1 * s2;
         let s1s2 = s1 * s2;
         let s2c3 = s2 * c3;
-        let t = c1c2 * c3 - s1 * s3;
-        let t_2 = s1c2 * c3 + c1 * s3;
+        let t_2 = c1c2 * c3 - s1 * s3;
+        let t_3 = s1c2 * c3 + c1 * s3;
         let s2s3 = s2 * s3;
-        let t_3 = s1 * c3 + c1c2 * s3;
-        let t_4 = c1 * c3 - s1c2 * s3;
-        let t_5 = t * c4 + c1s2 * s4;
-        let t_6 = t_2 * c4 + s1s2 * s4;
-        let t_7 = s2c3 * c4 - c2 * s4;
-        let t_8 = c1s2 * c4 - t * s4;
-        let t_9 = s1s2 * c4 - t_2 * s4;
-        let t_10 = c2 * c4 + s2c3 * s4;
-        let t_11 = t_5 * c5 - t_3 * s5;
-        let t_12 = t_6 * c5 + t_4 * s5;
-        let t_13 = t_7 * c5 - s2s3 * s5;
-        let t_14 = t_3 * c5 + t_5 * s5;
-        let t_15 = t_4 * c5 - t_6 * s5;
-        let t_16 = s2s3 * c5 + t_7 * s5;
-        let t_17 = t_11 * c6 + t_8 * s6;
+        let t_4 = s1 * c3 + c1c2 * s3;
+        let t_5 = c1 * c3 - s1c2 * s3;
+        let t_6 = t_2 * c4 + c1s2 * s4;
+        let t_7 = t_3 * c4 + s1s2 * s4;
+        let t_8 = s2c3 * c4 - c2 * s4;
+        let t_9 = c1s2 * c4 - t_2 * s4;
+        let t_10 = s1s2 * c4 - t_3 * s4;
+        let t_11 = c2 * c4 + s2c3 * s4;
+        let t_12 = t_6 * c5 - t_4 * s5;
+        let t_13 = t_7 * c5 + t_5 * s5;
+        let t_14 = t_8 * c5 - s2s3 * s5;
+        let t_15 = t_4 * c5 + t_6 * s5;
+        let t_16 = t_5 * c5 - t_7 * s5;
+        let t_17 = s2s3 * c5 + t_8 * s5;
         let t_18 = t_12 * c6 + t_9 * s6;
-        let t_19 = t_13 * c6 - t_10 * s6;
-        let t_20 = t_8 * c6 - t_11 * s6;
+        let t_19 = t_13 * c6 + t_10 * s6;
+        let t_20 = t_14 * c6 - t_11 * s6;
         let t_21 = t_9 * c6 - t_12 * s6;
-        let t_22 = t_10 * c6 + t_13 * s6;
-        let t_23 = c6 * 0.088 + s6 * 0.107;
-        let t_24 = s6 * 0.088 - c6 * 0.107;
-        let t_25 = t_24 + 0.384;
-        let t_26 = c5 * t_23;
-        let t_27 = s5 * t_23;
-        let t_28 = t_26 - 0.0825;
-        let t_29 = c4 * t_28 - s4 * t_25;
-        let t_30 = s4 * t_28 + c4 * t_25;
-        let t_31 = 0.0825 + t_29;
-        let t_32 = t_30 + 0.316;
-        let t_33 = c3 * t_31 - s3 * t_27;
-        let t_34 = s3 * t_31 + c3 * t_27;
-        let t_35 = c2 * t_33 + s2 * t_32;
-        let t_36 = s2 * t_33 - c2 * t_32;
-        let t_37 = c1 * t_35 - s1 * t_34;
-        let t_38 = s1 * t_35 + c1 * t_34;
+        let t_22 = t_10 * c6 - t_13 * s6;
+        let t_23 = t_11 * c6 + t_14 * s6;
+        let t_24 = c6 * 0.088 + s6 * 0.107;
+        let t_25 = s6 * 0.088 - c6 * 0.107;
+        let t_26 = t_25 + 0.384;
+        let t_27 = c5 * t_24;
+        let t_28 = s5 * t_24;
+        let t_29 = t_27 - 0.0825;
+        let t_30 = c4 * t_29 - s4 * t_26;
+        let t_31 = s4 * t_29 + c4 * t_26;
+        let t_32 = 0.0825 + t_30;
+        let t_33 = t_31 + 0.316;
+        let t_34 = c3 * t_32 - s3 * t_28;
+        let t_35 = s3 * t_32 + c3 * t_28;
+        let t_36 = c2 * t_34 + s2 * t_33;
+        let t_37 = s2 * t_34 - c2 * t_33;
+        let t_38 = c1 * t_36 - s1 * t_35;
+        let t_39 = s1 * t_36 + c1 * t_35;
         (
             ::dh_robot::pose::from_entries(
                 [
-                    [t_17 * c7 + t_14 * s7, t_14 * c7 - t_17 * s7, -t_20],
-                    [t_18 * c7 - t_15 * s7, -(t_15 * c7 + t_18 * s7), -t_21],
-                    [-(t_19 * c7 + t_16 * s7), -(t_16 * c7 - t_19 * s7), -t_22],
+                    [t_18 * c7 + t_15 * s7, t_15 * c7 - t_18 * s7, -t_21],
+                    [t_19 * c7 - t_16 * s7, -(t_16 * c7 + t_19 * s7), -t_22],
+                    [-(t_20 * c7 + t_17 * s7), -(t_17 * c7 - t_20 * s7), -t_23],
                 ],
-                [t_37, t_38, -(t_36 - 0.333)],
+                [t_38, t_39, -(t_37 - 0.333)],
             ),
             ::dh_robot::nalgebra::SMatrix::from_data(
                 ::dh_robot::nalgebra::ArrayStorage([
-                    [-t_38, t_37, 0.0, 0.0, 0.0, 1.0],
-                    [-c1 * t_36, -s1 * t_36, -t_35, -s1, c1, 0.0],
+                    [-t_39, t_38, 0.0, 0.0, 0.0, 1.0],
+                    [-c1 * t_37, -s1 * t_37, -t_36, -s1, c1, 0.0],
                     [
-                        -(c1c2 * t_34 + s1 * t_33),
-                        -(s1c2 * t_34 - c1 * t_33),
-                        s2 * t_34,
+                        -(c1c2 * t_35 + s1 * t_34),
+                        -(s1c2 * t_35 - c1 * t_34),
+                        s2 * t_35,
                         c1s2,
                         s1s2,
                         c2,
                     ],
                     [
-                        -(t * t_30 - c1s2 * t_29),
-                        -(t_2 * t_30 - s1s2 * t_29),
-                        s2c3 * t_30 + c2 * t_29,
-                        t_3,
-                        -t_4,
+                        -(t_2 * t_31 - c1s2 * t_30),
+                        -(t_3 * t_31 - s1s2 * t_30),
+                        s2c3 * t_31 + c2 * t_30,
+                        t_4,
+                        -t_5,
                         -s2s3,
                     ],
                     [
-                        -(t_5 * t_27 + t_3 * t_26),
-                        -(t_6 * t_27 - t_4 * t_26),
-                        t_7 * t_27 + s2s3 * t_26,
-                        t_8,
+                        -(t_6 * t_28 + t_4 * t_27),
+                        -(t_7 * t_28 - t_5 * t_27),
+                        t_8 * t_28 + s2s3 * t_27,
                         t_9,
                         t_10,
+                        t_11,
                     ],
                     [
-                        -(t_11 * t_24 - t_8 * t_23),
-                        -(t_12 * t_24 - t_9 * t_23),
-                        t_13 * t_24 + t_10 * t_23,
-                        t_14,
-                        -t_15,
+                        -(t_12 * t_25 - t_9 * t_24),
+                        -(t_13 * t_25 - t_10 * t_24),
+                        t_14 * t_25 + t_11 * t_24,
+                        t_15,
                         -t_16,
+                        -t_17,
                     ],
-                    [0.0, 0.0, 0.0, -t_20, -t_21, -t_22],
+                    [0.0, 0.0, 0.0, -t_21, -t_22, -t_23],
                 ]),
             ),
         )
@@ -400,5 +400,384 @@ impl ::dh_robot::Jacobian<7, f64> for Panda {
     #[inline]
     fn jacobian(&self, q: &[f64; 7]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 7> {
         Panda::jacobian(self, q)
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl Panda {
+    /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
+    pub const MAX_SOLUTIONS: usize = 8;
+    /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
+    ///
+    /// Plan:
+    /// 1. `q4`: a cos + b sin = c: two values.
+    /// 2. `q5`: a cos + b sin = c: two values.
+    /// 3. `q6`: two equations in its sine and cosine: one value.
+    /// 4. `q3`: a cos + b sin = 0: two values half a turn apart.
+    /// 5. `q1`: two equations in its sine and cosine: one value.
+    /// 6. `q2`: two equations in its sine and cosine: one value.
+    #[must_use]
+    pub fn inverse(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        given: f64,
+    ) -> ::dh_robot::Solutions<f64, 7, 8> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 1.393) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 1.393,
+            few: false,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 1.393),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, found| self.candidates(frame, given.into(), found),
+        )
+    }
+    /// Runs the plan: calls `found` with every candidate.
+    fn candidates(
+        &self,
+        t: &::dh_robot::ik::Pose,
+        given: f64,
+        found: &mut dyn FnMut([f64; 7], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+    ) -> ::dh_robot::inverse::Attempt {
+        let mut attempt = ::dh_robot::inverse::Attempt::new();
+        let free = ::dh_robot::FreeJoints::NONE;
+        let a0 = given;
+        let (s7, c7) = ::dh_robot::math::sin_cos(a0);
+        let t_2 = t[0][3] - t[0][2] * 0.07681263460157932;
+        let t_3 = t[1][3] - t[1][2] * 0.07681263460157932;
+        let t_4 = t[2][3] - t[2][2] * 0.07681263460157932;
+        let t_5 = t[2][2] * 0.2390524048815506;
+        let t_6 = t[0][0] * c7 - t[0][1] * s7;
+        let t_7 = t[1][0] * c7 - t[1][1] * s7;
+        let t_8 = t[2][0] * c7 - t[2][1] * s7;
+        let t_9 = t[0][0] * s7 + t[0][1] * c7;
+        let t_10 = t[1][0] * s7 + t[1][1] * c7;
+        let t_11 = t[2][0] * s7 + t[2][1] * c7;
+        let t_12 = t_2 - t_6 * 0.06317300789662599;
+        let t_13 = t_3 - t_7 * 0.06317300789662599;
+        let t_14 = t_4 - t_8 * 0.06317300789662599;
+        let t_15 = t_12 * t_12 + t_13 * t_13 + t_14 * t_14 - 0.13446604368370413;
+        let t_16 = 0.2390524048815506 * (0.2390524048815506 - t_14 * 2.0) + t_15;
+        let t_17 = t_9 * t_12 + t_10 * t_13 + t_11 * t_14 - t_11 * 0.2390524048815506;
+        let t_18 = t_6 * t_12 + t_7 * t_13 + t_8 * t_14 - t_8 * 0.2390524048815506;
+        let t_19 = t[0][2] * t_12 + t[1][2] * t_13 + t[2][2] * t_14 - t_5;
+        let r0 = ::dh_robot::ik::solve_sincos(
+            0.11805283210226085,
+            -0.05952230643526318,
+            t_16,
+            1e-11,
+        );
+        if r0.roots.is_empty() {
+            attempt.note(r0.outcome, "q4", 1.393, "m");
+        }
+        let free = if r0.is_free() {
+            attempt.degenerate = true;
+            free.union(::dh_robot::FreeJoints::of(&[3]))
+        } else {
+            free
+        };
+        for (i0, &[c4, s4]) in r0.or_if_free([1.0, 0.0]).iter().enumerate() {
+            let a1 = ::dh_robot::math::atan2(s4, c4);
+            let t_20 = 0.059224694903086864 * (1.0 - c4) - 0.22684852835606603 * s4;
+            let t_21 = 0.2756640344580043 + c4 * 0.22684852835606603
+                - 0.059224694903086864 * s4;
+            let r1 = ::dh_robot::ik::solve_sincos(0.0, t_20, -t_17, 1e-11);
+            if r1.roots.is_empty() {
+                attempt.note(r1.outcome, "q5", 1.393, "m");
+            }
+            let free = if r1.is_free() {
+                attempt.degenerate = true;
+                free.union(::dh_robot::FreeJoints::of(&[4]))
+            } else {
+                free
+            };
+            for (i1, &[c5, s5]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+                let a2 = ::dh_robot::math::atan2(s5, c5);
+                let t_22 = t_9 * s5;
+                let t_23 = t_10 * s5;
+                let t_24 = t_11 * s5;
+                let t_25 = t_9 * c5;
+                let t_26 = t_10 * c5;
+                let t_27 = t_11 * c5;
+                let r2 = ::dh_robot::ik::solve_pair(
+                    t_18,
+                    t_19,
+                    -t_20 * c5,
+                    -t_19,
+                    t_18,
+                    t_21,
+                    1e-11,
+                );
+                if r2.roots.is_empty() {
+                    attempt.note(r2.outcome, "q6", 1.393, "m");
+                }
+                let free = if r2.is_free() {
+                    attempt.degenerate = true;
+                    free.union(::dh_robot::FreeJoints::of(&[5]))
+                } else {
+                    free
+                };
+                for (i2, &[c6, s6]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    let a3 = ::dh_robot::math::atan2(s6, c6);
+                    let t_28 = t_6 * c6 + t[0][2] * s6;
+                    let t_29 = t_7 * c6 + t[1][2] * s6;
+                    let t_30 = t_8 * c6 + t[2][2] * s6;
+                    let t_31 = t_28 * s5 - t_25;
+                    let t_32 = t_29 * s5 - t_26;
+                    let t_33 = c4 * (c5 * t_28 + t_22) - s4 * (t_6 * s6 - t[0][2] * c6);
+                    let t_34 = c4 * (c5 * t_29 + t_23) - s4 * (t_7 * s6 - t[1][2] * c6);
+                    let r3 = ::dh_robot::ik::solve_sincos(
+                        -(t_30 * s5 - t_27),
+                        -(c4 * (c5 * t_30 + t_24) - s4 * (t_8 * s6 - t[2][2] * c6)),
+                        0.0,
+                        1e-11,
+                    );
+                    if r3.roots.is_empty() {
+                        attempt.note(r3.outcome, "q3", 1.0, "");
+                    }
+                    let free = if r3.is_free() {
+                        attempt.degenerate = true;
+                        free.union(::dh_robot::FreeJoints::of(&[2]))
+                    } else {
+                        free
+                    };
+                    for (i3, &[c3, s3]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                        let a4 = ::dh_robot::math::atan2(s3, c3);
+                        let r4 = ::dh_robot::ik::solve_pair(
+                            0.0,
+                            -1.0,
+                            t_33 * s3 + t_31 * c3,
+                            1.0,
+                            0.0,
+                            t_34 * s3 + t_32 * c3,
+                            1e-11,
+                        );
+                        if r4.roots.is_empty() {
+                            attempt.note(r4.outcome, "q1", 1.0, "");
+                        }
+                        let free = if r4.is_free() {
+                            attempt.degenerate = true;
+                            free.union(::dh_robot::FreeJoints::of(&[0]))
+                        } else {
+                            free
+                        };
+                        for (i4, &[c1, s1]) in r4
+                            .or_if_free([1.0, 0.0])
+                            .iter()
+                            .enumerate()
+                        {
+                            let a5 = ::dh_robot::math::atan2(s1, c1);
+                            let t_35 = t[0][0] * c1 + t[1][0] * s1;
+                            let t_36 = t[0][1] * c1 + t[1][1] * s1;
+                            let t_37 = t[0][2] * c1 + t[1][2] * s1;
+                            let t_38 = c7 * t_35 - s7 * t_36;
+                            let t_39 = s7 * t_35 + c7 * t_36;
+                            let t_40 = c6 * t_38 + s6 * t_37;
+                            let t_41 = s6 * t_38 - c6 * t_37;
+                            let t_42 = c5 * t_40 + s5 * t_39;
+                            let t_43 = c3 * (c4 * t_42 - s4 * t_41)
+                                - s3 * (s5 * t_40 - c5 * t_39);
+                            let r5 = ::dh_robot::ik::solve_pair(
+                                1.0,
+                                0.0,
+                                t_43,
+                                0.0,
+                                -1.0,
+                                -(s4 * t_42 + c4 * t_41),
+                                1e-11,
+                            );
+                            if r5.roots.is_empty() {
+                                attempt.note(r5.outcome, "q2", 1.0, "");
+                            }
+                            let free = if r5.is_free() {
+                                attempt.degenerate = true;
+                                free.union(::dh_robot::FreeJoints::of(&[1]))
+                            } else {
+                                free
+                            };
+                            for (i5, &[c2, s2]) in r5
+                                .or_if_free([1.0, 0.0])
+                                .iter()
+                                .enumerate()
+                            {
+                                let a6 = ::dh_robot::math::atan2(s2, c2);
+                                let branch = ::dh_robot::Branch::ANY
+                                    .with_step(0, i0)
+                                    .with_wrist(
+                                        if i0 == 0 {
+                                            ::dh_robot::Wrist::NoFlip
+                                        } else {
+                                            ::dh_robot::Wrist::Flip
+                                        },
+                                    )
+                                    .with_step(1, i1)
+                                    .with_step(2, i3)
+                                    .with_elbow(
+                                        if i3 == 0 {
+                                            ::dh_robot::Elbow::Up
+                                        } else {
+                                            ::dh_robot::Elbow::Down
+                                        },
+                                    );
+                                found([a5, a6, a4, a1, a2, a3, a0], branch, free);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        attempt
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl ::dh_robot::ik::Kinematics<7> for Panda {
+    #[inline]
+    fn forward(&self, q: &[f64; 7]) -> ::dh_robot::ik::Pose {
+        let angles = [q[6], q[5], q[4], q[3], q[2], q[1], q[0]];
+        let ([s7, s6, s5, s4, s3, s2, s1], [c7, c6, c5, c4, c3, c2, c1]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let t_2 = 0.088 * c6 + 0.107 * s6;
+        let t_3 = 0.088 * s6 - 0.107 * c6 + 0.384;
+        let t_4 = t_2 * s5;
+        let t_5 = 0.0825 - t_2 * c5;
+        let t_6 = 0.0825 - (t_5 * c4 + t_3 * s4);
+        let t_7 = t_5 * s4 - t_3 * c4 - 0.316;
+        let t_8 = t_6 * c3 - t_4 * s3;
+        let t_9 = t_6 * s3 + t_4 * c3;
+        let t_10 = t_8 * c2 - t_7 * s2;
+        let c7c6 = c7 * c6;
+        let c7s6 = c7 * s6;
+        let t_11 = c5 * c7c6 + s7 * s5;
+        let t_12 = s5 * c7c6 - s7 * c5;
+        let t_13 = c4 * t_11 - s4 * c7s6;
+        let t_14 = s4 * t_11 + c4 * c7s6;
+        let t_15 = c3 * t_13 - s3 * t_12;
+        let t_16 = s3 * t_13 + c3 * t_12;
+        let t_17 = c2 * t_15 + s2 * t_14;
+        let t_18 = s2 * t_15 - c2 * t_14;
+        let t_19 = c1 * t_17 - s1 * t_16;
+        let t_20 = s1 * t_17 + c1 * t_16;
+        let s6c5 = s6 * c5;
+        let s6s5 = s6 * s5;
+        let t_21 = c4 * s6c5 + c6 * s4;
+        let t_22 = s4 * s6c5 - c6 * c4;
+        let t_23 = c3 * t_21 - s3 * s6s5;
+        let t_24 = s3 * t_21 + c3 * s6s5;
+        let t_25 = c2 * t_23 + s2 * t_22;
+        let t_26 = s2 * t_23 - c2 * t_22;
+        let t_27 = c1 * t_25 - s1 * t_24;
+        let t_28 = s1 * t_25 + c1 * t_24;
+        [
+            [t_19, -(t_18 * t_28 - t_20 * t_26), t_27, t_10 * c1 - t_9 * s1],
+            [t_20, -(t_19 * t_26 - t_18 * t_27), t_28, t_10 * s1 + t_9 * c1],
+            [-t_18, t_20 * t_27 - t_19 * t_28, -t_26, -(t_8 * s2 + t_7 * c2 - 0.333)],
+        ]
+    }
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 7],
+    ) -> (::dh_robot::ik::Pose, [[f64; 7]; 6]) {
+        let angles = [q[0], q[1], q[2], q[3], q[4], q[5], q[6]];
+        let ([s1, s2, s3, s4, s5, s6, s7], [c1, c2, c3, c4, c5, c6, c7]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let c1c2 = c1 * c2;
+        let s1c2 = s1 * c2;
+        let c1s2 = c1 * s2;
+        let s1s2 = s1 * s2;
+        let s2c3 = s2 * c3;
+        let t_2 = c1c2 * c3 - s1 * s3;
+        let t_3 = s1c2 * c3 + c1 * s3;
+        let s2s3 = s2 * s3;
+        let t_4 = s1 * c3 + c1c2 * s3;
+        let t_5 = c1 * c3 - s1c2 * s3;
+        let t_6 = t_2 * c4 + c1s2 * s4;
+        let t_7 = t_3 * c4 + s1s2 * s4;
+        let t_8 = s2c3 * c4 - c2 * s4;
+        let t_9 = c1s2 * c4 - t_2 * s4;
+        let t_10 = s1s2 * c4 - t_3 * s4;
+        let t_11 = c2 * c4 + s2c3 * s4;
+        let t_12 = t_6 * c5 - t_4 * s5;
+        let t_13 = t_7 * c5 + t_5 * s5;
+        let t_14 = t_8 * c5 - s2s3 * s5;
+        let t_15 = t_4 * c5 + t_6 * s5;
+        let t_16 = t_5 * c5 - t_7 * s5;
+        let t_17 = s2s3 * c5 + t_8 * s5;
+        let t_18 = t_12 * c6 + t_9 * s6;
+        let t_19 = t_13 * c6 + t_10 * s6;
+        let t_20 = t_14 * c6 - t_11 * s6;
+        let t_21 = t_9 * c6 - t_12 * s6;
+        let t_22 = t_10 * c6 - t_13 * s6;
+        let t_23 = t_11 * c6 + t_14 * s6;
+        let t_24 = c6 * 0.088 + s6 * 0.107;
+        let t_25 = s6 * 0.088 - c6 * 0.107;
+        let t_26 = t_25 + 0.384;
+        let t_27 = c5 * t_24;
+        let t_28 = s5 * t_24;
+        let t_29 = t_27 - 0.0825;
+        let t_30 = c4 * t_29 - s4 * t_26;
+        let t_31 = s4 * t_29 + c4 * t_26;
+        let t_32 = 0.0825 + t_30;
+        let t_33 = t_31 + 0.316;
+        let t_34 = c3 * t_32 - s3 * t_28;
+        let t_35 = s3 * t_32 + c3 * t_28;
+        let t_36 = c2 * t_34 + s2 * t_33;
+        let t_37 = s2 * t_34 - c2 * t_33;
+        let t_38 = c1 * t_36 - s1 * t_35;
+        let t_39 = s1 * t_36 + c1 * t_35;
+        (
+            [
+                [t_18 * c7 + t_15 * s7, t_15 * c7 - t_18 * s7, -t_21, t_38],
+                [t_19 * c7 - t_16 * s7, -(t_16 * c7 + t_19 * s7), -t_22, t_39],
+                [
+                    -(t_20 * c7 + t_17 * s7),
+                    -(t_17 * c7 - t_20 * s7),
+                    -t_23,
+                    -(t_37 - 0.333),
+                ],
+            ],
+            [
+                [
+                    -t_39,
+                    -c1 * t_37,
+                    -(c1c2 * t_35 + s1 * t_34),
+                    -(t_2 * t_31 - c1s2 * t_30),
+                    -(t_6 * t_28 + t_4 * t_27),
+                    -(t_12 * t_25 - t_9 * t_24),
+                    0.0,
+                ],
+                [
+                    t_38,
+                    -s1 * t_37,
+                    -(s1c2 * t_35 - c1 * t_34),
+                    -(t_3 * t_31 - s1s2 * t_30),
+                    -(t_7 * t_28 - t_5 * t_27),
+                    -(t_13 * t_25 - t_10 * t_24),
+                    0.0,
+                ],
+                [
+                    0.0,
+                    -t_36,
+                    s2 * t_35,
+                    s2c3 * t_31 + c2 * t_30,
+                    t_8 * t_28 + s2s3 * t_27,
+                    t_14 * t_25 + t_11 * t_24,
+                    0.0,
+                ],
+                [0.0, -s1, c1s2, t_4, t_9, t_15, 0.0],
+                [0.0, c1, s1s2, -t_5, t_10, -t_16, 0.0],
+                [1.0, 0.0, c2, -s2s3, t_11, -t_17, 0.0],
+            ],
+        )
     }
 }

@@ -95,60 +95,60 @@ impl Pieper {
             c5,
             ],
         ) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t = self.d4 * s_alpha3;
-        let t_2 = self.d4 * c_alpha3 + self.d3;
-        let t_3 = self.a3 * s3 - t * c3;
-        let t_4 = self.a2 + self.a3 * c3 + t * s3;
-        let t_5 = t_3 * c_alpha2 - t_2 * s_alpha2;
-        let t_6 = t_3 * s_alpha2 + t_2 * c_alpha2 + self.d2;
-        let t_7 = t_4 * s2 + t_5 * c2;
-        let t_8 = self.a1 + t_4 * c2 - t_5 * s2;
-        let t_9 = t_7 * c_alpha1 - t_6 * s_alpha1;
-        let t_10 = c_alpha5 * s6;
-        let t_11 = s_alpha5 * s6;
-        let t_12 = c6 * c5 - t_10 * s5;
-        let t_13 = c6 * s5 + t_10 * c5;
-        let t_14 = c_alpha4 * t_13 - s_alpha4 * t_11;
-        let t_15 = s_alpha4 * t_13 + c_alpha4 * t_11;
-        let t_16 = c4 * t_12 - s4 * t_14;
-        let t_17 = s4 * t_12 + c4 * t_14;
-        let t_18 = c_alpha3 * t_17 - s_alpha3 * t_15;
-        let t_19 = s_alpha3 * t_17 + c_alpha3 * t_15;
-        let t_20 = c3 * t_16 - s3 * t_18;
-        let t_21 = s3 * t_16 + c3 * t_18;
-        let t_22 = c_alpha2 * t_21 - s_alpha2 * t_19;
-        let t_23 = s_alpha2 * t_21 + c_alpha2 * t_19;
-        let t_24 = c2 * t_20 - s2 * t_22;
-        let t_25 = s2 * t_20 + c2 * t_22;
-        let t_26 = c_alpha1 * t_25 - s_alpha1 * t_23;
-        let t_27 = s_alpha1 * t_25 + c_alpha1 * t_23;
-        let t_28 = c1 * t_24 - s1 * t_26;
-        let t_29 = s1 * t_24 + c1 * t_26;
-        let t_30 = s_alpha5 * s5;
-        let t_31 = s_alpha5 * c5;
-        let t_32 = c_alpha4 * t_31 + c_alpha5 * s_alpha4;
-        let t_33 = s_alpha4 * t_31 - c_alpha5 * c_alpha4;
-        let t_34 = c4 * t_30 + s4 * t_32;
-        let t_35 = s4 * t_30 - c4 * t_32;
-        let t_36 = c_alpha3 * t_35 + s_alpha3 * t_33;
-        let t_37 = s_alpha3 * t_35 - c_alpha3 * t_33;
-        let t_38 = c3 * t_34 - s3 * t_36;
-        let t_39 = s3 * t_34 + c3 * t_36;
-        let t_40 = c_alpha2 * t_39 - s_alpha2 * t_37;
-        let t_41 = s_alpha2 * t_39 + c_alpha2 * t_37;
-        let t_42 = c2 * t_38 - s2 * t_40;
-        let t_43 = s2 * t_38 + c2 * t_40;
-        let t_44 = c_alpha1 * t_43 - s_alpha1 * t_41;
-        let t_45 = s_alpha1 * t_43 + c_alpha1 * t_41;
-        let t_46 = c1 * t_42 - s1 * t_44;
-        let t_47 = s1 * t_42 + c1 * t_44;
+        let t_2 = self.d4 * s_alpha3;
+        let t_3 = self.d4 * c_alpha3 + self.d3;
+        let t_4 = self.a3 * s3 - t_2 * c3;
+        let t_5 = self.a2 + self.a3 * c3 + t_2 * s3;
+        let t_6 = t_4 * c_alpha2 - t_3 * s_alpha2;
+        let t_7 = t_4 * s_alpha2 + t_3 * c_alpha2 + self.d2;
+        let t_8 = t_5 * s2 + t_6 * c2;
+        let t_9 = self.a1 + t_5 * c2 - t_6 * s2;
+        let t_10 = t_8 * c_alpha1 - t_7 * s_alpha1;
+        let t_11 = c_alpha5 * s6;
+        let t_12 = s_alpha5 * s6;
+        let t_13 = c6 * c5 - t_11 * s5;
+        let t_14 = c6 * s5 + t_11 * c5;
+        let t_15 = c_alpha4 * t_14 - s_alpha4 * t_12;
+        let t_16 = s_alpha4 * t_14 + c_alpha4 * t_12;
+        let t_17 = c4 * t_13 - s4 * t_15;
+        let t_18 = s4 * t_13 + c4 * t_15;
+        let t_19 = c_alpha3 * t_18 - s_alpha3 * t_16;
+        let t_20 = s_alpha3 * t_18 + c_alpha3 * t_16;
+        let t_21 = c3 * t_17 - s3 * t_19;
+        let t_22 = s3 * t_17 + c3 * t_19;
+        let t_23 = c_alpha2 * t_22 - s_alpha2 * t_20;
+        let t_24 = s_alpha2 * t_22 + c_alpha2 * t_20;
+        let t_25 = c2 * t_21 - s2 * t_23;
+        let t_26 = s2 * t_21 + c2 * t_23;
+        let t_27 = c_alpha1 * t_26 - s_alpha1 * t_24;
+        let t_28 = s_alpha1 * t_26 + c_alpha1 * t_24;
+        let t_29 = c1 * t_25 - s1 * t_27;
+        let t_30 = s1 * t_25 + c1 * t_27;
+        let t_31 = s_alpha5 * s5;
+        let t_32 = s_alpha5 * c5;
+        let t_33 = c_alpha4 * t_32 + c_alpha5 * s_alpha4;
+        let t_34 = s_alpha4 * t_32 - c_alpha5 * c_alpha4;
+        let t_35 = c4 * t_31 + s4 * t_33;
+        let t_36 = s4 * t_31 - c4 * t_33;
+        let t_37 = c_alpha3 * t_36 + s_alpha3 * t_34;
+        let t_38 = s_alpha3 * t_36 - c_alpha3 * t_34;
+        let t_39 = c3 * t_35 - s3 * t_37;
+        let t_40 = s3 * t_35 + c3 * t_37;
+        let t_41 = c_alpha2 * t_40 - s_alpha2 * t_38;
+        let t_42 = s_alpha2 * t_40 + c_alpha2 * t_38;
+        let t_43 = c2 * t_39 - s2 * t_41;
+        let t_44 = s2 * t_39 + c2 * t_41;
+        let t_45 = c_alpha1 * t_44 - s_alpha1 * t_42;
+        let t_46 = s_alpha1 * t_44 + c_alpha1 * t_42;
+        let t_47 = c1 * t_43 - s1 * t_45;
+        let t_48 = s1 * t_43 + c1 * t_45;
         ::dh_robot::pose::from_entries(
             [
-                [t_28, t_27 * t_47 - t_29 * t_45, t_46],
-                [t_29, t_28 * t_45 - t_27 * t_46, t_47],
-                [t_27, t_29 * t_46 - t_28 * t_47, t_45],
+                [t_29, t_28 * t_48 - t_30 * t_46, t_47],
+                [t_30, t_29 * t_46 - t_28 * t_47, t_48],
+                [t_28, t_30 * t_47 - t_29 * t_48, t_46],
             ],
-            [t_8 * c1 - t_9 * s1, t_8 * s1 + t_9 * c1, t_7 * s_alpha1 + t_6 * c_alpha1],
+            [t_9 * c1 - t_10 * s1, t_9 * s1 + t_10 * c1, t_8 * s_alpha1 + t_7 * c_alpha1],
         )
     }
     /// Pose of every moving link's frame in the base, without the tool.
@@ -198,104 +198,104 @@ impl Pieper {
             c6,
             ],
         ) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t = s1 * c_alpha1;
-        let t_2 = c1 * c_alpha1;
-        let t_3 = s1 * s_alpha1;
-        let t_4 = c1 * s_alpha1;
-        let t_5 = c_alpha1 * self.d2;
-        let t_6 = c1 * self.a1 + t_3 * self.d2;
-        let t_7 = s1 * self.a1 - t_4 * self.d2;
-        let t_8 = s_alpha1 * s2;
-        let t_9 = c1 * c2 - t * s2;
-        let t_10 = s1 * c2 + t_2 * s2;
-        let t_11 = s_alpha1 * c2;
-        let t_12 = t * c2 + c1 * s2;
-        let t_13 = t_2 * c2 - s1 * s2;
-        let t_14 = t_12 * c_alpha2 - t_3 * s_alpha2;
+        let t_2 = s1 * c_alpha1;
+        let t_3 = c1 * c_alpha1;
+        let t_4 = s1 * s_alpha1;
+        let t_5 = c1 * s_alpha1;
+        let t_6 = c_alpha1 * self.d2;
+        let t_7 = c1 * self.a1 + t_4 * self.d2;
+        let t_8 = s1 * self.a1 - t_5 * self.d2;
+        let t_9 = s_alpha1 * s2;
+        let t_10 = c1 * c2 - t_2 * s2;
+        let t_11 = s1 * c2 + t_3 * s2;
+        let t_12 = s_alpha1 * c2;
+        let t_13 = t_2 * c2 + c1 * s2;
+        let t_14 = t_3 * c2 - s1 * s2;
         let t_15 = t_13 * c_alpha2 - t_4 * s_alpha2;
-        let t_16 = t_11 * c_alpha2 + c_alpha1 * s_alpha2;
-        let t_17 = t_3 * c_alpha2 + t_12 * s_alpha2;
+        let t_16 = t_14 * c_alpha2 - t_5 * s_alpha2;
+        let t_17 = t_12 * c_alpha2 + c_alpha1 * s_alpha2;
         let t_18 = t_4 * c_alpha2 + t_13 * s_alpha2;
-        let t_19 = c_alpha1 * c_alpha2 - t_11 * s_alpha2;
-        let t_20 = t_6 + t_9 * self.a2 + t_17 * self.d3;
-        let t_21 = t_7 + t_10 * self.a2 - t_18 * self.d3;
-        let t_22 = t_5 + t_8 * self.a2 + t_19 * self.d3;
-        let t_23 = t_9 * c3 - t_14 * s3;
-        let t_24 = t_10 * c3 + t_15 * s3;
-        let t_25 = t_8 * c3 + t_16 * s3;
-        let t_26 = t_14 * c3 + t_9 * s3;
-        let t_27 = t_15 * c3 - t_10 * s3;
-        let t_28 = t_16 * c3 - t_8 * s3;
-        let t_29 = t_26 * c_alpha3 - t_17 * s_alpha3;
+        let t_19 = t_5 * c_alpha2 + t_14 * s_alpha2;
+        let t_20 = c_alpha1 * c_alpha2 - t_12 * s_alpha2;
+        let t_21 = t_7 + t_10 * self.a2 + t_18 * self.d3;
+        let t_22 = t_8 + t_11 * self.a2 - t_19 * self.d3;
+        let t_23 = t_6 + t_9 * self.a2 + t_20 * self.d3;
+        let t_24 = t_10 * c3 - t_15 * s3;
+        let t_25 = t_11 * c3 + t_16 * s3;
+        let t_26 = t_9 * c3 + t_17 * s3;
+        let t_27 = t_15 * c3 + t_10 * s3;
+        let t_28 = t_16 * c3 - t_11 * s3;
+        let t_29 = t_17 * c3 - t_9 * s3;
         let t_30 = t_27 * c_alpha3 - t_18 * s_alpha3;
-        let t_31 = t_28 * c_alpha3 + t_19 * s_alpha3;
-        let t_32 = t_17 * c_alpha3 + t_26 * s_alpha3;
+        let t_31 = t_28 * c_alpha3 - t_19 * s_alpha3;
+        let t_32 = t_29 * c_alpha3 + t_20 * s_alpha3;
         let t_33 = t_18 * c_alpha3 + t_27 * s_alpha3;
-        let t_34 = t_19 * c_alpha3 - t_28 * s_alpha3;
-        let t_35 = t_20 + t_23 * self.a3 + t_32 * self.d4;
-        let t_36 = t_21 + t_24 * self.a3 - t_33 * self.d4;
-        let t_37 = t_22 + t_25 * self.a3 + t_34 * self.d4;
-        let t_38 = t_23 * c4 - t_29 * s4;
-        let t_39 = t_24 * c4 + t_30 * s4;
+        let t_34 = t_19 * c_alpha3 + t_28 * s_alpha3;
+        let t_35 = t_20 * c_alpha3 - t_29 * s_alpha3;
+        let t_36 = t_21 + t_24 * self.a3 + t_33 * self.d4;
+        let t_37 = t_22 + t_25 * self.a3 - t_34 * self.d4;
+        let t_38 = t_23 + t_26 * self.a3 + t_35 * self.d4;
+        let t_39 = t_24 * c4 - t_30 * s4;
         let t_40 = t_25 * c4 + t_31 * s4;
-        let t_41 = t_29 * c4 + t_23 * s4;
-        let t_42 = t_30 * c4 - t_24 * s4;
+        let t_41 = t_26 * c4 + t_32 * s4;
+        let t_42 = t_30 * c4 + t_24 * s4;
         let t_43 = t_31 * c4 - t_25 * s4;
-        let t_44 = t_41 * c_alpha4 - t_32 * s_alpha4;
+        let t_44 = t_32 * c4 - t_26 * s4;
         let t_45 = t_42 * c_alpha4 - t_33 * s_alpha4;
-        let t_46 = t_43 * c_alpha4 + t_34 * s_alpha4;
-        let t_47 = t_32 * c_alpha4 + t_41 * s_alpha4;
+        let t_46 = t_43 * c_alpha4 - t_34 * s_alpha4;
+        let t_47 = t_44 * c_alpha4 + t_35 * s_alpha4;
         let t_48 = t_33 * c_alpha4 + t_42 * s_alpha4;
-        let t_49 = t_34 * c_alpha4 - t_43 * s_alpha4;
-        let t_50 = t_38 * c5 - t_44 * s5;
-        let t_51 = t_39 * c5 + t_45 * s5;
+        let t_49 = t_34 * c_alpha4 + t_43 * s_alpha4;
+        let t_50 = t_35 * c_alpha4 - t_44 * s_alpha4;
+        let t_51 = t_39 * c5 - t_45 * s5;
         let t_52 = t_40 * c5 + t_46 * s5;
-        let t_53 = t_44 * c5 + t_38 * s5;
-        let t_54 = t_45 * c5 - t_39 * s5;
+        let t_53 = t_41 * c5 + t_47 * s5;
+        let t_54 = t_45 * c5 + t_39 * s5;
         let t_55 = t_46 * c5 - t_40 * s5;
-        let t_56 = t_53 * c_alpha5 - t_47 * s_alpha5;
+        let t_56 = t_47 * c5 - t_41 * s5;
         let t_57 = t_54 * c_alpha5 - t_48 * s_alpha5;
-        let t_58 = t_55 * c_alpha5 + t_49 * s_alpha5;
+        let t_58 = t_55 * c_alpha5 - t_49 * s_alpha5;
+        let t_59 = t_56 * c_alpha5 + t_50 * s_alpha5;
         [
             ::dh_robot::pose::from_entries(
                 [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
                 [0.0, 0.0, 0.0],
             ),
             ::dh_robot::pose::from_entries(
-                [[t_9, -t_12, t_3], [t_10, t_13, -t_4], [t_8, t_11, c_alpha1]],
-                [t_6, t_7, t_5],
+                [[t_10, -t_13, t_4], [t_11, t_14, -t_5], [t_9, t_12, c_alpha1]],
+                [t_7, t_8, t_6],
             ),
             ::dh_robot::pose::from_entries(
-                [[t_23, -t_26, t_17], [t_24, t_27, -t_18], [t_25, t_28, t_19]],
-                [t_20, t_21, t_22],
+                [[t_24, -t_27, t_18], [t_25, t_28, -t_19], [t_26, t_29, t_20]],
+                [t_21, t_22, t_23],
             ),
             ::dh_robot::pose::from_entries(
-                [[t_38, -t_41, t_32], [t_39, t_42, -t_33], [t_40, t_43, t_34]],
-                [t_35, t_36, t_37],
+                [[t_39, -t_42, t_33], [t_40, t_43, -t_34], [t_41, t_44, t_35]],
+                [t_36, t_37, t_38],
             ),
             ::dh_robot::pose::from_entries(
-                [[t_50, -t_53, t_47], [t_51, t_54, -t_48], [t_52, t_55, t_49]],
-                [t_35, t_36, t_37],
+                [[t_51, -t_54, t_48], [t_52, t_55, -t_49], [t_53, t_56, t_50]],
+                [t_36, t_37, t_38],
             ),
             ::dh_robot::pose::from_entries(
                 [
                     [
-                        t_50 * c6 - t_56 * s6,
-                        -(t_56 * c6 + t_50 * s6),
-                        t_47 * c_alpha5 + t_53 * s_alpha5,
-                    ],
-                    [
-                        t_51 * c6 + t_57 * s6,
-                        t_57 * c6 - t_51 * s6,
-                        -(t_48 * c_alpha5 + t_54 * s_alpha5),
+                        t_51 * c6 - t_57 * s6,
+                        -(t_57 * c6 + t_51 * s6),
+                        t_48 * c_alpha5 + t_54 * s_alpha5,
                     ],
                     [
                         t_52 * c6 + t_58 * s6,
                         t_58 * c6 - t_52 * s6,
-                        t_49 * c_alpha5 - t_55 * s_alpha5,
+                        -(t_49 * c_alpha5 + t_55 * s_alpha5),
+                    ],
+                    [
+                        t_53 * c6 + t_59 * s6,
+                        t_59 * c6 - t_53 * s6,
+                        t_50 * c_alpha5 - t_56 * s_alpha5,
                     ],
                 ],
-                [t_35, t_36, t_37],
+                [t_36, t_37, t_38],
             ),
         ]
     }
@@ -342,85 +342,85 @@ impl Pieper {
             c_alpha5,
             ],
         ) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t = s1 * c_alpha1;
-        let t_2 = c1 * c_alpha1;
-        let t_3 = s1 * s_alpha1;
-        let t_4 = c1 * s_alpha1;
-        let t_5 = s_alpha1 * s2;
-        let t_6 = c1 * c2 - t * s2;
-        let t_7 = s1 * c2 + t_2 * s2;
-        let t_8 = s_alpha1 * c2;
-        let t_9 = t * c2 + c1 * s2;
-        let t_10 = t_2 * c2 - s1 * s2;
-        let t_11 = t_9 * c_alpha2 - t_3 * s_alpha2;
+        let t_2 = s1 * c_alpha1;
+        let t_3 = c1 * c_alpha1;
+        let t_4 = s1 * s_alpha1;
+        let t_5 = c1 * s_alpha1;
+        let t_6 = s_alpha1 * s2;
+        let t_7 = c1 * c2 - t_2 * s2;
+        let t_8 = s1 * c2 + t_3 * s2;
+        let t_9 = s_alpha1 * c2;
+        let t_10 = t_2 * c2 + c1 * s2;
+        let t_11 = t_3 * c2 - s1 * s2;
         let t_12 = t_10 * c_alpha2 - t_4 * s_alpha2;
-        let t_13 = t_8 * c_alpha2 + c_alpha1 * s_alpha2;
-        let t_14 = t_3 * c_alpha2 + t_9 * s_alpha2;
+        let t_13 = t_11 * c_alpha2 - t_5 * s_alpha2;
+        let t_14 = t_9 * c_alpha2 + c_alpha1 * s_alpha2;
         let t_15 = t_4 * c_alpha2 + t_10 * s_alpha2;
-        let t_16 = c_alpha1 * c_alpha2 - t_8 * s_alpha2;
-        let t_17 = t_6 * c3 - t_11 * s3;
-        let t_18 = t_7 * c3 + t_12 * s3;
-        let t_19 = t_5 * c3 + t_13 * s3;
-        let t_20 = t_11 * c3 + t_6 * s3;
-        let t_21 = t_12 * c3 - t_7 * s3;
-        let t_22 = t_13 * c3 - t_5 * s3;
-        let t_23 = t_20 * c_alpha3 - t_14 * s_alpha3;
+        let t_16 = t_5 * c_alpha2 + t_11 * s_alpha2;
+        let t_17 = c_alpha1 * c_alpha2 - t_9 * s_alpha2;
+        let t_18 = t_7 * c3 - t_12 * s3;
+        let t_19 = t_8 * c3 + t_13 * s3;
+        let t_20 = t_6 * c3 + t_14 * s3;
+        let t_21 = t_12 * c3 + t_7 * s3;
+        let t_22 = t_13 * c3 - t_8 * s3;
+        let t_23 = t_14 * c3 - t_6 * s3;
         let t_24 = t_21 * c_alpha3 - t_15 * s_alpha3;
-        let t_25 = t_22 * c_alpha3 + t_16 * s_alpha3;
-        let t_26 = t_14 * c_alpha3 + t_20 * s_alpha3;
+        let t_25 = t_22 * c_alpha3 - t_16 * s_alpha3;
+        let t_26 = t_23 * c_alpha3 + t_17 * s_alpha3;
         let t_27 = t_15 * c_alpha3 + t_21 * s_alpha3;
-        let t_28 = t_16 * c_alpha3 - t_22 * s_alpha3;
-        let t_29 = t_23 * c4 + t_17 * s4;
-        let t_30 = t_24 * c4 - t_18 * s4;
+        let t_28 = t_16 * c_alpha3 + t_22 * s_alpha3;
+        let t_29 = t_17 * c_alpha3 - t_23 * s_alpha3;
+        let t_30 = t_24 * c4 + t_18 * s4;
         let t_31 = t_25 * c4 - t_19 * s4;
-        let t_32 = t_26 * c_alpha4 + t_29 * s_alpha4;
+        let t_32 = t_26 * c4 - t_20 * s4;
         let t_33 = t_27 * c_alpha4 + t_30 * s_alpha4;
-        let t_34 = t_28 * c_alpha4 - t_31 * s_alpha4;
-        let t_35 = (t_29 * c_alpha4 - t_26 * s_alpha4) * c5
-            + (t_17 * c4 - t_23 * s4) * s5;
+        let t_34 = t_28 * c_alpha4 + t_31 * s_alpha4;
+        let t_35 = t_29 * c_alpha4 - t_32 * s_alpha4;
         let t_36 = (t_30 * c_alpha4 - t_27 * s_alpha4) * c5
-            - (t_18 * c4 + t_24 * s4) * s5;
-        let t_37 = (t_31 * c_alpha4 + t_28 * s_alpha4) * c5
+            + (t_18 * c4 - t_24 * s4) * s5;
+        let t_37 = (t_31 * c_alpha4 - t_28 * s_alpha4) * c5
             - (t_19 * c4 + t_25 * s4) * s5;
-        let t_38 = s_alpha3 * self.d4;
-        let t_39 = c_alpha3 * self.d4 + self.d3;
-        let t_40 = c3 * self.a3 + s3 * t_38;
-        let t_41 = s3 * self.a3 - c3 * t_38;
-        let t_42 = t_40 + self.a2;
-        let t_43 = c_alpha2 * t_41 - s_alpha2 * t_39;
-        let t_44 = c2 * t_42 - s2 * t_43;
-        let t_45 = s2 * t_42 + c2 * t_43;
-        let t_46 = t_44 + self.a1;
-        let t_47 = c_alpha1 * t_45
-            - s_alpha1 * (s_alpha2 * t_41 + c_alpha2 * t_39 + self.d2);
+        let t_38 = (t_32 * c_alpha4 + t_29 * s_alpha4) * c5
+            - (t_20 * c4 + t_26 * s4) * s5;
+        let t_39 = s_alpha3 * self.d4;
+        let t_40 = c_alpha3 * self.d4 + self.d3;
+        let t_41 = c3 * self.a3 + s3 * t_39;
+        let t_42 = s3 * self.a3 - c3 * t_39;
+        let t_43 = t_41 + self.a2;
+        let t_44 = c_alpha2 * t_42 - s_alpha2 * t_40;
+        let t_45 = c2 * t_43 - s2 * t_44;
+        let t_46 = s2 * t_43 + c2 * t_44;
+        let t_47 = t_45 + self.a1;
+        let t_48 = c_alpha1 * t_46
+            - s_alpha1 * (s_alpha2 * t_42 + c_alpha2 * t_40 + self.d2);
         ::dh_robot::nalgebra::SMatrix::from_data(
             ::dh_robot::nalgebra::ArrayStorage([
-                [-(s1 * t_46 + c1 * t_47), c1 * t_46 - s1 * t_47, 0.0, 0.0, 0.0, 1.0],
+                [-(s1 * t_47 + c1 * t_48), c1 * t_47 - s1 * t_48, 0.0, 0.0, 0.0, 1.0],
                 [
-                    -(c1 * t_45 + t * t_44),
-                    -(s1 * t_45 - t_2 * t_44),
-                    s_alpha1 * t_44,
-                    t_3,
-                    -t_4,
+                    -(c1 * t_46 + t_2 * t_45),
+                    -(s1 * t_46 - t_3 * t_45),
+                    s_alpha1 * t_45,
+                    t_4,
+                    -t_5,
                     c_alpha1,
                 ],
                 [
-                    -(t_6 * t_41 + t_11 * t_40),
-                    -(t_7 * t_41 - t_12 * t_40),
-                    -(t_5 * t_41 - t_13 * t_40),
-                    t_14,
-                    -t_15,
-                    t_16,
+                    -(t_7 * t_42 + t_12 * t_41),
+                    -(t_8 * t_42 - t_13 * t_41),
+                    -(t_6 * t_42 - t_14 * t_41),
+                    t_15,
+                    -t_16,
+                    t_17,
                 ],
-                [0.0, 0.0, 0.0, t_26, -t_27, t_28],
-                [0.0, 0.0, 0.0, t_32, -t_33, t_34],
+                [0.0, 0.0, 0.0, t_27, -t_28, t_29],
+                [0.0, 0.0, 0.0, t_33, -t_34, t_35],
                 [
                     0.0,
                     0.0,
                     0.0,
-                    t_32 * c_alpha5 + t_35 * s_alpha5,
-                    -(t_33 * c_alpha5 + t_36 * s_alpha5),
-                    t_34 * c_alpha5 - t_37 * s_alpha5,
+                    t_33 * c_alpha5 + t_36 * s_alpha5,
+                    -(t_34 * c_alpha5 + t_37 * s_alpha5),
+                    t_35 * c_alpha5 - t_38 * s_alpha5,
                 ],
             ]),
         )
@@ -476,102 +476,102 @@ impl Pieper {
             c6,
             ],
         ) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t = s1 * c_alpha1;
-        let t_2 = c1 * c_alpha1;
-        let t_3 = s1 * s_alpha1;
-        let t_4 = c1 * s_alpha1;
-        let t_5 = s_alpha1 * s2;
-        let t_6 = c1 * c2 - t * s2;
-        let t_7 = s1 * c2 + t_2 * s2;
-        let t_8 = s_alpha1 * c2;
-        let t_9 = t * c2 + c1 * s2;
-        let t_10 = t_2 * c2 - s1 * s2;
-        let t_11 = t_9 * c_alpha2 - t_3 * s_alpha2;
+        let t_2 = s1 * c_alpha1;
+        let t_3 = c1 * c_alpha1;
+        let t_4 = s1 * s_alpha1;
+        let t_5 = c1 * s_alpha1;
+        let t_6 = s_alpha1 * s2;
+        let t_7 = c1 * c2 - t_2 * s2;
+        let t_8 = s1 * c2 + t_3 * s2;
+        let t_9 = s_alpha1 * c2;
+        let t_10 = t_2 * c2 + c1 * s2;
+        let t_11 = t_3 * c2 - s1 * s2;
         let t_12 = t_10 * c_alpha2 - t_4 * s_alpha2;
-        let t_13 = t_8 * c_alpha2 + c_alpha1 * s_alpha2;
-        let t_14 = t_3 * c_alpha2 + t_9 * s_alpha2;
+        let t_13 = t_11 * c_alpha2 - t_5 * s_alpha2;
+        let t_14 = t_9 * c_alpha2 + c_alpha1 * s_alpha2;
         let t_15 = t_4 * c_alpha2 + t_10 * s_alpha2;
-        let t_16 = c_alpha1 * c_alpha2 - t_8 * s_alpha2;
-        let t_17 = t_6 * c3 - t_11 * s3;
-        let t_18 = t_7 * c3 + t_12 * s3;
-        let t_19 = t_5 * c3 + t_13 * s3;
-        let t_20 = t_11 * c3 + t_6 * s3;
-        let t_21 = t_12 * c3 - t_7 * s3;
-        let t_22 = t_13 * c3 - t_5 * s3;
-        let t_23 = t_20 * c_alpha3 - t_14 * s_alpha3;
+        let t_16 = t_5 * c_alpha2 + t_11 * s_alpha2;
+        let t_17 = c_alpha1 * c_alpha2 - t_9 * s_alpha2;
+        let t_18 = t_7 * c3 - t_12 * s3;
+        let t_19 = t_8 * c3 + t_13 * s3;
+        let t_20 = t_6 * c3 + t_14 * s3;
+        let t_21 = t_12 * c3 + t_7 * s3;
+        let t_22 = t_13 * c3 - t_8 * s3;
+        let t_23 = t_14 * c3 - t_6 * s3;
         let t_24 = t_21 * c_alpha3 - t_15 * s_alpha3;
-        let t_25 = t_22 * c_alpha3 + t_16 * s_alpha3;
-        let t_26 = t_14 * c_alpha3 + t_20 * s_alpha3;
+        let t_25 = t_22 * c_alpha3 - t_16 * s_alpha3;
+        let t_26 = t_23 * c_alpha3 + t_17 * s_alpha3;
         let t_27 = t_15 * c_alpha3 + t_21 * s_alpha3;
-        let t_28 = t_16 * c_alpha3 - t_22 * s_alpha3;
-        let t_29 = t_17 * c4 - t_23 * s4;
-        let t_30 = t_18 * c4 + t_24 * s4;
+        let t_28 = t_16 * c_alpha3 + t_22 * s_alpha3;
+        let t_29 = t_17 * c_alpha3 - t_23 * s_alpha3;
+        let t_30 = t_18 * c4 - t_24 * s4;
         let t_31 = t_19 * c4 + t_25 * s4;
-        let t_32 = t_23 * c4 + t_17 * s4;
-        let t_33 = t_24 * c4 - t_18 * s4;
+        let t_32 = t_20 * c4 + t_26 * s4;
+        let t_33 = t_24 * c4 + t_18 * s4;
         let t_34 = t_25 * c4 - t_19 * s4;
-        let t_35 = t_32 * c_alpha4 - t_26 * s_alpha4;
+        let t_35 = t_26 * c4 - t_20 * s4;
         let t_36 = t_33 * c_alpha4 - t_27 * s_alpha4;
-        let t_37 = t_34 * c_alpha4 + t_28 * s_alpha4;
-        let t_38 = t_26 * c_alpha4 + t_32 * s_alpha4;
+        let t_37 = t_34 * c_alpha4 - t_28 * s_alpha4;
+        let t_38 = t_35 * c_alpha4 + t_29 * s_alpha4;
         let t_39 = t_27 * c_alpha4 + t_33 * s_alpha4;
-        let t_40 = t_28 * c_alpha4 - t_34 * s_alpha4;
-        let t_41 = t_29 * c5 - t_35 * s5;
-        let t_42 = t_30 * c5 + t_36 * s5;
+        let t_40 = t_28 * c_alpha4 + t_34 * s_alpha4;
+        let t_41 = t_29 * c_alpha4 - t_35 * s_alpha4;
+        let t_42 = t_30 * c5 - t_36 * s5;
         let t_43 = t_31 * c5 + t_37 * s5;
-        let t_44 = t_35 * c5 + t_29 * s5;
-        let t_45 = t_36 * c5 - t_30 * s5;
+        let t_44 = t_32 * c5 + t_38 * s5;
+        let t_45 = t_36 * c5 + t_30 * s5;
         let t_46 = t_37 * c5 - t_31 * s5;
-        let t_47 = t_44 * c_alpha5 - t_38 * s_alpha5;
+        let t_47 = t_38 * c5 - t_32 * s5;
         let t_48 = t_45 * c_alpha5 - t_39 * s_alpha5;
-        let t_49 = t_46 * c_alpha5 + t_40 * s_alpha5;
-        let t_50 = t_38 * c_alpha5 + t_44 * s_alpha5;
+        let t_49 = t_46 * c_alpha5 - t_40 * s_alpha5;
+        let t_50 = t_47 * c_alpha5 + t_41 * s_alpha5;
         let t_51 = t_39 * c_alpha5 + t_45 * s_alpha5;
-        let t_52 = t_40 * c_alpha5 - t_46 * s_alpha5;
-        let t_53 = s_alpha3 * self.d4;
-        let t_54 = c_alpha3 * self.d4 + self.d3;
-        let t_55 = c3 * self.a3 + s3 * t_53;
-        let t_56 = s3 * self.a3 - c3 * t_53;
-        let t_57 = t_55 + self.a2;
-        let t_58 = c_alpha2 * t_56 - s_alpha2 * t_54;
-        let t_59 = s_alpha2 * t_56 + c_alpha2 * t_54 + self.d2;
-        let t_60 = c2 * t_57 - s2 * t_58;
-        let t_61 = s2 * t_57 + c2 * t_58;
-        let t_62 = t_60 + self.a1;
-        let t_63 = c_alpha1 * t_61 - s_alpha1 * t_59;
-        let t_64 = c1 * t_62 - s1 * t_63;
-        let t_65 = s1 * t_62 + c1 * t_63;
+        let t_52 = t_40 * c_alpha5 + t_46 * s_alpha5;
+        let t_53 = t_41 * c_alpha5 - t_47 * s_alpha5;
+        let t_54 = s_alpha3 * self.d4;
+        let t_55 = c_alpha3 * self.d4 + self.d3;
+        let t_56 = c3 * self.a3 + s3 * t_54;
+        let t_57 = s3 * self.a3 - c3 * t_54;
+        let t_58 = t_56 + self.a2;
+        let t_59 = c_alpha2 * t_57 - s_alpha2 * t_55;
+        let t_60 = s_alpha2 * t_57 + c_alpha2 * t_55 + self.d2;
+        let t_61 = c2 * t_58 - s2 * t_59;
+        let t_62 = s2 * t_58 + c2 * t_59;
+        let t_63 = t_61 + self.a1;
+        let t_64 = c_alpha1 * t_62 - s_alpha1 * t_60;
+        let t_65 = c1 * t_63 - s1 * t_64;
+        let t_66 = s1 * t_63 + c1 * t_64;
         (
             ::dh_robot::pose::from_entries(
                 [
-                    [t_41 * c6 - t_47 * s6, -(t_47 * c6 + t_41 * s6), t_50],
-                    [t_42 * c6 + t_48 * s6, t_48 * c6 - t_42 * s6, -t_51],
-                    [t_43 * c6 + t_49 * s6, t_49 * c6 - t_43 * s6, t_52],
+                    [t_42 * c6 - t_48 * s6, -(t_48 * c6 + t_42 * s6), t_51],
+                    [t_43 * c6 + t_49 * s6, t_49 * c6 - t_43 * s6, -t_52],
+                    [t_44 * c6 + t_50 * s6, t_50 * c6 - t_44 * s6, t_53],
                 ],
-                [t_64, t_65, s_alpha1 * t_61 + c_alpha1 * t_59],
+                [t_65, t_66, s_alpha1 * t_62 + c_alpha1 * t_60],
             ),
             ::dh_robot::nalgebra::SMatrix::from_data(
                 ::dh_robot::nalgebra::ArrayStorage([
-                    [-t_65, t_64, 0.0, 0.0, 0.0, 1.0],
+                    [-t_66, t_65, 0.0, 0.0, 0.0, 1.0],
                     [
-                        -(c1 * t_61 + t * t_60),
-                        -(s1 * t_61 - t_2 * t_60),
-                        s_alpha1 * t_60,
-                        t_3,
-                        -t_4,
+                        -(c1 * t_62 + t_2 * t_61),
+                        -(s1 * t_62 - t_3 * t_61),
+                        s_alpha1 * t_61,
+                        t_4,
+                        -t_5,
                         c_alpha1,
                     ],
                     [
-                        -(t_6 * t_56 + t_11 * t_55),
-                        -(t_7 * t_56 - t_12 * t_55),
-                        -(t_5 * t_56 - t_13 * t_55),
-                        t_14,
-                        -t_15,
-                        t_16,
+                        -(t_7 * t_57 + t_12 * t_56),
+                        -(t_8 * t_57 - t_13 * t_56),
+                        -(t_6 * t_57 - t_14 * t_56),
+                        t_15,
+                        -t_16,
+                        t_17,
                     ],
-                    [0.0, 0.0, 0.0, t_26, -t_27, t_28],
-                    [0.0, 0.0, 0.0, t_38, -t_39, t_40],
-                    [0.0, 0.0, 0.0, t_50, -t_51, t_52],
+                    [0.0, 0.0, 0.0, t_27, -t_28, t_29],
+                    [0.0, 0.0, 0.0, t_39, -t_40, t_41],
+                    [0.0, 0.0, 0.0, t_51, -t_52, t_53],
                 ]),
             ),
         )
@@ -596,5 +596,525 @@ impl ::dh_robot::Jacobian<6, f64> for Pieper {
     #[inline]
     fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         Pieper::jacobian(self, q)
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl Pieper {
+    /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
+    pub const MAX_SOLUTIONS: usize = 8;
+    /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
+    ///
+    /// Plan:
+    /// 1. `q1`, `q3`: two equations, each linear in both sines and cosines (Pieper).
+    /// 2. `q2`: two equations in its sine and cosine: one value.
+    /// 3. `q5`: a cos + b sin = c: two values.
+    /// 4. `q4`: two equations in its sine and cosine: one value.
+    /// 5. `q6`: two equations in its sine and cosine: one value.
+    #[must_use]
+    pub fn inverse(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 6, 8> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 6.19664904810903) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 6.19664904810903,
+            few: false,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 6.19664904810903),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, found| self.candidates(frame, found),
+        )
+    }
+    /// Runs the plan: calls `found` with every candidate.
+    fn candidates(
+        &self,
+        t: &::dh_robot::ik::Pose,
+        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+    ) -> ::dh_robot::inverse::Attempt {
+        let mut attempt = ::dh_robot::inverse::Attempt::new();
+        let free = ::dh_robot::FreeJoints::NONE;
+        let angles = [self.alpha2, self.alpha3, self.alpha1, self.alpha4, self.alpha5];
+        let (
+            [s_alpha2,
+            s_alpha3,
+            s_alpha1,
+            s_alpha4,
+            s_alpha5,
+            ],
+            [c_alpha2,
+            c_alpha3,
+            c_alpha1,
+            c_alpha4,
+            c_alpha5,
+            ],
+        ) = ::dh_robot::sincos::sincos_batch(&angles);
+        let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
+        let t_3 = self.d2 * 0.16137754328771614;
+        let t_4 = self.d3 * 0.16137754328771614;
+        let t_5 = self.d4 * 0.16137754328771614;
+        let t_6 = t_3 + t_4 * c_alpha2 + c_alpha2 * t_5 * c_alpha3 - t[2][3] * c_alpha1;
+        let t_7 = self.a3 * 0.16137754328771614;
+        let t_8 = self.a1 * 0.16137754328771614;
+        let t_9 = self.a2 * 0.16137754328771614;
+        let t_10 = t_3 * (t_3 - c_alpha1 * t[2][3] * 2.0) + t_2 + t_8 * t_8 - t_9 * t_9
+            - t_7 * t_7 - t_4 * t_4;
+        let t_11 = 2.0 * t_9;
+        let t_12 = 2.0 * t_8;
+        let t_13 = t_3 * 2.0;
+        let t_14 = t[2][3] * s_alpha1;
+        let t_15 = s_alpha2 * c_alpha3;
+        let t_16 = t_4 * s_alpha2;
+        let t_17 = t[2][0] * s_alpha1;
+        let t_18 = t[2][0] * c_alpha1;
+        let t_19 = t[2][1] * s_alpha1;
+        let t_20 = t[2][1] * c_alpha1;
+        let t_21 = t[2][2] * s_alpha1;
+        let t_22 = t[2][2] * c_alpha1;
+        let t_23 = c_alpha4 * c_alpha5;
+        let t_24 = s_alpha4 * c_alpha5;
+        let r0 = ::dh_robot::ik::solve_bilinear(
+            &[
+                t_6,
+                -s_alpha3 * s_alpha2 * t_5,
+                s_alpha2 * t_7,
+                t[1][3] * s_alpha1,
+                0.0,
+                0.0,
+                -t[0][3] * s_alpha1,
+                0.0,
+                0.0,
+            ],
+            &[
+                t_5 * (t_5 + c_alpha3 * t_4 * 2.0) - t_10,
+                t_7 * t_11,
+                s_alpha3 * t_5 * t_11,
+                t[0][3] * t_12 - s_alpha1 * t[1][3] * t_13,
+                0.0,
+                0.0,
+                t[1][3] * t_12 + s_alpha1 * t[0][3] * t_13,
+                0.0,
+                0.0,
+            ],
+            1e-11,
+        );
+        if r0.roots.is_empty() {
+            attempt.note(r0.outcome, "q1, q3", 6.19664904810903, "m");
+        }
+        let free = if r0.is_free() {
+            attempt.degenerate = true;
+            free.union(::dh_robot::FreeJoints::of(&[0, 2]))
+        } else {
+            free
+        };
+        for (i0, &[[c1, s1], [c3, s3]]) in r0
+            .or_if_free([[1.0, 0.0]; 2])
+            .iter()
+            .enumerate()
+        {
+            let a0 = ::dh_robot::math::atan2(s1, c1);
+            let a1 = ::dh_robot::math::atan2(s3, c3);
+            let t_25 = t[0][0] * c1 + t[1][0] * s1;
+            let t_26 = t[0][0] * s1 - t[1][0] * c1;
+            let t_27 = t[0][1] * c1 + t[1][1] * s1;
+            let t_28 = t[0][1] * s1 - t[1][1] * c1;
+            let t_29 = t[0][2] * c1 + t[1][2] * s1;
+            let t_30 = t[0][2] * s1 - t[1][2] * c1;
+            let t_31 = t_8 - (t[0][3] * c1 + t[1][3] * s1);
+            let t_32 = c_alpha1 * (t[0][3] * s1 - t[1][3] * c1) - t_14;
+            let t_33 = c_alpha1 * t_26 - t_17;
+            let t_34 = s_alpha1 * t_26 + t_18;
+            let t_35 = c_alpha1 * t_28 - t_19;
+            let t_36 = s_alpha1 * t_28 + t_20;
+            let t_37 = c_alpha1 * t_30 - t_21;
+            let t_38 = s_alpha1 * t_30 + t_22;
+            let t_39 = s_alpha2 * t_34;
+            let t_40 = c_alpha2 * t_34;
+            let t_41 = s_alpha2 * t_36;
+            let t_42 = c_alpha2 * t_36;
+            let t_43 = s_alpha2 * t_38;
+            let t_44 = c_alpha2 * t_38;
+            let t_45 = t_5 * (s_alpha3 * c_alpha2 * c3 + t_15)
+                - (c_alpha2 * t_7 * s3 - t_16);
+            let r1 = ::dh_robot::ik::solve_pair(
+                t_31,
+                t_32,
+                -(t_9 + t_7 * c3 + s_alpha3 * t_5 * s3),
+                t_32,
+                -t_31,
+                t_45,
+                1e-11,
+            );
+            if r1.roots.is_empty() {
+                attempt.note(r1.outcome, "q2", 6.19664904810903, "m");
+            }
+            let free = if r1.is_free() {
+                attempt.degenerate = true;
+                free.union(::dh_robot::FreeJoints::of(&[1]))
+            } else {
+                free
+            };
+            for (i1, &[c2, s2]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+                let a2 = ::dh_robot::math::atan2(s2, c2);
+                let t_46 = t_25 * c2 - t_33 * s2;
+                let t_47 = t_25 * s2 + t_33 * c2;
+                let t_48 = t_27 * c2 - t_35 * s2;
+                let t_49 = t_27 * s2 + t_35 * c2;
+                let t_50 = t_29 * c2 - t_37 * s2;
+                let t_51 = t_29 * s2 + t_37 * c2;
+                let t_52 = c_alpha2 * t_47 - t_39;
+                let t_53 = s_alpha2 * t_47 + t_40;
+                let t_54 = c_alpha2 * t_49 - t_41;
+                let t_55 = s_alpha2 * t_49 + t_42;
+                let t_56 = c_alpha2 * t_51 - t_43;
+                let t_57 = s_alpha2 * t_51 + t_44;
+                let t_58 = c3 * t_46 - s3 * t_52;
+                let t_59 = s3 * t_46 + c3 * t_52;
+                let t_60 = c3 * t_48 - s3 * t_54;
+                let t_61 = s3 * t_48 + c3 * t_54;
+                let t_62 = c3 * t_50 - s3 * t_56;
+                let t_63 = s3 * t_50 + c3 * t_56;
+                let t_64 = c_alpha3 * t_63 - s_alpha3 * t_57;
+                let t_65 = c_alpha3 * t_59 - s_alpha3 * t_53;
+                let t_66 = c_alpha3 * t_61 - s_alpha3 * t_55;
+                let t_67 = s_alpha4 * (s_alpha3 * t_59 + c_alpha3 * t_53);
+                let t_68 = s_alpha4 * (s_alpha3 * t_61 + c_alpha3 * t_55);
+                let r2 = ::dh_robot::ik::solve_sincos(
+                    -s_alpha4 * s_alpha5,
+                    0.0,
+                    s_alpha3 * t_63 + c_alpha3 * t_57 - t_23,
+                    1e-11,
+                );
+                if r2.roots.is_empty() {
+                    attempt.note(r2.outcome, "q5", 1.0, "");
+                }
+                let free = if r2.is_free() {
+                    attempt.degenerate = true;
+                    free.union(::dh_robot::FreeJoints::of(&[4]))
+                } else {
+                    free
+                };
+                for (i2, &[c5, s5]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    let a3 = ::dh_robot::math::atan2(s5, c5);
+                    let r3 = ::dh_robot::ik::solve_pair(
+                        -t_62,
+                        t_64,
+                        -s_alpha5 * s5,
+                        t_64,
+                        t_62,
+                        s_alpha5 * c_alpha4 * c5 + t_24,
+                        1e-11,
+                    );
+                    if r3.roots.is_empty() {
+                        attempt.note(r3.outcome, "q4", 1.0, "");
+                    }
+                    let free = if r3.is_free() {
+                        attempt.degenerate = true;
+                        free.union(::dh_robot::FreeJoints::of(&[3]))
+                    } else {
+                        free
+                    };
+                    for (i3, &[c4, s4]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                        let a4 = ::dh_robot::math::atan2(s4, c4);
+                        let t_69 = c5 * (t_58 * c4 - t_65 * s4)
+                            - s5 * (c_alpha4 * (t_58 * s4 + t_65 * c4) - t_67);
+                        let t_70 = c5 * (t_60 * c4 - t_66 * s4)
+                            - s5 * (c_alpha4 * (t_60 * s4 + t_66 * c4) - t_68);
+                        let r4 = ::dh_robot::ik::solve_pair(
+                            1.0,
+                            0.0,
+                            t_69,
+                            0.0,
+                            -1.0,
+                            t_70,
+                            1e-11,
+                        );
+                        if r4.roots.is_empty() {
+                            attempt.note(r4.outcome, "q6", 1.0, "");
+                        }
+                        let free = if r4.is_free() {
+                            attempt.degenerate = true;
+                            free.union(::dh_robot::FreeJoints::of(&[5]))
+                        } else {
+                            free
+                        };
+                        for (i4, &[c6, s6]) in r4
+                            .or_if_free([1.0, 0.0])
+                            .iter()
+                            .enumerate()
+                        {
+                            let a5 = ::dh_robot::math::atan2(s6, c6);
+                            let branch = ::dh_robot::Branch::ANY
+                                .with_step(0, i0)
+                                .with_step(1, i2)
+                                .with_wrist(
+                                    if i2 == 0 {
+                                        ::dh_robot::Wrist::NoFlip
+                                    } else {
+                                        ::dh_robot::Wrist::Flip
+                                    },
+                                );
+                            found([a0, a2, a1, a4, a3, a5], branch, free);
+                        }
+                    }
+                }
+            }
+        }
+        attempt
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl ::dh_robot::ik::Kinematics<6> for Pieper {
+    #[inline]
+    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {
+        let angles = [
+            self.alpha5,
+            self.alpha4,
+            q[3],
+            self.alpha3,
+            q[2],
+            self.alpha2,
+            q[1],
+            self.alpha1,
+            q[0],
+            q[5],
+            q[4],
+        ];
+        let (
+            [s_alpha5,
+            s_alpha4,
+            s4,
+            s_alpha3,
+            s3,
+            s_alpha2,
+            s2,
+            s_alpha1,
+            s1,
+            s6,
+            s5,
+            ],
+            [c_alpha5,
+            c_alpha4,
+            c4,
+            c_alpha3,
+            c3,
+            c_alpha2,
+            c2,
+            c_alpha1,
+            c1,
+            c6,
+            c5,
+            ],
+        ) = ::dh_robot::sincos::sincos_batch(&angles);
+        let t_2 = self.d4 * s_alpha3;
+        let t_3 = self.d4 * c_alpha3 + self.d3;
+        let t_4 = self.a3 * s3 - t_2 * c3;
+        let t_5 = self.a2 + self.a3 * c3 + t_2 * s3;
+        let t_6 = t_4 * c_alpha2 - t_3 * s_alpha2;
+        let t_7 = t_4 * s_alpha2 + t_3 * c_alpha2 + self.d2;
+        let t_8 = t_5 * s2 + t_6 * c2;
+        let t_9 = self.a1 + t_5 * c2 - t_6 * s2;
+        let t_10 = t_8 * c_alpha1 - t_7 * s_alpha1;
+        let t_11 = c_alpha5 * s6;
+        let t_12 = s_alpha5 * s6;
+        let t_13 = c6 * c5 - t_11 * s5;
+        let t_14 = c6 * s5 + t_11 * c5;
+        let t_15 = c_alpha4 * t_14 - s_alpha4 * t_12;
+        let t_16 = s_alpha4 * t_14 + c_alpha4 * t_12;
+        let t_17 = c4 * t_13 - s4 * t_15;
+        let t_18 = s4 * t_13 + c4 * t_15;
+        let t_19 = c_alpha3 * t_18 - s_alpha3 * t_16;
+        let t_20 = s_alpha3 * t_18 + c_alpha3 * t_16;
+        let t_21 = c3 * t_17 - s3 * t_19;
+        let t_22 = s3 * t_17 + c3 * t_19;
+        let t_23 = c_alpha2 * t_22 - s_alpha2 * t_20;
+        let t_24 = s_alpha2 * t_22 + c_alpha2 * t_20;
+        let t_25 = c2 * t_21 - s2 * t_23;
+        let t_26 = s2 * t_21 + c2 * t_23;
+        let t_27 = c_alpha1 * t_26 - s_alpha1 * t_24;
+        let t_28 = s_alpha1 * t_26 + c_alpha1 * t_24;
+        let t_29 = c1 * t_25 - s1 * t_27;
+        let t_30 = s1 * t_25 + c1 * t_27;
+        let t_31 = s_alpha5 * s5;
+        let t_32 = s_alpha5 * c5;
+        let t_33 = c_alpha4 * t_32 + c_alpha5 * s_alpha4;
+        let t_34 = s_alpha4 * t_32 - c_alpha5 * c_alpha4;
+        let t_35 = c4 * t_31 + s4 * t_33;
+        let t_36 = s4 * t_31 - c4 * t_33;
+        let t_37 = c_alpha3 * t_36 + s_alpha3 * t_34;
+        let t_38 = s_alpha3 * t_36 - c_alpha3 * t_34;
+        let t_39 = c3 * t_35 - s3 * t_37;
+        let t_40 = s3 * t_35 + c3 * t_37;
+        let t_41 = c_alpha2 * t_40 - s_alpha2 * t_38;
+        let t_42 = s_alpha2 * t_40 + c_alpha2 * t_38;
+        let t_43 = c2 * t_39 - s2 * t_41;
+        let t_44 = s2 * t_39 + c2 * t_41;
+        let t_45 = c_alpha1 * t_44 - s_alpha1 * t_42;
+        let t_46 = s_alpha1 * t_44 + c_alpha1 * t_42;
+        let t_47 = c1 * t_43 - s1 * t_45;
+        let t_48 = s1 * t_43 + c1 * t_45;
+        [
+            [t_29, t_28 * t_48 - t_30 * t_46, t_47, t_9 * c1 - t_10 * s1],
+            [t_30, t_29 * t_46 - t_28 * t_47, t_48, t_9 * s1 + t_10 * c1],
+            [t_28, t_30 * t_47 - t_29 * t_48, t_46, t_8 * s_alpha1 + t_7 * c_alpha1],
+        ]
+    }
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 6],
+    ) -> (::dh_robot::ik::Pose, [[f64; 6]; 6]) {
+        let angles = [
+            q[0],
+            self.alpha1,
+            q[1],
+            self.alpha2,
+            q[2],
+            self.alpha3,
+            q[3],
+            self.alpha4,
+            q[4],
+            self.alpha5,
+            q[5],
+        ];
+        let (
+            [s1,
+            s_alpha1,
+            s2,
+            s_alpha2,
+            s3,
+            s_alpha3,
+            s4,
+            s_alpha4,
+            s5,
+            s_alpha5,
+            s6,
+            ],
+            [c1,
+            c_alpha1,
+            c2,
+            c_alpha2,
+            c3,
+            c_alpha3,
+            c4,
+            c_alpha4,
+            c5,
+            c_alpha5,
+            c6,
+            ],
+        ) = ::dh_robot::sincos::sincos_batch(&angles);
+        let t_2 = s1 * c_alpha1;
+        let t_3 = c1 * c_alpha1;
+        let t_4 = s1 * s_alpha1;
+        let t_5 = c1 * s_alpha1;
+        let t_6 = s_alpha1 * s2;
+        let t_7 = c1 * c2 - t_2 * s2;
+        let t_8 = s1 * c2 + t_3 * s2;
+        let t_9 = s_alpha1 * c2;
+        let t_10 = t_2 * c2 + c1 * s2;
+        let t_11 = t_3 * c2 - s1 * s2;
+        let t_12 = t_10 * c_alpha2 - t_4 * s_alpha2;
+        let t_13 = t_11 * c_alpha2 - t_5 * s_alpha2;
+        let t_14 = t_9 * c_alpha2 + c_alpha1 * s_alpha2;
+        let t_15 = t_4 * c_alpha2 + t_10 * s_alpha2;
+        let t_16 = t_5 * c_alpha2 + t_11 * s_alpha2;
+        let t_17 = c_alpha1 * c_alpha2 - t_9 * s_alpha2;
+        let t_18 = t_7 * c3 - t_12 * s3;
+        let t_19 = t_8 * c3 + t_13 * s3;
+        let t_20 = t_6 * c3 + t_14 * s3;
+        let t_21 = t_12 * c3 + t_7 * s3;
+        let t_22 = t_13 * c3 - t_8 * s3;
+        let t_23 = t_14 * c3 - t_6 * s3;
+        let t_24 = t_21 * c_alpha3 - t_15 * s_alpha3;
+        let t_25 = t_22 * c_alpha3 - t_16 * s_alpha3;
+        let t_26 = t_23 * c_alpha3 + t_17 * s_alpha3;
+        let t_27 = t_15 * c_alpha3 + t_21 * s_alpha3;
+        let t_28 = t_16 * c_alpha3 + t_22 * s_alpha3;
+        let t_29 = t_17 * c_alpha3 - t_23 * s_alpha3;
+        let t_30 = t_18 * c4 - t_24 * s4;
+        let t_31 = t_19 * c4 + t_25 * s4;
+        let t_32 = t_20 * c4 + t_26 * s4;
+        let t_33 = t_24 * c4 + t_18 * s4;
+        let t_34 = t_25 * c4 - t_19 * s4;
+        let t_35 = t_26 * c4 - t_20 * s4;
+        let t_36 = t_33 * c_alpha4 - t_27 * s_alpha4;
+        let t_37 = t_34 * c_alpha4 - t_28 * s_alpha4;
+        let t_38 = t_35 * c_alpha4 + t_29 * s_alpha4;
+        let t_39 = t_27 * c_alpha4 + t_33 * s_alpha4;
+        let t_40 = t_28 * c_alpha4 + t_34 * s_alpha4;
+        let t_41 = t_29 * c_alpha4 - t_35 * s_alpha4;
+        let t_42 = t_30 * c5 - t_36 * s5;
+        let t_43 = t_31 * c5 + t_37 * s5;
+        let t_44 = t_32 * c5 + t_38 * s5;
+        let t_45 = t_36 * c5 + t_30 * s5;
+        let t_46 = t_37 * c5 - t_31 * s5;
+        let t_47 = t_38 * c5 - t_32 * s5;
+        let t_48 = t_45 * c_alpha5 - t_39 * s_alpha5;
+        let t_49 = t_46 * c_alpha5 - t_40 * s_alpha5;
+        let t_50 = t_47 * c_alpha5 + t_41 * s_alpha5;
+        let t_51 = t_39 * c_alpha5 + t_45 * s_alpha5;
+        let t_52 = t_40 * c_alpha5 + t_46 * s_alpha5;
+        let t_53 = t_41 * c_alpha5 - t_47 * s_alpha5;
+        let t_54 = s_alpha3 * self.d4;
+        let t_55 = c_alpha3 * self.d4 + self.d3;
+        let t_56 = c3 * self.a3 + s3 * t_54;
+        let t_57 = s3 * self.a3 - c3 * t_54;
+        let t_58 = t_56 + self.a2;
+        let t_59 = c_alpha2 * t_57 - s_alpha2 * t_55;
+        let t_60 = s_alpha2 * t_57 + c_alpha2 * t_55 + self.d2;
+        let t_61 = c2 * t_58 - s2 * t_59;
+        let t_62 = s2 * t_58 + c2 * t_59;
+        let t_63 = t_61 + self.a1;
+        let t_64 = c_alpha1 * t_62 - s_alpha1 * t_60;
+        let t_65 = c1 * t_63 - s1 * t_64;
+        let t_66 = s1 * t_63 + c1 * t_64;
+        (
+            [
+                [t_42 * c6 - t_48 * s6, -(t_48 * c6 + t_42 * s6), t_51, t_65],
+                [t_43 * c6 + t_49 * s6, t_49 * c6 - t_43 * s6, -t_52, t_66],
+                [
+                    t_44 * c6 + t_50 * s6,
+                    t_50 * c6 - t_44 * s6,
+                    t_53,
+                    s_alpha1 * t_62 + c_alpha1 * t_60,
+                ],
+            ],
+            [
+                [
+                    -t_66,
+                    -(c1 * t_62 + t_2 * t_61),
+                    -(t_7 * t_57 + t_12 * t_56),
+                    0.0,
+                    0.0,
+                    0.0,
+                ],
+                [
+                    t_65,
+                    -(s1 * t_62 - t_3 * t_61),
+                    -(t_8 * t_57 - t_13 * t_56),
+                    0.0,
+                    0.0,
+                    0.0,
+                ],
+                [0.0, s_alpha1 * t_61, -(t_6 * t_57 - t_14 * t_56), 0.0, 0.0, 0.0],
+                [0.0, t_4, t_15, t_27, t_39, t_51],
+                [0.0, -t_5, -t_16, -t_28, -t_40, -t_52],
+                [1.0, c_alpha1, t_17, t_29, t_41, t_53],
+            ],
+        )
+    }
+}
+impl ::dh_robot::InverseKinematics<6, 8, f64> for Pieper {
+    type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
+    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 6, 8> {
+        Pieper::inverse(self, target)
     }
 }

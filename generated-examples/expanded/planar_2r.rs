@@ -72,12 +72,12 @@ impl Planar2r {
     pub fn jacobian(&self, q: &[f64; 2]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 2> {
         let angles = [q[0] + q[1], q[0]];
         let ([s12, s1], [c12, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t = c12 * self.l2;
-        let t_2 = s12 * self.l2;
+        let t_2 = c12 * self.l2;
+        let t_3 = s12 * self.l2;
         ::dh_robot::nalgebra::SMatrix::from_data(
             ::dh_robot::nalgebra::ArrayStorage([
-                [-(t_2 + self.l1 * s1), t + self.l1 * c1, 0.0, 0.0, 0.0, 1.0],
-                [-t_2, t, 0.0, 0.0, 0.0, 1.0],
+                [-(t_3 + self.l1 * s1), t_2 + self.l1 * c1, 0.0, 0.0, 0.0, 1.0],
+                [-t_3, t_2, 0.0, 0.0, 0.0, 1.0],
             ]),
         )
     }
@@ -95,19 +95,19 @@ impl Planar2r {
     ) {
         let angles = [q[0] + q[1], q[0]];
         let ([s12, s1], [c12, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t = c12 * self.l2;
-        let t_2 = s12 * self.l2;
-        let t_3 = t + self.l1 * c1;
-        let t_4 = t_2 + self.l1 * s1;
+        let t_2 = c12 * self.l2;
+        let t_3 = s12 * self.l2;
+        let t_4 = t_2 + self.l1 * c1;
+        let t_5 = t_3 + self.l1 * s1;
         (
             ::dh_robot::pose::from_entries(
                 [[c12, -s12, 0.0], [s12, c12, 0.0], [0.0, 0.0, 1.0]],
-                [t_3, t_4, 0.0],
+                [t_4, t_5, 0.0],
             ),
             ::dh_robot::nalgebra::SMatrix::from_data(
                 ::dh_robot::nalgebra::ArrayStorage([
-                    [-t_4, t_3, 0.0, 0.0, 0.0, 1.0],
-                    [-t_2, t, 0.0, 0.0, 0.0, 1.0],
+                    [-t_5, t_4, 0.0, 0.0, 0.0, 1.0],
+                    [-t_3, t_2, 0.0, 0.0, 0.0, 1.0],
                 ]),
             ),
         )
@@ -132,5 +132,227 @@ impl ::dh_robot::Jacobian<2, f64> for Planar2r {
     #[inline]
     fn jacobian(&self, q: &[f64; 2]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 2> {
         Planar2r::jacobian(self, q)
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl Planar2r {
+    /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
+    pub const MAX_SOLUTIONS: usize = 4;
+    /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
+    ///
+    /// Plan:
+    /// 1. `virtual_roll`: a cos + b sin = 0: two values half a turn apart.
+    /// 2. `virtual_pitch`: two equations in its sine and cosine: one value.
+    /// 3. `q2`: a cos + b sin = c: two values.
+    /// 4. `virtual_yaw`: two equations in its sine and cosine: one value.
+    /// 5. `q1 + q2`: two equations in its sine and cosine: one value.
+    #[must_use]
+    pub fn inverse(
+        &self,
+        target: &::dh_robot::nalgebra::Point3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 2, 4> {
+        let p: [f64; 3] = [target.x.into(), target.y.into(), target.z.into()];
+        if !p.iter().all(|x: &f64| x.is_finite()) {
+            return ::dh_robot::Solutions::none(
+                &Self::JOINTS,
+                ::dh_robot::Why::NotFinite,
+            );
+        }
+        let frame = ::dh_robot::inverse::frame_of_axis(
+            p.map(|x| x / 1.6208883679528896),
+            [0.0, 0.0, 1.0],
+        );
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 1.6208883679528896,
+            few: false,
+        };
+        let task = ::dh_robot::ik::Task::Position(p);
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, found| self.candidates(frame, found),
+        )
+    }
+    /// Runs the plan: calls `found` with every candidate.
+    fn candidates(
+        &self,
+        t: &::dh_robot::ik::Pose,
+        found: &mut dyn FnMut([f64; 2], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+    ) -> ::dh_robot::inverse::Attempt {
+        let mut attempt = ::dh_robot::inverse::Attempt::new();
+        let free = ::dh_robot::FreeJoints::NONE;
+        let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
+        let t_3 = self.l1 * 0.6169456328833773;
+        let t_4 = self.l2 * 0.6169456328833773;
+        let r0 = ::dh_robot::ik::solve_sincos(-t[2][1], -t[2][0], 0.0, 1e-11);
+        if r0.roots.is_empty() {
+            attempt.note(r0.outcome, "virtual_roll", 1.0, "");
+        }
+        let free = if r0.is_free() {
+            attempt.degenerate = true;
+            free.union(::dh_robot::FreeJoints::of(&[]))
+        } else {
+            free
+        };
+        for (i0, &[cvirtual_roll, svirtual_roll]) in r0
+            .or_if_free([1.0, 0.0])
+            .iter()
+            .enumerate()
+        {
+            let a0 = ::dh_robot::math::atan2(svirtual_roll, cvirtual_roll);
+            let t_5 = t[0][0] * cvirtual_roll - t[0][1] * svirtual_roll;
+            let t_6 = t[1][0] * cvirtual_roll - t[1][1] * svirtual_roll;
+            let t_7 = t[2][0] * cvirtual_roll - t[2][1] * svirtual_roll;
+            let t_8 = t[0][0] * svirtual_roll + t[0][1] * cvirtual_roll;
+            let t_9 = t[1][3] * (t[1][0] * svirtual_roll + t[1][1] * cvirtual_roll);
+            let t_10 = t[2][3] * (t[2][0] * svirtual_roll + t[2][1] * cvirtual_roll);
+            let r1 = ::dh_robot::ik::solve_pair(
+                0.0,
+                1.0,
+                t_7,
+                1.0,
+                0.0,
+                -t[2][2],
+                1e-11,
+            );
+            if r1.roots.is_empty() {
+                attempt.note(r1.outcome, "virtual_pitch", 1.0, "");
+            }
+            let free = if r1.is_free() {
+                attempt.degenerate = true;
+                free.union(::dh_robot::FreeJoints::of(&[]))
+            } else {
+                free
+            };
+            for (i1, &[cvirtual_pitch, svirtual_pitch]) in r1
+                .or_if_free([1.0, 0.0])
+                .iter()
+                .enumerate()
+            {
+                let a1 = ::dh_robot::math::atan2(svirtual_pitch, cvirtual_pitch);
+                let t_11 = t_5 * cvirtual_pitch + t[0][2] * svirtual_pitch;
+                let t_12 = t[1][3] * (t_6 * cvirtual_pitch + t[1][2] * svirtual_pitch);
+                let t_13 = t[2][3] * (t_7 * cvirtual_pitch + t[2][2] * svirtual_pitch);
+                let t_14 = t[0][3] * t_11 + t_12 + t_13;
+                let r2 = ::dh_robot::ik::solve_sincos(
+                    2.0 * t_3 * t_4,
+                    0.0,
+                    t_2 - (t_3 * t_3 + t_4 * t_4),
+                    1e-11,
+                );
+                if r2.roots.is_empty() {
+                    attempt.note(r2.outcome, "q2", 1.6208883679528896, "m");
+                }
+                let free = if r2.is_free() {
+                    attempt.degenerate = true;
+                    free.union(::dh_robot::FreeJoints::of(&[1]))
+                } else {
+                    free
+                };
+                for (i2, &[c2, s2]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    let a2 = ::dh_robot::math::atan2(s2, c2);
+                    let t_15 = t_3 * s2;
+                    let r3 = ::dh_robot::ik::solve_pair(
+                        -(t_4 + t_3 * c2),
+                        t_15,
+                        -t_14,
+                        -(t[0][3] * t_8 + t_9 + t_10),
+                        t_14,
+                        -t_15,
+                        1e-11,
+                    );
+                    if r3.roots.is_empty() {
+                        attempt.note(r3.outcome, "virtual_yaw", 1.6208883679528896, "m");
+                    }
+                    let free = if r3.is_free() {
+                        attempt.degenerate = true;
+                        free.union(::dh_robot::FreeJoints::of(&[]))
+                    } else {
+                        free
+                    };
+                    for (i3, &[cvirtual_yaw, svirtual_yaw]) in r3
+                        .or_if_free([1.0, 0.0])
+                        .iter()
+                        .enumerate()
+                    {
+                        let a3 = ::dh_robot::math::atan2(svirtual_yaw, cvirtual_yaw);
+                        let r4 = ::dh_robot::ik::solve_pair(
+                            1.0,
+                            0.0,
+                            t_11 * cvirtual_yaw + t_8 * svirtual_yaw,
+                            0.0,
+                            -1.0,
+                            t_11 * svirtual_yaw - t_8 * cvirtual_yaw,
+                            1e-11,
+                        );
+                        if r4.roots.is_empty() {
+                            attempt.note(r4.outcome, "q1 + q2", 1.0, "");
+                        }
+                        let free = if r4.is_free() {
+                            attempt.degenerate = true;
+                            free.union(::dh_robot::FreeJoints::of(&[0, 1]))
+                        } else {
+                            free
+                        };
+                        for (i4, &[c12, s12]) in r4
+                            .or_if_free([1.0, 0.0])
+                            .iter()
+                            .enumerate()
+                        {
+                            let a4 = ::dh_robot::math::atan2(s12, c12);
+                            let branch = ::dh_robot::Branch::ANY
+                                .with_step(0, i0)
+                                .with_step(1, i2)
+                                .with_elbow(
+                                    if i2 == 0 {
+                                        ::dh_robot::Elbow::Up
+                                    } else {
+                                        ::dh_robot::Elbow::Down
+                                    },
+                                );
+                            found([-a2 + a4, a2], branch, free);
+                        }
+                    }
+                }
+            }
+        }
+        attempt
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl ::dh_robot::ik::Kinematics<2> for Planar2r {
+    #[inline]
+    fn forward(&self, q: &[f64; 2]) -> ::dh_robot::ik::Pose {
+        let angles = [q[0] + q[1], q[0]];
+        let ([s12, s1], [c12, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        [
+            [c12, -s12, 0.0, self.l2 * c12 + self.l1 * c1],
+            [s12, c12, 0.0, self.l2 * s12 + self.l1 * s1],
+            [0.0, 0.0, 1.0, 0.0],
+        ]
+    }
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 2],
+    ) -> (::dh_robot::ik::Pose, [[f64; 2]; 6]) {
+        let angles = [q[0] + q[1], q[0]];
+        let ([s12, s1], [c12, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let t_2 = c12 * self.l2;
+        let t_3 = s12 * self.l2;
+        let t_4 = t_2 + self.l1 * c1;
+        let t_5 = t_3 + self.l1 * s1;
+        (
+            [[c12, -s12, 0.0, t_4], [s12, c12, 0.0, t_5], [0.0, 0.0, 1.0, 0.0]],
+            [[-t_5, -t_3], [t_4, t_2], [0.0, 0.0], [0.0, 0.0], [0.0, 0.0], [1.0, 1.0]],
+        )
+    }
+}
+impl ::dh_robot::InverseKinematics<2, 4, f64> for Planar2r {
+    type Target = ::dh_robot::nalgebra::Point3<f64>;
+    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 2, 4> {
+        Planar2r::inverse(self, target)
     }
 }

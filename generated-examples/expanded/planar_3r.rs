@@ -68,22 +68,22 @@ impl Planar3r {
         let ([s1, s12, s123], [c1, c12, c123]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t = self.l1 * c1;
-        let t_2 = self.l1 * s1;
-        let t_3 = t + self.l2 * c12;
-        let t_4 = t_2 + self.l2 * s12;
+        let t_2 = self.l1 * c1;
+        let t_3 = self.l1 * s1;
+        let t_4 = t_2 + self.l2 * c12;
+        let t_5 = t_3 + self.l2 * s12;
         [
             ::dh_robot::pose::from_entries(
                 [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
-                [t, t_2, 0.0],
+                [t_2, t_3, 0.0],
             ),
             ::dh_robot::pose::from_entries(
                 [[c12, -s12, 0.0], [s12, c12, 0.0], [0.0, 0.0, 1.0]],
-                [t_3, t_4, 0.0],
+                [t_4, t_5, 0.0],
             ),
             ::dh_robot::pose::from_entries(
                 [[c123, -s123, 0.0], [s123, c123, 0.0], [0.0, 0.0, 1.0]],
-                [t_3 + self.l3 * c123, t_4 + self.l3 * s123, 0.0],
+                [t_4 + self.l3 * c123, t_5 + self.l3 * s123, 0.0],
             ),
         ]
     }
@@ -98,15 +98,15 @@ impl Planar3r {
         let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t = c123 * self.l3;
-        let t_2 = s123 * self.l3;
-        let t_3 = t + self.l2 * c12;
-        let t_4 = t_2 + self.l2 * s12;
+        let t_2 = c123 * self.l3;
+        let t_3 = s123 * self.l3;
+        let t_4 = t_2 + self.l2 * c12;
+        let t_5 = t_3 + self.l2 * s12;
         ::dh_robot::nalgebra::SMatrix::from_data(
             ::dh_robot::nalgebra::ArrayStorage([
-                [-(t_4 + self.l1 * s1), t_3 + self.l1 * c1, 0.0, 0.0, 0.0, 1.0],
-                [-t_4, t_3, 0.0, 0.0, 0.0, 1.0],
-                [-t_2, t, 0.0, 0.0, 0.0, 1.0],
+                [-(t_5 + self.l1 * s1), t_4 + self.l1 * c1, 0.0, 0.0, 0.0, 1.0],
+                [-t_5, t_4, 0.0, 0.0, 0.0, 1.0],
+                [-t_3, t_2, 0.0, 0.0, 0.0, 1.0],
             ]),
         )
     }
@@ -126,22 +126,22 @@ impl Planar3r {
         let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t = c123 * self.l3;
-        let t_2 = s123 * self.l3;
-        let t_3 = t + self.l2 * c12;
-        let t_4 = t_2 + self.l2 * s12;
-        let t_5 = t_3 + self.l1 * c1;
-        let t_6 = t_4 + self.l1 * s1;
+        let t_2 = c123 * self.l3;
+        let t_3 = s123 * self.l3;
+        let t_4 = t_2 + self.l2 * c12;
+        let t_5 = t_3 + self.l2 * s12;
+        let t_6 = t_4 + self.l1 * c1;
+        let t_7 = t_5 + self.l1 * s1;
         (
             ::dh_robot::pose::from_entries(
                 [[c123, -s123, 0.0], [s123, c123, 0.0], [0.0, 0.0, 1.0]],
-                [t_5, t_6, 0.0],
+                [t_6, t_7, 0.0],
             ),
             ::dh_robot::nalgebra::SMatrix::from_data(
                 ::dh_robot::nalgebra::ArrayStorage([
-                    [-t_6, t_5, 0.0, 0.0, 0.0, 1.0],
-                    [-t_4, t_3, 0.0, 0.0, 0.0, 1.0],
-                    [-t_2, t, 0.0, 0.0, 0.0, 1.0],
+                    [-t_7, t_6, 0.0, 0.0, 0.0, 1.0],
+                    [-t_5, t_4, 0.0, 0.0, 0.0, 1.0],
+                    [-t_3, t_2, 0.0, 0.0, 0.0, 1.0],
                 ]),
             ),
         )
@@ -166,5 +166,202 @@ impl ::dh_robot::Jacobian<3, f64> for Planar3r {
     #[inline]
     fn jacobian(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 3> {
         Planar3r::jacobian(self, q)
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl Planar3r {
+    /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
+    pub const MAX_SOLUTIONS: usize = 2;
+    /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
+    ///
+    /// Plan:
+    /// 1. `virtual_z`: a linear equation.
+    /// 2. `q1 + q2 + q3`: two equations in its sine and cosine: one value.
+    /// 3. `q2`: a cos + b sin = c: two values.
+    /// 4. `q3`: two equations in its sine and cosine: one value.
+    #[must_use]
+    pub fn inverse(&self, target: (f64, f64, f64)) -> ::dh_robot::Solutions<f64, 3, 2> {
+        let (x, y, phi): (f64, f64, f64) = (
+            target.0.into(),
+            target.1.into(),
+            target.2.into(),
+        );
+        if ![x, y, phi].iter().all(|x: &f64| x.is_finite()) {
+            return ::dh_robot::Solutions::none(
+                &Self::JOINTS,
+                ::dh_robot::Why::NotFinite,
+            );
+        }
+        let frame = ::dh_robot::inverse::frame_of_plane(
+            [x / 8.108033400635161, y / 8.108033400635161],
+            phi,
+            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        );
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 8.108033400635161,
+            few: false,
+        };
+        let task = ::dh_robot::ik::Task::Planar(x, y, phi);
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, found| self.candidates(frame, found),
+        )
+    }
+    /// Runs the plan: calls `found` with every candidate.
+    fn candidates(
+        &self,
+        t: &::dh_robot::ik::Pose,
+        found: &mut dyn FnMut([f64; 3], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+    ) -> ::dh_robot::inverse::Attempt {
+        let mut attempt = ::dh_robot::inverse::Attempt::new();
+        let free = ::dh_robot::FreeJoints::NONE;
+        let t_2 = self.l3 * 0.1233344697274758;
+        let t_3 = t[0][3] - t[0][0] * t_2;
+        let t_4 = t[1][3] - t[1][0] * t_2;
+        let t_5 = t[2][3] - t[2][0] * t_2;
+        let t_6 = t[0][0] * t_3 + t[1][0] * t_4;
+        let t_7 = t[0][1] * t_3 + t[1][1] * t_4;
+        let t_8 = t_3 * t_3 + t_4 * t_4;
+        let t_9 = self.l1 * 0.1233344697274758;
+        let t_10 = self.l2 * 0.1233344697274758;
+        let t_11 = t_9 * t_9 + t_10 * t_10;
+        let r0 = ::dh_robot::ik::solve_quadratic(0.0, 1.0, -t_5, 1e-11);
+        if r0.roots.is_empty() {
+            attempt.note(r0.outcome, "virtual_z", 8.108033400635161, "m");
+        }
+        let free = if r0.is_free() {
+            attempt.degenerate = true;
+            free.union(::dh_robot::FreeJoints::of(&[]))
+        } else {
+            free
+        };
+        for (i0, &virtual_z) in r0.or_if_free(0.0).iter().enumerate() {
+            let a0 = virtual_z * 8.108033400635161;
+            let t_12 = t_5 - virtual_z;
+            let r1 = ::dh_robot::ik::solve_pair(
+                1.0,
+                0.0,
+                t[0][0],
+                0.0,
+                -1.0,
+                t[0][1],
+                1e-11,
+            );
+            if r1.roots.is_empty() {
+                attempt.note(r1.outcome, "q1 + q2 + q3", 1.0, "");
+            }
+            let free = if r1.is_free() {
+                attempt.degenerate = true;
+                free.union(::dh_robot::FreeJoints::of(&[0, 1, 2]))
+            } else {
+                free
+            };
+            for (i1, &[c123, s123]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+                let a1 = ::dh_robot::math::atan2(s123, c123);
+                let r2 = ::dh_robot::ik::solve_sincos(
+                    2.0 * t_9 * t_10,
+                    0.0,
+                    t_8 + t_12 * t_12 - t_11,
+                    1e-11,
+                );
+                if r2.roots.is_empty() {
+                    attempt.note(r2.outcome, "q2", 8.108033400635161, "m");
+                }
+                let free = if r2.is_free() {
+                    attempt.degenerate = true;
+                    free.union(::dh_robot::FreeJoints::of(&[1]))
+                } else {
+                    free
+                };
+                for (i2, &[c2, s2]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    let a2 = ::dh_robot::math::atan2(s2, c2);
+                    let t_13 = t_10 + t_9 * c2;
+                    let t_14 = t_9 * s2;
+                    let r3 = ::dh_robot::ik::solve_pair(
+                        -t_13,
+                        t_14,
+                        -(t_6 + t[2][0] * t_12),
+                        t_14,
+                        t_13,
+                        -(t_7 + t[2][1] * t_12),
+                        1e-11,
+                    );
+                    if r3.roots.is_empty() {
+                        attempt.note(r3.outcome, "q3", 8.108033400635161, "m");
+                    }
+                    let free = if r3.is_free() {
+                        attempt.degenerate = true;
+                        free.union(::dh_robot::FreeJoints::of(&[2]))
+                    } else {
+                        free
+                    };
+                    for (i3, &[c3, s3]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                        let a3 = ::dh_robot::math::atan2(s3, c3);
+                        let branch = ::dh_robot::Branch::ANY
+                            .with_step(0, i2)
+                            .with_elbow(
+                                if i2 == 0 {
+                                    ::dh_robot::Elbow::Up
+                                } else {
+                                    ::dh_robot::Elbow::Down
+                                },
+                            );
+                        found([a1 - a2 - a3, a2, a3], branch, free);
+                    }
+                }
+            }
+        }
+        attempt
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl ::dh_robot::ik::Kinematics<3> for Planar3r {
+    #[inline]
+    fn forward(&self, q: &[f64; 3]) -> ::dh_robot::ik::Pose {
+        let angles = [q[0] + q[1] + q[2], q[0] + q[1], q[0]];
+        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        [
+            [c123, -s123, 0.0, self.l3 * c123 + self.l2 * c12 + self.l1 * c1],
+            [s123, c123, 0.0, self.l3 * s123 + self.l2 * s12 + self.l1 * s1],
+            [0.0, 0.0, 1.0, 0.0],
+        ]
+    }
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 3],
+    ) -> (::dh_robot::ik::Pose, [[f64; 3]; 6]) {
+        let angles = [q[0] + q[1] + q[2], q[0] + q[1], q[0]];
+        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let t_2 = c123 * self.l3;
+        let t_3 = s123 * self.l3;
+        let t_4 = t_2 + self.l2 * c12;
+        let t_5 = t_3 + self.l2 * s12;
+        let t_6 = t_4 + self.l1 * c1;
+        let t_7 = t_5 + self.l1 * s1;
+        (
+            [[c123, -s123, 0.0, t_6], [s123, c123, 0.0, t_7], [0.0, 0.0, 1.0, 0.0]],
+            [
+                [-t_7, -t_5, -t_3],
+                [t_6, t_4, t_2],
+                [0.0, 0.0, 0.0],
+                [0.0, 0.0, 0.0],
+                [0.0, 0.0, 0.0],
+                [1.0, 1.0, 1.0],
+            ],
+        )
+    }
+}
+impl ::dh_robot::InverseKinematics<3, 2, f64> for Planar3r {
+    type Target = (f64, f64, f64);
+    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 3, 2> {
+        Planar3r::inverse(self, *target)
     }
 }

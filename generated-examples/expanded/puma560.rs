@@ -62,30 +62,30 @@ impl Puma560 {
         let ([s4, s23, s2, s1, s6, s5], [c4, c23, c2, c1, c6, c5]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t = self.a3 * c23 - self.d4 * s23 + self.a2 * c2;
+        let t_2 = self.a3 * c23 - self.d4 * s23 + self.a2 * c2;
         let c6c5 = c6 * c5;
         let c6s5 = c6 * s5;
-        let t_2 = c4 * c6c5 - s4 * s6;
-        let t_3 = s4 * c6c5 + c4 * s6;
-        let t_4 = c23 * t_2 - s23 * c6s5;
-        let t_5 = s23 * t_2 + c23 * c6s5;
-        let t_6 = c1 * t_4 + s1 * t_3;
-        let t_7 = s1 * t_4 - c1 * t_3;
+        let t_3 = c4 * c6c5 - s4 * s6;
+        let t_4 = s4 * c6c5 + c4 * s6;
+        let t_5 = c23 * t_3 - s23 * c6s5;
+        let t_6 = s23 * t_3 + c23 * c6s5;
+        let t_7 = c1 * t_5 + s1 * t_4;
+        let t_8 = s1 * t_5 - c1 * t_4;
         let c4s5 = c4 * s5;
         let s4s5 = s4 * s5;
-        let t_8 = c23 * c4s5 + s23 * c5;
-        let t_9 = s23 * c4s5 - c23 * c5;
-        let t_10 = c1 * t_8 + s1 * s4s5;
-        let t_11 = s1 * t_8 - c1 * s4s5;
+        let t_9 = c23 * c4s5 + s23 * c5;
+        let t_10 = s23 * c4s5 - c23 * c5;
+        let t_11 = c1 * t_9 + s1 * s4s5;
+        let t_12 = s1 * t_9 - c1 * s4s5;
         ::dh_robot::pose::from_entries(
             [
-                [t_6, t_5 * t_11 - t_7 * t_9, -t_10],
-                [t_7, t_6 * t_9 - t_5 * t_10, -t_11],
-                [-t_5, -(t_7 * t_10 - t_6 * t_11), t_9],
+                [t_7, t_6 * t_12 - t_8 * t_10, -t_11],
+                [t_8, t_7 * t_10 - t_6 * t_11, -t_12],
+                [-t_6, -(t_8 * t_11 - t_7 * t_12), t_10],
             ],
             [
-                t * c1 - self.d3 * s1,
-                t * s1 + self.d3 * c1,
+                t_2 * c1 - self.d3 * s1,
+                t_2 * s1 + self.d3 * c1,
                 -(self.a3 * s23 + self.d4 * c23 + self.a2 * s2),
             ],
         )
@@ -102,29 +102,29 @@ impl Puma560 {
         let ([s1, s2, s23, s4, s5, s6], [c1, c2, c23, c4, c5, c6]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t = c2 * self.a2;
-        let t_2 = s2 * self.a2;
-        let t_3 = c1 * t - s1 * self.d3;
-        let t_4 = s1 * t + c1 * self.d3;
+        let t_2 = c2 * self.a2;
+        let t_3 = s2 * self.a2;
+        let t_4 = c1 * t_2 - s1 * self.d3;
+        let t_5 = s1 * t_2 + c1 * self.d3;
         let c1c23 = c1 * c23;
         let s1c23 = s1 * c23;
         let c1s23 = c1 * s23;
         let s1s23 = s1 * s23;
-        let t_5 = t_3 + c1c23 * self.a3 - c1s23 * self.d4;
-        let t_6 = t_4 + s1c23 * self.a3 - s1s23 * self.d4;
-        let t_7 = t_2 + s23 * self.a3 + c23 * self.d4;
+        let t_6 = t_4 + c1c23 * self.a3 - c1s23 * self.d4;
+        let t_7 = t_5 + s1c23 * self.a3 - s1s23 * self.d4;
+        let t_8 = t_3 + s23 * self.a3 + c23 * self.d4;
         let s23c4 = s23 * c4;
-        let t_8 = c1c23 * c4 + s1 * s4;
-        let t_9 = s1c23 * c4 - c1 * s4;
+        let t_9 = c1c23 * c4 + s1 * s4;
+        let t_10 = s1c23 * c4 - c1 * s4;
         let s23s4 = s23 * s4;
-        let t_10 = s1 * c4 - c1c23 * s4;
-        let t_11 = c1 * c4 + s1c23 * s4;
-        let t_12 = t_8 * c5 - c1s23 * s5;
-        let t_13 = t_9 * c5 - s1s23 * s5;
-        let t_14 = s23c4 * c5 + c23 * s5;
-        let t_15 = c1s23 * c5 + t_8 * s5;
-        let t_16 = s1s23 * c5 + t_9 * s5;
-        let t_17 = c23 * c5 - s23c4 * s5;
+        let t_11 = s1 * c4 - c1c23 * s4;
+        let t_12 = c1 * c4 + s1c23 * s4;
+        let t_13 = t_9 * c5 - c1s23 * s5;
+        let t_14 = t_10 * c5 - s1s23 * s5;
+        let t_15 = s23c4 * c5 + c23 * s5;
+        let t_16 = c1s23 * c5 + t_9 * s5;
+        let t_17 = s1s23 * c5 + t_10 * s5;
+        let t_18 = c23 * c5 - s23c4 * s5;
         [
             ::dh_robot::pose::from_entries(
                 [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
@@ -136,23 +136,23 @@ impl Puma560 {
             ),
             ::dh_robot::pose::from_entries(
                 [[c1c23, -c1s23, -s1], [s1c23, -s1s23, c1], [-s23, -c23, 0.0]],
-                [t_3, t_4, -t_2],
+                [t_4, t_5, -t_3],
             ),
             ::dh_robot::pose::from_entries(
-                [[t_8, t_10, -c1s23], [t_9, -t_11, -s1s23], [-s23c4, s23s4, -c23]],
-                [t_5, t_6, -t_7],
+                [[t_9, t_11, -c1s23], [t_10, -t_12, -s1s23], [-s23c4, s23s4, -c23]],
+                [t_6, t_7, -t_8],
             ),
             ::dh_robot::pose::from_entries(
-                [[t_12, -t_15, -t_10], [t_13, -t_16, t_11], [-t_14, -t_17, -s23s4]],
-                [t_5, t_6, -t_7],
+                [[t_13, -t_16, -t_11], [t_14, -t_17, t_12], [-t_15, -t_18, -s23s4]],
+                [t_6, t_7, -t_8],
             ),
             ::dh_robot::pose::from_entries(
                 [
-                    [t_12 * c6 + t_10 * s6, t_10 * c6 - t_12 * s6, -t_15],
-                    [t_13 * c6 - t_11 * s6, -(t_11 * c6 + t_13 * s6), -t_16],
-                    [-(t_14 * c6 - s23s4 * s6), s23s4 * c6 + t_14 * s6, -t_17],
+                    [t_13 * c6 + t_11 * s6, t_11 * c6 - t_13 * s6, -t_16],
+                    [t_14 * c6 - t_12 * s6, -(t_12 * c6 + t_14 * s6), -t_17],
+                    [-(t_15 * c6 - s23s4 * s6), s23s4 * c6 + t_15 * s6, -t_18],
                 ],
-                [t_5, t_6, -t_7],
+                [t_6, t_7, -t_8],
             ),
         ]
     }
@@ -170,31 +170,31 @@ impl Puma560 {
         let c23s4 = c23 * s4;
         let c4s5 = c4 * s5;
         let s4s5 = s4 * s5;
-        let t = c23 * c4s5 + s23 * c5;
-        let t_2 = c23 * self.a3 - s23 * self.d4;
-        let t_3 = s23 * self.a3 + c23 * self.d4;
-        let t_4 = t_2 + self.a2 * c2;
-        let t_5 = t_3 + self.a2 * s2;
+        let t_2 = c23 * c4s5 + s23 * c5;
+        let t_3 = c23 * self.a3 - s23 * self.d4;
+        let t_4 = s23 * self.a3 + c23 * self.d4;
+        let t_5 = t_3 + self.a2 * c2;
+        let t_6 = t_4 + self.a2 * s2;
         ::dh_robot::nalgebra::SMatrix::from_data(
             ::dh_robot::nalgebra::ArrayStorage([
                 [
-                    -(s1 * t_4 + c1 * self.d3),
-                    c1 * t_4 - s1 * self.d3,
+                    -(s1 * t_5 + c1 * self.d3),
+                    c1 * t_5 - s1 * self.d3,
                     0.0,
                     0.0,
                     0.0,
                     1.0,
                 ],
-                [-c1 * t_5, -s1 * t_5, -t_4, -s1, c1, 0.0],
-                [-c1 * t_3, -s1 * t_3, -t_2, -s1, c1, 0.0],
+                [-c1 * t_6, -s1 * t_6, -t_5, -s1, c1, 0.0],
+                [-c1 * t_4, -s1 * t_4, -t_3, -s1, c1, 0.0],
                 [0.0, 0.0, 0.0, -c1 * s23, -s1 * s23, -c23],
                 [0.0, 0.0, 0.0, c1 * c23s4 - s1 * c4, s1 * c23s4 + c1 * c4, -s23 * s4],
                 [
                     0.0,
                     0.0,
                     0.0,
-                    -(c1 * t + s1 * s4s5),
-                    -(s1 * t - c1 * s4s5),
+                    -(c1 * t_2 + s1 * s4s5),
+                    -(s1 * t_2 - c1 * s4s5),
                     s23 * c4s5 - c23 * c5,
                 ],
             ]),
@@ -218,40 +218,40 @@ impl Puma560 {
         );
         let c23s4 = c23 * s4;
         let s23s4 = s23 * s4;
-        let t = c1 * c23s4 - s1 * c4;
-        let t_2 = s1 * c23s4 + c1 * c4;
+        let t_2 = c1 * c23s4 - s1 * c4;
+        let t_3 = s1 * c23s4 + c1 * c4;
         let c4s5 = c4 * s5;
         let s4s5 = s4 * s5;
-        let t_3 = c23 * c4s5 + s23 * c5;
-        let t_4 = s23 * c4s5 - c23 * c5;
-        let t_5 = c1 * t_3 + s1 * s4s5;
-        let t_6 = s1 * t_3 - c1 * s4s5;
-        let t_7 = s23s4 * t_6 - t_2 * t_4;
-        let t_8 = t * t_4 - s23s4 * t_5;
-        let t_9 = t_2 * t_5 - t * t_6;
-        let t_10 = c23 * self.a3 - s23 * self.d4;
-        let t_11 = s23 * self.a3 + c23 * self.d4;
-        let t_12 = t_10 + self.a2 * c2;
-        let t_13 = t_11 + self.a2 * s2;
-        let t_14 = c1 * t_12 - s1 * self.d3;
-        let t_15 = s1 * t_12 + c1 * self.d3;
+        let t_4 = c23 * c4s5 + s23 * c5;
+        let t_5 = s23 * c4s5 - c23 * c5;
+        let t_6 = c1 * t_4 + s1 * s4s5;
+        let t_7 = s1 * t_4 - c1 * s4s5;
+        let t_8 = s23s4 * t_7 - t_3 * t_5;
+        let t_9 = t_2 * t_5 - s23s4 * t_6;
+        let t_10 = t_3 * t_6 - t_2 * t_7;
+        let t_11 = c23 * self.a3 - s23 * self.d4;
+        let t_12 = s23 * self.a3 + c23 * self.d4;
+        let t_13 = t_11 + self.a2 * c2;
+        let t_14 = t_12 + self.a2 * s2;
+        let t_15 = c1 * t_13 - s1 * self.d3;
+        let t_16 = s1 * t_13 + c1 * self.d3;
         (
             ::dh_robot::pose::from_entries(
                 [
-                    [t_7 * c6 - t * s6, -(t * c6 + t_7 * s6), -t_5],
                     [t_8 * c6 - t_2 * s6, -(t_2 * c6 + t_8 * s6), -t_6],
-                    [-(t_9 * c6 - s23s4 * s6), s23s4 * c6 + t_9 * s6, t_4],
+                    [t_9 * c6 - t_3 * s6, -(t_3 * c6 + t_9 * s6), -t_7],
+                    [-(t_10 * c6 - s23s4 * s6), s23s4 * c6 + t_10 * s6, t_5],
                 ],
-                [t_14, t_15, -t_13],
+                [t_15, t_16, -t_14],
             ),
             ::dh_robot::nalgebra::SMatrix::from_data(
                 ::dh_robot::nalgebra::ArrayStorage([
-                    [-t_15, t_14, 0.0, 0.0, 0.0, 1.0],
-                    [-c1 * t_13, -s1 * t_13, -t_12, -s1, c1, 0.0],
-                    [-c1 * t_11, -s1 * t_11, -t_10, -s1, c1, 0.0],
+                    [-t_16, t_15, 0.0, 0.0, 0.0, 1.0],
+                    [-c1 * t_14, -s1 * t_14, -t_13, -s1, c1, 0.0],
+                    [-c1 * t_12, -s1 * t_12, -t_11, -s1, c1, 0.0],
                     [0.0, 0.0, 0.0, -c1 * s23, -s1 * s23, -c23],
-                    [0.0, 0.0, 0.0, t, t_2, -s23s4],
-                    [0.0, 0.0, 0.0, -t_5, -t_6, t_4],
+                    [0.0, 0.0, 0.0, t_2, t_3, -s23s4],
+                    [0.0, 0.0, 0.0, -t_6, -t_7, t_5],
                 ]),
             ),
         )
@@ -276,5 +276,297 @@ impl ::dh_robot::Jacobian<6, f64> for Puma560 {
     #[inline]
     fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         Puma560::jacobian(self, q)
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl Puma560 {
+    /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
+    pub const MAX_SOLUTIONS: usize = 8;
+    /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
+    ///
+    /// Plan:
+    /// 1. `q1`: a cos + b sin = c: two values.
+    /// 2. `q3`: a cos + b sin = c: two values.
+    /// 3. `q2`: two equations in its sine and cosine: one value.
+    /// 4. `q6`: a cos + b sin = 0: two values half a turn apart.
+    /// 5. `q5`: two equations in its sine and cosine: one value.
+    /// 6. `q4`: two equations in its sine and cosine: one value.
+    #[must_use]
+    pub fn inverse(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 6, 8> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 1.0518492311766083) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 1.0518492311766083,
+            few: false,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 1.0518492311766083),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, found| self.candidates(frame, found),
+        )
+    }
+    /// Runs the plan: calls `found` with every candidate.
+    fn candidates(
+        &self,
+        t: &::dh_robot::ik::Pose,
+        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+    ) -> ::dh_robot::inverse::Attempt {
+        let mut attempt = ::dh_robot::inverse::Attempt::new();
+        let free = ::dh_robot::FreeJoints::NONE;
+        let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
+        let t_3 = self.d3 * 0.9507065940252585;
+        let t_4 = self.a2 * 0.9507065940252585;
+        let t_5 = 2.0 * t_4;
+        let t_6 = self.a3 * 0.9507065940252585;
+        let t_7 = self.d4 * 0.9507065940252585;
+        let r0 = ::dh_robot::ik::solve_sincos(-t[1][3], t[0][3], -t_3, 1e-11);
+        if r0.roots.is_empty() {
+            attempt.note(r0.outcome, "q1", 1.0518492311766083, "m");
+        }
+        let free = if r0.is_free() {
+            attempt.degenerate = true;
+            free.union(::dh_robot::FreeJoints::of(&[0]))
+        } else {
+            free
+        };
+        for (i0, &[c1, s1]) in r0.or_if_free([1.0, 0.0]).iter().enumerate() {
+            let a0 = ::dh_robot::math::atan2(s1, c1);
+            let t_8 = t[0][3] * c1 + t[1][3] * s1;
+            let t_9 = t[0][0] * c1 + t[1][0] * s1;
+            let t_10 = t[0][1] * c1 + t[1][1] * s1;
+            let t_11 = t[0][2] * c1 + t[1][2] * s1;
+            let r1 = ::dh_robot::ik::solve_sincos(
+                t_5 * t_6,
+                -t_5 * t_7,
+                t_2 - (t_4 * t_4 + t_6 * t_6 + t_3 * t_3 + t_7 * t_7),
+                1e-11,
+            );
+            if r1.roots.is_empty() {
+                attempt.note(r1.outcome, "q3", 1.0518492311766083, "m");
+            }
+            let free = if r1.is_free() {
+                attempt.degenerate = true;
+                free.union(::dh_robot::FreeJoints::of(&[2]))
+            } else {
+                free
+            };
+            for (i1, &[c3, s3]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+                let a1 = ::dh_robot::math::atan2(s3, c3);
+                let r2 = ::dh_robot::ik::solve_pair(
+                    -t_8,
+                    t[2][3],
+                    -(t_4 + t_6 * c3 - t_7 * s3),
+                    t[2][3],
+                    t_8,
+                    -(t_6 * s3 + t_7 * c3),
+                    1e-11,
+                );
+                if r2.roots.is_empty() {
+                    attempt.note(r2.outcome, "q2", 1.0518492311766083, "m");
+                }
+                let free = if r2.is_free() {
+                    attempt.degenerate = true;
+                    free.union(::dh_robot::FreeJoints::of(&[1]))
+                } else {
+                    free
+                };
+                for (i2, &[c2, s2]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    let a2 = ::dh_robot::math::atan2(s2, c2);
+                    let t_12 = c3 * c2 - s3 * s2;
+                    let t_13 = c3 * s2 + s3 * c2;
+                    let t_14 = t_9 * t_12 - t[2][0] * t_13;
+                    let t_15 = t_9 * t_13 + t[2][0] * t_12;
+                    let t_16 = t_10 * t_12 - t[2][1] * t_13;
+                    let t_17 = t_10 * t_13 + t[2][1] * t_12;
+                    let t_18 = t_11 * t_12 - t[2][2] * t_13;
+                    let r3 = ::dh_robot::ik::solve_sincos(-t_17, -t_15, 0.0, 1e-11);
+                    if r3.roots.is_empty() {
+                        attempt.note(r3.outcome, "q6", 1.0, "");
+                    }
+                    let free = if r3.is_free() {
+                        attempt.degenerate = true;
+                        free.union(::dh_robot::FreeJoints::of(&[5]))
+                    } else {
+                        free
+                    };
+                    for (i3, &[c6, s6]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                        let a3 = ::dh_robot::math::atan2(s6, c6);
+                        let t_19 = t_14 * c6 - t_16 * s6;
+                        let r4 = ::dh_robot::ik::solve_pair(
+                            0.0,
+                            1.0,
+                            -(t_15 * c6 - t_17 * s6),
+                            1.0,
+                            0.0,
+                            -(t_11 * t_13 + t[2][2] * t_12),
+                            1e-11,
+                        );
+                        if r4.roots.is_empty() {
+                            attempt.note(r4.outcome, "q5", 1.0, "");
+                        }
+                        let free = if r4.is_free() {
+                            attempt.degenerate = true;
+                            free.union(::dh_robot::FreeJoints::of(&[4]))
+                        } else {
+                            free
+                        };
+                        for (i4, &[c5, s5]) in r4
+                            .or_if_free([1.0, 0.0])
+                            .iter()
+                            .enumerate()
+                        {
+                            let a4 = ::dh_robot::math::atan2(s5, c5);
+                            let r5 = ::dh_robot::ik::solve_pair(
+                                1.0,
+                                0.0,
+                                t_19 * c5 - t_18 * s5,
+                                0.0,
+                                -1.0,
+                                t_14 * s6 + t_16 * c6,
+                                1e-11,
+                            );
+                            if r5.roots.is_empty() {
+                                attempt.note(r5.outcome, "q4", 1.0, "");
+                            }
+                            let free = if r5.is_free() {
+                                attempt.degenerate = true;
+                                free.union(::dh_robot::FreeJoints::of(&[3]))
+                            } else {
+                                free
+                            };
+                            for (i5, &[c4, s4]) in r5
+                                .or_if_free([1.0, 0.0])
+                                .iter()
+                                .enumerate()
+                            {
+                                let a5 = ::dh_robot::math::atan2(s4, c4);
+                                let branch = ::dh_robot::Branch::ANY
+                                    .with_step(0, i0)
+                                    .with_shoulder(
+                                        if i0 == 0 {
+                                            ::dh_robot::Shoulder::Left
+                                        } else {
+                                            ::dh_robot::Shoulder::Right
+                                        },
+                                    )
+                                    .with_step(1, i1)
+                                    .with_elbow(
+                                        if i1 == 0 {
+                                            ::dh_robot::Elbow::Up
+                                        } else {
+                                            ::dh_robot::Elbow::Down
+                                        },
+                                    )
+                                    .with_step(2, i3)
+                                    .with_wrist(
+                                        if i3 == 0 {
+                                            ::dh_robot::Wrist::NoFlip
+                                        } else {
+                                            ::dh_robot::Wrist::Flip
+                                        },
+                                    );
+                                found([a0, a2, a1, a5, a4, a3], branch, free);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        attempt
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl ::dh_robot::ik::Kinematics<6> for Puma560 {
+    #[inline]
+    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {
+        let angles = [q[3], q[1] + q[2], q[1], q[0], q[5], q[4]];
+        let ([s4, s23, s2, s1, s6, s5], [c4, c23, c2, c1, c6, c5]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let t_2 = self.a3 * c23 - self.d4 * s23 + self.a2 * c2;
+        let c6c5 = c6 * c5;
+        let c6s5 = c6 * s5;
+        let t_3 = c4 * c6c5 - s4 * s6;
+        let t_4 = s4 * c6c5 + c4 * s6;
+        let t_5 = c23 * t_3 - s23 * c6s5;
+        let t_6 = s23 * t_3 + c23 * c6s5;
+        let t_7 = c1 * t_5 + s1 * t_4;
+        let t_8 = s1 * t_5 - c1 * t_4;
+        let c4s5 = c4 * s5;
+        let s4s5 = s4 * s5;
+        let t_9 = c23 * c4s5 + s23 * c5;
+        let t_10 = s23 * c4s5 - c23 * c5;
+        let t_11 = c1 * t_9 + s1 * s4s5;
+        let t_12 = s1 * t_9 - c1 * s4s5;
+        [
+            [t_7, t_6 * t_12 - t_8 * t_10, -t_11, t_2 * c1 - self.d3 * s1],
+            [t_8, t_7 * t_10 - t_6 * t_11, -t_12, t_2 * s1 + self.d3 * c1],
+            [
+                -t_6,
+                -(t_8 * t_11 - t_7 * t_12),
+                t_10,
+                -(self.a3 * s23 + self.d4 * c23 + self.a2 * s2),
+            ],
+        ]
+    }
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 6],
+    ) -> (::dh_robot::ik::Pose, [[f64; 6]; 6]) {
+        let angles = [q[0], q[1] + q[2], q[3], q[4], q[5], q[1]];
+        let ([s1, s23, s4, s5, s6, s2], [c1, c23, c4, c5, c6, c2]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let c23s4 = c23 * s4;
+        let s23s4 = s23 * s4;
+        let t_2 = c1 * c23s4 - s1 * c4;
+        let t_3 = s1 * c23s4 + c1 * c4;
+        let c4s5 = c4 * s5;
+        let s4s5 = s4 * s5;
+        let t_4 = c23 * c4s5 + s23 * c5;
+        let t_5 = s23 * c4s5 - c23 * c5;
+        let t_6 = c1 * t_4 + s1 * s4s5;
+        let t_7 = s1 * t_4 - c1 * s4s5;
+        let t_8 = s23s4 * t_7 - t_3 * t_5;
+        let t_9 = t_2 * t_5 - s23s4 * t_6;
+        let t_10 = t_3 * t_6 - t_2 * t_7;
+        let t_11 = c23 * self.a3 - s23 * self.d4;
+        let t_12 = s23 * self.a3 + c23 * self.d4;
+        let t_13 = t_11 + self.a2 * c2;
+        let t_14 = t_12 + self.a2 * s2;
+        let t_15 = c1 * t_13 - s1 * self.d3;
+        let t_16 = s1 * t_13 + c1 * self.d3;
+        (
+            [
+                [t_8 * c6 - t_2 * s6, -(t_2 * c6 + t_8 * s6), -t_6, t_15],
+                [t_9 * c6 - t_3 * s6, -(t_3 * c6 + t_9 * s6), -t_7, t_16],
+                [-(t_10 * c6 - s23s4 * s6), s23s4 * c6 + t_10 * s6, t_5, -t_14],
+            ],
+            [
+                [-t_16, -c1 * t_14, -c1 * t_12, 0.0, 0.0, 0.0],
+                [t_15, -s1 * t_14, -s1 * t_12, 0.0, 0.0, 0.0],
+                [0.0, -t_13, -t_11, 0.0, 0.0, 0.0],
+                [0.0, -s1, -s1, -c1 * s23, t_2, -t_6],
+                [0.0, c1, c1, -s1 * s23, t_3, -t_7],
+                [1.0, 0.0, 0.0, -c23, -s23s4, t_5],
+            ],
+        )
+    }
+}
+impl ::dh_robot::InverseKinematics<6, 8, f64> for Puma560 {
+    type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
+    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 6, 8> {
+        Puma560::inverse(self, target)
     }
 }

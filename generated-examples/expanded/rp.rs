@@ -88,16 +88,16 @@ impl Rp {
     ) {
         let angles = [q[0]];
         let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t = s1 * q[1];
-        let t_2 = c1 * q[1];
+        let t_2 = s1 * q[1];
+        let t_3 = c1 * q[1];
         (
             ::dh_robot::pose::from_entries(
                 [[c1, 0.0, -s1], [s1, 0.0, c1], [0.0, -1.0, 0.0]],
-                [-t, t_2, 0.0],
+                [-t_2, t_3, 0.0],
             ),
             ::dh_robot::nalgebra::SMatrix::from_data(
                 ::dh_robot::nalgebra::ArrayStorage([
-                    [-t_2, -t, 0.0, 0.0, 0.0, 1.0],
+                    [-t_3, -t_2, 0.0, 0.0, 0.0, 1.0],
                     [-s1, c1, 0.0, 0.0, 0.0, 0.0],
                 ]),
             ),
@@ -123,5 +123,115 @@ impl ::dh_robot::Jacobian<2, f64> for Rp {
     #[inline]
     fn jacobian(&self, q: &[f64; 2]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 2> {
         Rp::jacobian(self, q)
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl Rp {
+    /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
+    pub const MAX_SOLUTIONS: usize = 1;
+    /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
+    ///
+    /// Plan:
+    /// 1. `q2`: a linear equation.
+    /// 2. `q1`: two equations in its sine and cosine: one value.
+    #[must_use]
+    pub fn inverse(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 2, 1> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 1.0) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 1.0,
+            few: true,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 1.0),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, found| self.candidates(frame, found),
+        )
+    }
+    /// Runs the plan: calls `found` with every candidate.
+    fn candidates(
+        &self,
+        t: &::dh_robot::ik::Pose,
+        found: &mut dyn FnMut([f64; 2], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+    ) -> ::dh_robot::inverse::Attempt {
+        let mut attempt = ::dh_robot::inverse::Attempt::new();
+        let free = ::dh_robot::FreeJoints::NONE;
+        let t_2 = t[0][2] * t[0][3] + t[1][2] * t[1][3] + t[2][2] * t[2][3];
+        let r0 = ::dh_robot::ik::solve_quadratic(0.0, -1.0, t_2, 1e-11);
+        if r0.roots.is_empty() {
+            attempt.note(r0.outcome, "q2", 1.0, "m");
+        }
+        let free = if r0.is_free() {
+            attempt.degenerate = true;
+            free.union(::dh_robot::FreeJoints::of(&[1]))
+        } else {
+            free
+        };
+        for (i0, &q2) in r0.or_if_free(0.0).iter().enumerate() {
+            let a0 = q2 * 1.0;
+            let r1 = ::dh_robot::ik::solve_pair(
+                1.0,
+                0.0,
+                t[0][0],
+                0.0,
+                -1.0,
+                t[0][2],
+                1e-11,
+            );
+            if r1.roots.is_empty() {
+                attempt.note(r1.outcome, "q1", 1.0, "");
+            }
+            let free = if r1.is_free() {
+                attempt.degenerate = true;
+                free.union(::dh_robot::FreeJoints::of(&[0]))
+            } else {
+                free
+            };
+            for (i1, &[c1, s1]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+                let a1 = ::dh_robot::math::atan2(s1, c1);
+                let branch = ::dh_robot::Branch::ANY;
+                found([a1, a0], branch, free);
+            }
+        }
+        attempt
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl ::dh_robot::ik::Kinematics<2> for Rp {
+    #[inline]
+    fn forward(&self, q: &[f64; 2]) -> ::dh_robot::ik::Pose {
+        let angles = [q[0]];
+        let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        [[c1, 0.0, -s1, -q[1] * s1], [s1, 0.0, c1, q[1] * c1], [0.0, -1.0, 0.0, 0.0]]
+    }
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 2],
+    ) -> (::dh_robot::ik::Pose, [[f64; 2]; 6]) {
+        let angles = [q[0]];
+        let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let t_2 = s1 * q[1];
+        let t_3 = c1 * q[1];
+        (
+            [[c1, 0.0, -s1, -t_2], [s1, 0.0, c1, t_3], [0.0, -1.0, 0.0, 0.0]],
+            [[-t_3, -s1], [-t_2, c1], [0.0, 0.0], [0.0, 0.0], [0.0, 0.0], [1.0, 0.0]],
+        )
+    }
+}
+impl ::dh_robot::InverseKinematics<2, 1, f64> for Rp {
+    type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
+    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 2, 1> {
+        Rp::inverse(self, target)
     }
 }

@@ -37,10 +37,10 @@ impl Rpr {
     pub fn forward(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[2], q[0]];
         let ([s3, s1], [c3, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t = self.l2 + q[1];
+        let t_2 = self.l2 + q[1];
         ::dh_robot::pose::from_entries(
             [[c3 * c1, -s3 * c1, s1], [c3 * s1, -s3 * s1, -c1], [s3, c3, 0.0]],
-            [t * s1, -t * c1, 0.0],
+            [t_2 * s1, -t_2 * c1, 0.0],
         )
     }
     /// Pose of every moving link's frame in the base, without the tool.
@@ -53,8 +53,8 @@ impl Rpr {
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 3] {
         let angles = [q[0], q[2]];
         let ([s1, s3], [c1, c3]) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t = s1 * q[1];
-        let t_2 = c1 * q[1];
+        let t_2 = s1 * q[1];
+        let t_3 = c1 * q[1];
         [
             ::dh_robot::pose::from_entries(
                 [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
@@ -62,11 +62,11 @@ impl Rpr {
             ),
             ::dh_robot::pose::from_entries(
                 [[c1, 0.0, s1], [s1, 0.0, -c1], [0.0, 1.0, 0.0]],
-                [t, -t_2, 0.0],
+                [t_2, -t_3, 0.0],
             ),
             ::dh_robot::pose::from_entries(
                 [[c1 * c3, -c1 * s3, s1], [s1 * c3, -s1 * s3, -c1], [s3, c3, 0.0]],
-                [t + s1 * self.l2, -(t_2 + c1 * self.l2), 0.0],
+                [t_2 + s1 * self.l2, -(t_3 + c1 * self.l2), 0.0],
             ),
         ]
     }
@@ -79,10 +79,10 @@ impl Rpr {
     pub fn jacobian(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 3> {
         let angles = [q[0]];
         let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t = self.l2 + q[1];
+        let t_2 = self.l2 + q[1];
         ::dh_robot::nalgebra::SMatrix::from_data(
             ::dh_robot::nalgebra::ArrayStorage([
-                [c1 * t, s1 * t, 0.0, 0.0, 0.0, 1.0],
+                [c1 * t_2, s1 * t_2, 0.0, 0.0, 0.0, 1.0],
                 [s1, -c1, 0.0, 0.0, 0.0, 0.0],
                 [0.0, 0.0, 0.0, s1, -c1, 0.0],
             ]),
@@ -102,17 +102,17 @@ impl Rpr {
     ) {
         let angles = [q[2], q[0]];
         let ([s3, s1], [c3, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t = self.l2 + q[1];
-        let t_2 = s1 * t;
-        let t_3 = c1 * t;
+        let t_2 = self.l2 + q[1];
+        let t_3 = s1 * t_2;
+        let t_4 = c1 * t_2;
         (
             ::dh_robot::pose::from_entries(
                 [[c3 * c1, -s3 * c1, s1], [c3 * s1, -s3 * s1, -c1], [s3, c3, 0.0]],
-                [t_2, -t_3, 0.0],
+                [t_3, -t_4, 0.0],
             ),
             ::dh_robot::nalgebra::SMatrix::from_data(
                 ::dh_robot::nalgebra::ArrayStorage([
-                    [t_3, t_2, 0.0, 0.0, 0.0, 1.0],
+                    [t_4, t_3, 0.0, 0.0, 0.0, 1.0],
                     [s1, -c1, 0.0, 0.0, 0.0, 0.0],
                     [0.0, 0.0, 0.0, s1, -c1, 0.0],
                 ]),
@@ -139,5 +139,161 @@ impl ::dh_robot::Jacobian<3, f64> for Rpr {
     #[inline]
     fn jacobian(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 3> {
         Rpr::jacobian(self, q)
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl Rpr {
+    /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
+    pub const MAX_SOLUTIONS: usize = 1;
+    /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
+    ///
+    /// Plan:
+    /// 1. `q2`: a linear equation.
+    /// 2. `q1`: two equations in its sine and cosine: one value.
+    /// 3. `q3`: two equations in its sine and cosine: one value.
+    #[must_use]
+    pub fn inverse(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 3, 1> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 0.40452000000000005) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 0.40452000000000005,
+            few: true,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 0.40452000000000005),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, found| self.candidates(frame, found),
+        )
+    }
+    /// Runs the plan: calls `found` with every candidate.
+    fn candidates(
+        &self,
+        t: &::dh_robot::ik::Pose,
+        found: &mut dyn FnMut([f64; 3], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+    ) -> ::dh_robot::inverse::Attempt {
+        let mut attempt = ::dh_robot::inverse::Attempt::new();
+        let free = ::dh_robot::FreeJoints::NONE;
+        let t_2 = self.l2 * 2.472065658063878;
+        let t_3 = t[0][2] * (t[0][3] - t[0][2] * t_2)
+            + t[1][2] * (t[1][3] - t[1][2] * t_2);
+        let r0 = ::dh_robot::ik::solve_quadratic(
+            0.0,
+            -1.0,
+            t_3 + t[2][2] * (t[2][3] - t[2][2] * t_2),
+            1e-11,
+        );
+        if r0.roots.is_empty() {
+            attempt.note(r0.outcome, "q2", 0.40452000000000005, "m");
+        }
+        let free = if r0.is_free() {
+            attempt.degenerate = true;
+            free.union(::dh_robot::FreeJoints::of(&[1]))
+        } else {
+            free
+        };
+        for (i0, &q2) in r0.or_if_free(0.0).iter().enumerate() {
+            let a0 = q2 * 0.40452000000000005;
+            let r1 = ::dh_robot::ik::solve_pair(
+                0.0,
+                1.0,
+                t[0][2],
+                -1.0,
+                0.0,
+                t[1][2],
+                1e-11,
+            );
+            if r1.roots.is_empty() {
+                attempt.note(r1.outcome, "q1", 1.0, "");
+            }
+            let free = if r1.is_free() {
+                attempt.degenerate = true;
+                free.union(::dh_robot::FreeJoints::of(&[0]))
+            } else {
+                free
+            };
+            for (i1, &[c1, s1]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+                let a1 = ::dh_robot::math::atan2(s1, c1);
+                let r2 = ::dh_robot::ik::solve_pair(
+                    1.0,
+                    0.0,
+                    t[0][0] * c1 + t[1][0] * s1,
+                    0.0,
+                    -1.0,
+                    t[0][1] * c1 + t[1][1] * s1,
+                    1e-11,
+                );
+                if r2.roots.is_empty() {
+                    attempt.note(r2.outcome, "q3", 1.0, "");
+                }
+                let free = if r2.is_free() {
+                    attempt.degenerate = true;
+                    free.union(::dh_robot::FreeJoints::of(&[2]))
+                } else {
+                    free
+                };
+                for (i2, &[c3, s3]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    let a2 = ::dh_robot::math::atan2(s3, c3);
+                    let branch = ::dh_robot::Branch::ANY;
+                    found([a1, a0, a2], branch, free);
+                }
+            }
+        }
+        attempt
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl ::dh_robot::ik::Kinematics<3> for Rpr {
+    #[inline]
+    fn forward(&self, q: &[f64; 3]) -> ::dh_robot::ik::Pose {
+        let angles = [q[2], q[0]];
+        let ([s3, s1], [c3, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let t_2 = self.l2 + q[1];
+        [
+            [c3 * c1, -s3 * c1, s1, t_2 * s1],
+            [c3 * s1, -s3 * s1, -c1, -t_2 * c1],
+            [s3, c3, 0.0, 0.0],
+        ]
+    }
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 3],
+    ) -> (::dh_robot::ik::Pose, [[f64; 3]; 6]) {
+        let angles = [q[2], q[0]];
+        let ([s3, s1], [c3, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let t_2 = self.l2 + q[1];
+        let t_3 = s1 * t_2;
+        let t_4 = c1 * t_2;
+        (
+            [
+                [c3 * c1, -s3 * c1, s1, t_3],
+                [c3 * s1, -s3 * s1, -c1, -t_4],
+                [s3, c3, 0.0, 0.0],
+            ],
+            [
+                [t_4, s1, 0.0],
+                [t_3, -c1, 0.0],
+                [0.0, 0.0, 0.0],
+                [0.0, 0.0, s1],
+                [0.0, 0.0, -c1],
+                [1.0, 0.0, 0.0],
+            ],
+        )
+    }
+}
+impl ::dh_robot::InverseKinematics<3, 1, f64> for Rpr {
+    type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
+    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 3, 1> {
+        Rpr::inverse(self, target)
     }
 }

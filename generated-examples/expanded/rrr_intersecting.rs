@@ -45,12 +45,12 @@ impl RrrIntersecting {
     pub fn forward(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[1] + q[2], q[1], q[0]];
         let ([s23, s2, s1], [c23, c2, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t = self.l3 * c23 + self.l2 * c2;
+        let t_2 = self.l3 * c23 + self.l2 * c2;
         ::dh_robot::pose::from_entries(
             [[c23 * c1, -s23 * c1, -s1], [c23 * s1, -s23 * s1, c1], [-s23, -c23, 0.0]],
             [
-                t * c1 - self.d2 * s1,
-                t * s1 + self.d2 * c1,
+                t_2 * c1 - self.d2 * s1,
+                t_2 * s1 + self.d2 * c1,
                 -(self.l3 * s23 + self.l2 * s2),
             ],
         )
@@ -65,9 +65,9 @@ impl RrrIntersecting {
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 3] {
         let angles = [q[0], q[1], q[1] + q[2]];
         let ([s1, s2, s23], [c1, c2, c23]) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t = s1 * self.d2;
-        let t_2 = c1 * self.d2;
-        let t_3 = c2 * self.l2;
+        let t_2 = s1 * self.d2;
+        let t_3 = c1 * self.d2;
+        let t_4 = c2 * self.l2;
         [
             ::dh_robot::pose::from_entries(
                 [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
@@ -75,7 +75,7 @@ impl RrrIntersecting {
             ),
             ::dh_robot::pose::from_entries(
                 [[c1 * c2, -c1 * s2, -s1], [s1 * c2, -s1 * s2, c1], [-s2, -c2, 0.0]],
-                [-t, t_2, 0.0],
+                [-t_2, t_3, 0.0],
             ),
             ::dh_robot::pose::from_entries(
                 [
@@ -83,7 +83,7 @@ impl RrrIntersecting {
                     [s1 * c23, -s1 * s23, c1],
                     [-s23, -c23, 0.0],
                 ],
-                [-(t - c1 * t_3), t_2 + s1 * t_3, -s2 * self.l2],
+                [-(t_2 - c1 * t_4), t_3 + s1 * t_4, -s2 * self.l2],
             ),
         ]
     }
@@ -96,22 +96,22 @@ impl RrrIntersecting {
     pub fn jacobian(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 3> {
         let angles = [q[1] + q[2], q[0], q[1]];
         let ([s23, s1, s2], [c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t = c23 * self.l3;
-        let t_2 = s23 * self.l3;
-        let t_3 = t + self.l2 * c2;
-        let t_4 = t_2 + self.l2 * s2;
+        let t_2 = c23 * self.l3;
+        let t_3 = s23 * self.l3;
+        let t_4 = t_2 + self.l2 * c2;
+        let t_5 = t_3 + self.l2 * s2;
         ::dh_robot::nalgebra::SMatrix::from_data(
             ::dh_robot::nalgebra::ArrayStorage([
                 [
-                    -(s1 * t_3 + c1 * self.d2),
-                    c1 * t_3 - s1 * self.d2,
+                    -(s1 * t_4 + c1 * self.d2),
+                    c1 * t_4 - s1 * self.d2,
                     0.0,
                     0.0,
                     0.0,
                     1.0,
                 ],
-                [-c1 * t_4, -s1 * t_4, -t_3, -s1, c1, 0.0],
-                [-c1 * t_2, -s1 * t_2, -t, -s1, c1, 0.0],
+                [-c1 * t_5, -s1 * t_5, -t_4, -s1, c1, 0.0],
+                [-c1 * t_3, -s1 * t_3, -t_2, -s1, c1, 0.0],
             ]),
         )
     }
@@ -129,12 +129,12 @@ impl RrrIntersecting {
     ) {
         let angles = [q[1] + q[2], q[0], q[1]];
         let ([s23, s1, s2], [c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t = c23 * self.l3;
-        let t_2 = s23 * self.l3;
-        let t_3 = t + self.l2 * c2;
-        let t_4 = t_2 + self.l2 * s2;
-        let t_5 = c1 * t_3 - s1 * self.d2;
-        let t_6 = s1 * t_3 + c1 * self.d2;
+        let t_2 = c23 * self.l3;
+        let t_3 = s23 * self.l3;
+        let t_4 = t_2 + self.l2 * c2;
+        let t_5 = t_3 + self.l2 * s2;
+        let t_6 = c1 * t_4 - s1 * self.d2;
+        let t_7 = s1 * t_4 + c1 * self.d2;
         (
             ::dh_robot::pose::from_entries(
                 [
@@ -142,13 +142,13 @@ impl RrrIntersecting {
                     [c23 * s1, -s23 * s1, c1],
                     [-s23, -c23, 0.0],
                 ],
-                [t_5, t_6, -t_4],
+                [t_6, t_7, -t_5],
             ),
             ::dh_robot::nalgebra::SMatrix::from_data(
                 ::dh_robot::nalgebra::ArrayStorage([
-                    [-t_6, t_5, 0.0, 0.0, 0.0, 1.0],
-                    [-c1 * t_4, -s1 * t_4, -t_3, -s1, c1, 0.0],
-                    [-c1 * t_2, -s1 * t_2, -t, -s1, c1, 0.0],
+                    [-t_7, t_6, 0.0, 0.0, 0.0, 1.0],
+                    [-c1 * t_5, -s1 * t_5, -t_4, -s1, c1, 0.0],
+                    [-c1 * t_3, -s1 * t_3, -t_2, -s1, c1, 0.0],
                 ]),
             ),
         )
@@ -173,5 +173,278 @@ impl ::dh_robot::Jacobian<3, f64> for RrrIntersecting {
     #[inline]
     fn jacobian(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 3> {
         RrrIntersecting::jacobian(self, q)
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl RrrIntersecting {
+    /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
+    pub const MAX_SOLUTIONS: usize = 8;
+    /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
+    ///
+    /// Plan:
+    /// 1. `q1`: a cos + b sin = c: two values.
+    /// 2. `virtual_roll`: a cos + b sin = 0: two values half a turn apart.
+    /// 3. `virtual_pitch`: two equations in its sine and cosine: one value.
+    /// 4. `q3`: a cos + b sin = c: two values.
+    /// 5. `virtual_yaw`: two equations in its sine and cosine: one value.
+    /// 6. `q2`: two equations in its sine and cosine: one value.
+    #[must_use]
+    pub fn inverse(
+        &self,
+        target: &::dh_robot::nalgebra::Point3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 3, 8> {
+        let p: [f64; 3] = [target.x.into(), target.y.into(), target.z.into()];
+        if !p.iter().all(|x: &f64| x.is_finite()) {
+            return ::dh_robot::Solutions::none(
+                &Self::JOINTS,
+                ::dh_robot::Why::NotFinite,
+            );
+        }
+        let frame = ::dh_robot::inverse::frame_of_axis(
+            p.map(|x| x / 1.0675141762776192),
+            [0.0, 0.0, 1.0],
+        );
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 1.0675141762776192,
+            few: false,
+        };
+        let task = ::dh_robot::ik::Task::Position(p);
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, found| self.candidates(frame, found),
+        )
+    }
+    /// Runs the plan: calls `found` with every candidate.
+    fn candidates(
+        &self,
+        t: &::dh_robot::ik::Pose,
+        found: &mut dyn FnMut([f64; 3], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+    ) -> ::dh_robot::inverse::Attempt {
+        let mut attempt = ::dh_robot::inverse::Attempt::new();
+        let free = ::dh_robot::FreeJoints::NONE;
+        let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
+        let t_3 = self.d2 * 0.9367557098744688;
+        let t_4 = self.l2 * 0.9367557098744688;
+        let t_5 = self.l3 * 0.9367557098744688;
+        let r0 = ::dh_robot::ik::solve_sincos(-t[1][3], t[0][3], -t_3, 1e-11);
+        if r0.roots.is_empty() {
+            attempt.note(r0.outcome, "q1", 1.0675141762776192, "m");
+        }
+        let free = if r0.is_free() {
+            attempt.degenerate = true;
+            free.union(::dh_robot::FreeJoints::of(&[0]))
+        } else {
+            free
+        };
+        for (i0, &[c1, s1]) in r0.or_if_free([1.0, 0.0]).iter().enumerate() {
+            let a0 = ::dh_robot::math::atan2(s1, c1);
+            let t_6 = t[0][3] * c1 + t[1][3] * s1;
+            let t_7 = t[0][3] * s1 - t[1][3] * c1;
+            let t_8 = t[0][0] * c1 + t[1][0] * s1;
+            let t_9 = t[0][0] * s1 - t[1][0] * c1;
+            let t_10 = t[0][1] * c1 + t[1][1] * s1;
+            let t_11 = t[0][1] * s1 - t[1][1] * c1;
+            let t_12 = t[0][2] * c1 + t[1][2] * s1;
+            let t_13 = t[0][2] * s1 - t[1][2] * c1;
+            let r1 = ::dh_robot::ik::solve_sincos(t_11, t_9, 0.0, 1e-11);
+            if r1.roots.is_empty() {
+                attempt.note(r1.outcome, "virtual_roll", 1.0, "");
+            }
+            let free = if r1.is_free() {
+                attempt.degenerate = true;
+                free.union(::dh_robot::FreeJoints::of(&[]))
+            } else {
+                free
+            };
+            for (i1, &[cvirtual_roll, svirtual_roll]) in r1
+                .or_if_free([1.0, 0.0])
+                .iter()
+                .enumerate()
+            {
+                let a1 = ::dh_robot::math::atan2(svirtual_roll, cvirtual_roll);
+                let t_14 = t_8 * cvirtual_roll - t_10 * svirtual_roll;
+                let t_15 = t_9 * cvirtual_roll - t_11 * svirtual_roll;
+                let t_16 = t[2][0] * cvirtual_roll - t[2][1] * svirtual_roll;
+                let t_17 = t_8 * svirtual_roll + t_10 * cvirtual_roll;
+                let t_18 = t_6 * t_17
+                    + t_7 * (t_9 * svirtual_roll + t_11 * cvirtual_roll);
+                let t_19 = t[2][3] * (t[2][0] * svirtual_roll + t[2][1] * cvirtual_roll);
+                let t_20 = t_18 + t_19;
+                let r2 = ::dh_robot::ik::solve_pair(
+                    0.0,
+                    1.0,
+                    -t_15,
+                    1.0,
+                    0.0,
+                    t_13,
+                    1e-11,
+                );
+                if r2.roots.is_empty() {
+                    attempt.note(r2.outcome, "virtual_pitch", 1.0, "");
+                }
+                let free = if r2.is_free() {
+                    attempt.degenerate = true;
+                    free.union(::dh_robot::FreeJoints::of(&[]))
+                } else {
+                    free
+                };
+                for (i2, &[cvirtual_pitch, svirtual_pitch]) in r2
+                    .or_if_free([1.0, 0.0])
+                    .iter()
+                    .enumerate()
+                {
+                    let a2 = ::dh_robot::math::atan2(svirtual_pitch, cvirtual_pitch);
+                    let t_21 = t_14 * cvirtual_pitch + t_12 * svirtual_pitch;
+                    let t_22 = t_6 * t_21
+                        + t_7 * (t_15 * cvirtual_pitch + t_13 * svirtual_pitch);
+                    let t_23 = t[2][3]
+                        * (t_16 * cvirtual_pitch + t[2][2] * svirtual_pitch);
+                    let t_24 = t_22 + t_23;
+                    let r3 = ::dh_robot::ik::solve_sincos(
+                        2.0 * t_4 * t_5,
+                        0.0,
+                        t_2 - (t_3 * t_3 + t_4 * t_4 + t_5 * t_5),
+                        1e-11,
+                    );
+                    if r3.roots.is_empty() {
+                        attempt.note(r3.outcome, "q3", 1.0675141762776192, "m");
+                    }
+                    let free = if r3.is_free() {
+                        attempt.degenerate = true;
+                        free.union(::dh_robot::FreeJoints::of(&[2]))
+                    } else {
+                        free
+                    };
+                    for (i3, &[c3, s3]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                        let a3 = ::dh_robot::math::atan2(s3, c3);
+                        let r4 = ::dh_robot::ik::solve_pair(
+                            t_24,
+                            t_20,
+                            t_5 + t_4 * c3,
+                            -t_20,
+                            t_24,
+                            -t_4 * s3,
+                            1e-11,
+                        );
+                        if r4.roots.is_empty() {
+                            attempt
+                                .note(r4.outcome, "virtual_yaw", 1.0675141762776192, "m");
+                        }
+                        let free = if r4.is_free() {
+                            attempt.degenerate = true;
+                            free.union(::dh_robot::FreeJoints::of(&[]))
+                        } else {
+                            free
+                        };
+                        for (i4, &[cvirtual_yaw, svirtual_yaw]) in r4
+                            .or_if_free([1.0, 0.0])
+                            .iter()
+                            .enumerate()
+                        {
+                            let a4 = ::dh_robot::math::atan2(svirtual_yaw, cvirtual_yaw);
+                            let t_25 = t_21 * cvirtual_yaw + t_17 * svirtual_yaw;
+                            let t_26 = t_21 * svirtual_yaw - t_17 * cvirtual_yaw;
+                            let r5 = ::dh_robot::ik::solve_pair(
+                                1.0,
+                                0.0,
+                                c3 * t_25 - s3 * t_26,
+                                0.0,
+                                -1.0,
+                                s3 * t_25 + c3 * t_26,
+                                1e-11,
+                            );
+                            if r5.roots.is_empty() {
+                                attempt.note(r5.outcome, "q2", 1.0, "");
+                            }
+                            let free = if r5.is_free() {
+                                attempt.degenerate = true;
+                                free.union(::dh_robot::FreeJoints::of(&[1]))
+                            } else {
+                                free
+                            };
+                            for (i5, &[c2, s2]) in r5
+                                .or_if_free([1.0, 0.0])
+                                .iter()
+                                .enumerate()
+                            {
+                                let a5 = ::dh_robot::math::atan2(s2, c2);
+                                let branch = ::dh_robot::Branch::ANY
+                                    .with_step(0, i0)
+                                    .with_shoulder(
+                                        if i0 == 0 {
+                                            ::dh_robot::Shoulder::Left
+                                        } else {
+                                            ::dh_robot::Shoulder::Right
+                                        },
+                                    )
+                                    .with_step(1, i1)
+                                    .with_step(2, i3)
+                                    .with_elbow(
+                                        if i3 == 0 {
+                                            ::dh_robot::Elbow::Up
+                                        } else {
+                                            ::dh_robot::Elbow::Down
+                                        },
+                                    );
+                                found([a0, a5, a3], branch, free);
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        attempt
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl ::dh_robot::ik::Kinematics<3> for RrrIntersecting {
+    #[inline]
+    fn forward(&self, q: &[f64; 3]) -> ::dh_robot::ik::Pose {
+        let angles = [q[1] + q[2], q[1], q[0]];
+        let ([s23, s2, s1], [c23, c2, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let t_2 = self.l3 * c23 + self.l2 * c2;
+        [
+            [c23 * c1, -s23 * c1, -s1, t_2 * c1 - self.d2 * s1],
+            [c23 * s1, -s23 * s1, c1, t_2 * s1 + self.d2 * c1],
+            [-s23, -c23, 0.0, -(self.l3 * s23 + self.l2 * s2)],
+        ]
+    }
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 3],
+    ) -> (::dh_robot::ik::Pose, [[f64; 3]; 6]) {
+        let angles = [q[1] + q[2], q[0], q[1]];
+        let ([s23, s1, s2], [c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let t_2 = c23 * self.l3;
+        let t_3 = s23 * self.l3;
+        let t_4 = t_2 + self.l2 * c2;
+        let t_5 = t_3 + self.l2 * s2;
+        let t_6 = c1 * t_4 - s1 * self.d2;
+        let t_7 = s1 * t_4 + c1 * self.d2;
+        (
+            [
+                [c23 * c1, -s23 * c1, -s1, t_6],
+                [c23 * s1, -s23 * s1, c1, t_7],
+                [-s23, -c23, 0.0, -t_5],
+            ],
+            [
+                [-t_7, -c1 * t_5, -c1 * t_3],
+                [t_6, -s1 * t_5, -s1 * t_3],
+                [0.0, -t_4, -t_2],
+                [0.0, -s1, -s1],
+                [0.0, c1, c1],
+                [1.0, 0.0, 0.0],
+            ],
+        )
+    }
+}
+impl ::dh_robot::InverseKinematics<3, 8, f64> for RrrIntersecting {
+    type Target = ::dh_robot::nalgebra::Point3<f64>;
+    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 3, 8> {
+        RrrIntersecting::inverse(self, target)
     }
 }

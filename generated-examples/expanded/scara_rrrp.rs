@@ -73,11 +73,11 @@ impl ScaraRrrp {
         let ([s1, s12, s123], [c1, c12, c123]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t = c1 * self.a1;
-        let t_2 = s1 * self.a1;
-        let t_3 = self.d1 + self.d2;
-        let t_4 = t + c12 * self.a2;
-        let t_5 = t_2 + s12 * self.a2;
+        let t_2 = c1 * self.a1;
+        let t_3 = s1 * self.a1;
+        let t_4 = self.d1 + self.d2;
+        let t_5 = t_2 + c12 * self.a2;
+        let t_6 = t_3 + s12 * self.a2;
         [
             ::dh_robot::pose::from_entries(
                 [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
@@ -85,15 +85,15 @@ impl ScaraRrrp {
             ),
             ::dh_robot::pose::from_entries(
                 [[c12, -s12, 0.0], [s12, c12, 0.0], [0.0, 0.0, 1.0]],
-                [t, t_2, t_3],
+                [t_2, t_3, t_4],
             ),
             ::dh_robot::pose::from_entries(
                 [[c123, -s123, 0.0], [s123, c123, 0.0], [0.0, 0.0, 1.0]],
-                [t_4, t_5, t_3],
+                [t_5, t_6, t_4],
             ),
             ::dh_robot::pose::from_entries(
                 [[c123, -s123, 0.0], [s123, c123, 0.0], [0.0, 0.0, 1.0]],
-                [t_4, t_5, t_3 + q[3]],
+                [t_5, t_6, t_4 + q[3]],
             ),
         ]
     }
@@ -106,12 +106,12 @@ impl ScaraRrrp {
     pub fn jacobian(&self, q: &[f64; 4]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 4> {
         let angles = [q[0] + q[1], q[0]];
         let ([s12, s1], [c12, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t = self.a2 * c12;
-        let t_2 = self.a2 * s12;
+        let t_2 = self.a2 * c12;
+        let t_3 = self.a2 * s12;
         ::dh_robot::nalgebra::SMatrix::from_data(
             ::dh_robot::nalgebra::ArrayStorage([
-                [-(t_2 + self.a1 * s1), t + self.a1 * c1, 0.0, 0.0, 0.0, 1.0],
-                [-t_2, t, 0.0, 0.0, 0.0, 1.0],
+                [-(t_3 + self.a1 * s1), t_2 + self.a1 * c1, 0.0, 0.0, 0.0, 1.0],
+                [-t_3, t_2, 0.0, 0.0, 0.0, 1.0],
                 [0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
                 [0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
             ]),
@@ -133,19 +133,19 @@ impl ScaraRrrp {
         let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t = self.a2 * c12;
-        let t_2 = self.a2 * s12;
-        let t_3 = t + self.a1 * c1;
-        let t_4 = t_2 + self.a1 * s1;
+        let t_2 = self.a2 * c12;
+        let t_3 = self.a2 * s12;
+        let t_4 = t_2 + self.a1 * c1;
+        let t_5 = t_3 + self.a1 * s1;
         (
             ::dh_robot::pose::from_entries(
                 [[c123, -s123, 0.0], [s123, c123, 0.0], [0.0, 0.0, 1.0]],
-                [t_3, t_4, q[3] + self.d2 + self.d1],
+                [t_4, t_5, q[3] + self.d2 + self.d1],
             ),
             ::dh_robot::nalgebra::SMatrix::from_data(
                 ::dh_robot::nalgebra::ArrayStorage([
-                    [-t_4, t_3, 0.0, 0.0, 0.0, 1.0],
-                    [-t_2, t, 0.0, 0.0, 0.0, 1.0],
+                    [-t_5, t_4, 0.0, 0.0, 0.0, 1.0],
+                    [-t_3, t_2, 0.0, 0.0, 0.0, 1.0],
                     [0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
                     [0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
                 ]),
@@ -172,5 +172,200 @@ impl ::dh_robot::Jacobian<4, f64> for ScaraRrrp {
     #[inline]
     fn jacobian(&self, q: &[f64; 4]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 4> {
         ScaraRrrp::jacobian(self, q)
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl ScaraRrrp {
+    /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
+    pub const MAX_SOLUTIONS: usize = 2;
+    /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
+    ///
+    /// Plan:
+    /// 1. `q4`: a linear equation.
+    /// 2. `q1 + q2 + q3`: two equations in its sine and cosine: one value.
+    /// 3. `q2`: a cos + b sin = c: two values.
+    /// 4. `q1`: two equations in its sine and cosine: one value.
+    #[must_use]
+    pub fn inverse(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 4, 2> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 1.321360271039209) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 1.321360271039209,
+            few: true,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 1.321360271039209),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, found| self.candidates(frame, found),
+        )
+    }
+    /// Runs the plan: calls `found` with every candidate.
+    fn candidates(
+        &self,
+        t: &::dh_robot::ik::Pose,
+        found: &mut dyn FnMut([f64; 4], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+    ) -> ::dh_robot::inverse::Attempt {
+        let mut attempt = ::dh_robot::inverse::Attempt::new();
+        let free = ::dh_robot::FreeJoints::NONE;
+        let t_2 = self.d1 * 0.7567958730994166;
+        let t_3 = self.d2 * 0.7567958730994166;
+        let t_4 = self.a1 * 0.7567958730994166;
+        let t_5 = self.a2 * 0.7567958730994166;
+        let t_6 = t_3 * (t_3 + t_2 * 2.0);
+        let t_7 = t_4 * t_4 + t_5 * t_5 + t_2 * t_2;
+        let r0 = ::dh_robot::ik::solve_quadratic(
+            0.0,
+            1.0,
+            -(t[2][3] - (t_2 + t_3)),
+            1e-11,
+        );
+        if r0.roots.is_empty() {
+            attempt.note(r0.outcome, "q4", 1.321360271039209, "m");
+        }
+        let free = if r0.is_free() {
+            attempt.degenerate = true;
+            free.union(::dh_robot::FreeJoints::of(&[3]))
+        } else {
+            free
+        };
+        for (i0, &q4) in r0.or_if_free(0.0).iter().enumerate() {
+            let a0 = q4 * 1.321360271039209;
+            let t_8 = t[0][3] - t[0][2] * q4;
+            let t_9 = t[1][3] - t[1][2] * q4;
+            let t_10 = t[2][3] - t[2][2] * q4;
+            let r1 = ::dh_robot::ik::solve_pair(
+                1.0,
+                0.0,
+                t[0][0],
+                0.0,
+                -1.0,
+                t[0][1],
+                1e-11,
+            );
+            if r1.roots.is_empty() {
+                attempt.note(r1.outcome, "q1 + q2 + q3", 1.0, "");
+            }
+            let free = if r1.is_free() {
+                attempt.degenerate = true;
+                free.union(::dh_robot::FreeJoints::of(&[0, 1, 2]))
+            } else {
+                free
+            };
+            for (i1, &[c123, s123]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+                let a1 = ::dh_robot::math::atan2(s123, c123);
+                let r2 = ::dh_robot::ik::solve_sincos(
+                    2.0 * t_4 * t_5,
+                    0.0,
+                    -(t_6 - (t_8 * t_8 + t_9 * t_9 + t_10 * t_10 - t_7)),
+                    1e-11,
+                );
+                if r2.roots.is_empty() {
+                    attempt.note(r2.outcome, "q2", 1.321360271039209, "m");
+                }
+                let free = if r2.is_free() {
+                    attempt.degenerate = true;
+                    free.union(::dh_robot::FreeJoints::of(&[1]))
+                } else {
+                    free
+                };
+                for (i2, &[c2, s2]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    let a2 = ::dh_robot::math::atan2(s2, c2);
+                    let t_11 = t_4 + t_5 * c2;
+                    let t_12 = t_5 * s2;
+                    let r3 = ::dh_robot::ik::solve_pair(
+                        t_11,
+                        -t_12,
+                        t_8,
+                        t_12,
+                        t_11,
+                        t_9,
+                        1e-11,
+                    );
+                    if r3.roots.is_empty() {
+                        attempt.note(r3.outcome, "q1", 1.321360271039209, "m");
+                    }
+                    let free = if r3.is_free() {
+                        attempt.degenerate = true;
+                        free.union(::dh_robot::FreeJoints::of(&[0]))
+                    } else {
+                        free
+                    };
+                    for (i3, &[c1, s1]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                        let a3 = ::dh_robot::math::atan2(s1, c1);
+                        let branch = ::dh_robot::Branch::ANY
+                            .with_step(0, i2)
+                            .with_elbow(
+                                if i2 == 0 {
+                                    ::dh_robot::Elbow::Up
+                                } else {
+                                    ::dh_robot::Elbow::Down
+                                },
+                            );
+                        found([a3, a2, a1 - a2 - a3, a0], branch, free);
+                    }
+                }
+            }
+        }
+        attempt
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl ::dh_robot::ik::Kinematics<4> for ScaraRrrp {
+    #[inline]
+    fn forward(&self, q: &[f64; 4]) -> ::dh_robot::ik::Pose {
+        let angles = [q[0] + q[1] + q[2], q[0] + q[1], q[0]];
+        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        [
+            [c123, -s123, 0.0, self.a2 * c12 + self.a1 * c1],
+            [s123, c123, 0.0, self.a2 * s12 + self.a1 * s1],
+            [0.0, 0.0, 1.0, self.d1 + q[3] + self.d2],
+        ]
+    }
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 4],
+    ) -> (::dh_robot::ik::Pose, [[f64; 4]; 6]) {
+        let angles = [q[0] + q[1] + q[2], q[0] + q[1], q[0]];
+        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let t_2 = self.a2 * c12;
+        let t_3 = self.a2 * s12;
+        let t_4 = t_2 + self.a1 * c1;
+        let t_5 = t_3 + self.a1 * s1;
+        (
+            [
+                [c123, -s123, 0.0, t_4],
+                [s123, c123, 0.0, t_5],
+                [0.0, 0.0, 1.0, q[3] + self.d2 + self.d1],
+            ],
+            [
+                [-t_5, -t_3, 0.0, 0.0],
+                [t_4, t_2, 0.0, 0.0],
+                [0.0, 0.0, 0.0, 1.0],
+                [0.0, 0.0, 0.0, 0.0],
+                [0.0, 0.0, 0.0, 0.0],
+                [1.0, 1.0, 1.0, 0.0],
+            ],
+        )
+    }
+}
+impl ::dh_robot::InverseKinematics<4, 2, f64> for ScaraRrrp {
+    type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
+    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 4, 2> {
+        ScaraRrrp::inverse(self, target)
     }
 }

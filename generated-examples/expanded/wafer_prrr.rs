@@ -79,10 +79,10 @@ impl WaferPrrr {
         let ([s2, s23, s234], [c2, c23, c234]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t = q[0] + self.d2;
-        let t_2 = c2 * self.a2;
-        let t_3 = s2 * self.a2;
-        let t_4 = t + self.d3;
+        let t_2 = q[0] + self.d2;
+        let t_3 = c2 * self.a2;
+        let t_4 = s2 * self.a2;
+        let t_5 = t_2 + self.d3;
         [
             ::dh_robot::pose::from_entries(
                 [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
@@ -90,15 +90,15 @@ impl WaferPrrr {
             ),
             ::dh_robot::pose::from_entries(
                 [[c2, -s2, 0.0], [s2, c2, 0.0], [0.0, 0.0, 1.0]],
-                [0.0, 0.0, t],
+                [0.0, 0.0, t_2],
             ),
             ::dh_robot::pose::from_entries(
                 [[c23, -s23, 0.0], [s23, c23, 0.0], [0.0, 0.0, 1.0]],
-                [t_2, t_3, t_4],
+                [t_3, t_4, t_5],
             ),
             ::dh_robot::pose::from_entries(
                 [[c234, -s234, 0.0], [s234, c234, 0.0], [0.0, 0.0, 1.0]],
-                [t_2 + c23 * self.a3, t_3 + s23 * self.a3, t_4 + self.d4],
+                [t_3 + c23 * self.a3, t_4 + s23 * self.a3, t_5 + self.d4],
             ),
         ]
     }
@@ -111,13 +111,13 @@ impl WaferPrrr {
     pub fn jacobian(&self, q: &[f64; 4]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 4> {
         let angles = [q[1] + q[2], q[1]];
         let ([s23, s2], [c23, c2]) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t = self.a3 * c23;
-        let t_2 = self.a3 * s23;
+        let t_2 = self.a3 * c23;
+        let t_3 = self.a3 * s23;
         ::dh_robot::nalgebra::SMatrix::from_data(
             ::dh_robot::nalgebra::ArrayStorage([
                 [0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
-                [-(t_2 + self.a2 * s2), t + self.a2 * c2, 0.0, 0.0, 0.0, 1.0],
-                [-t_2, t, 0.0, 0.0, 0.0, 1.0],
+                [-(t_3 + self.a2 * s2), t_2 + self.a2 * c2, 0.0, 0.0, 0.0, 1.0],
+                [-t_3, t_2, 0.0, 0.0, 0.0, 1.0],
                 [0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
             ]),
         )
@@ -138,20 +138,20 @@ impl WaferPrrr {
         let ([s234, s23, s2], [c234, c23, c2]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t = self.a3 * c23;
-        let t_2 = self.a3 * s23;
-        let t_3 = t + self.a2 * c2;
-        let t_4 = t_2 + self.a2 * s2;
+        let t_2 = self.a3 * c23;
+        let t_3 = self.a3 * s23;
+        let t_4 = t_2 + self.a2 * c2;
+        let t_5 = t_3 + self.a2 * s2;
         (
             ::dh_robot::pose::from_entries(
                 [[c234, -s234, 0.0], [s234, c234, 0.0], [0.0, 0.0, 1.0]],
-                [t_3, t_4, self.d4 + self.d3 + self.d2 + q[0]],
+                [t_4, t_5, self.d4 + self.d3 + self.d2 + q[0]],
             ),
             ::dh_robot::nalgebra::SMatrix::from_data(
                 ::dh_robot::nalgebra::ArrayStorage([
                     [0.0, 0.0, 1.0, 0.0, 0.0, 0.0],
-                    [-t_4, t_3, 0.0, 0.0, 0.0, 1.0],
-                    [-t_2, t, 0.0, 0.0, 0.0, 1.0],
+                    [-t_5, t_4, 0.0, 0.0, 0.0, 1.0],
+                    [-t_3, t_2, 0.0, 0.0, 0.0, 1.0],
                     [0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
                 ]),
             ),
@@ -177,5 +177,200 @@ impl ::dh_robot::Jacobian<4, f64> for WaferPrrr {
     #[inline]
     fn jacobian(&self, q: &[f64; 4]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 4> {
         WaferPrrr::jacobian(self, q)
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl WaferPrrr {
+    /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
+    pub const MAX_SOLUTIONS: usize = 2;
+    /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
+    ///
+    /// Plan:
+    /// 1. `q1`: a linear equation.
+    /// 2. `q2 + q3 + q4`: two equations in its sine and cosine: one value.
+    /// 3. `q3`: a cos + b sin = c: two values.
+    /// 4. `q4`: two equations in its sine and cosine: one value.
+    #[must_use]
+    pub fn inverse(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 4, 2> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 0.6091883671078886) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 0.6091883671078886,
+            few: true,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 0.6091883671078886),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, found| self.candidates(frame, found),
+        )
+    }
+    /// Runs the plan: calls `found` with every candidate.
+    fn candidates(
+        &self,
+        t: &::dh_robot::ik::Pose,
+        found: &mut dyn FnMut([f64; 4], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+    ) -> ::dh_robot::inverse::Attempt {
+        let mut attempt = ::dh_robot::inverse::Attempt::new();
+        let free = ::dh_robot::FreeJoints::NONE;
+        let t_2 = self.d4 * 1.6415283908776575;
+        let t_3 = t[0][3] - t[0][2] * t_2;
+        let t_4 = t[1][3] - t[1][2] * t_2;
+        let t_5 = t[2][3] - t[2][2] * t_2;
+        let t_6 = t[0][0] * t_3 + t[1][0] * t_4;
+        let t_7 = t[0][1] * t_3 + t[1][1] * t_4;
+        let t_8 = t_3 * t_3 + t_4 * t_4;
+        let t_9 = self.d2 * 1.6415283908776575;
+        let t_10 = self.d3 * 1.6415283908776575;
+        let t_11 = self.a2 * 1.6415283908776575;
+        let t_12 = self.a3 * 1.6415283908776575;
+        let t_13 = t_10 * (t_10 + t_9 * 2.0);
+        let t_14 = t_11 * t_11 + t_12 * t_12 + t_9 * t_9;
+        let r0 = ::dh_robot::ik::solve_quadratic(0.0, 1.0, -(t_5 - (t_9 + t_10)), 1e-11);
+        if r0.roots.is_empty() {
+            attempt.note(r0.outcome, "q1", 0.6091883671078886, "m");
+        }
+        let free = if r0.is_free() {
+            attempt.degenerate = true;
+            free.union(::dh_robot::FreeJoints::of(&[0]))
+        } else {
+            free
+        };
+        for (i0, &q1) in r0.or_if_free(0.0).iter().enumerate() {
+            let a0 = q1 * 0.6091883671078886;
+            let t_15 = t_5 - q1;
+            let r1 = ::dh_robot::ik::solve_pair(
+                1.0,
+                0.0,
+                t[0][0],
+                0.0,
+                -1.0,
+                t[0][1],
+                1e-11,
+            );
+            if r1.roots.is_empty() {
+                attempt.note(r1.outcome, "q2 + q3 + q4", 1.0, "");
+            }
+            let free = if r1.is_free() {
+                attempt.degenerate = true;
+                free.union(::dh_robot::FreeJoints::of(&[1, 2, 3]))
+            } else {
+                free
+            };
+            for (i1, &[c234, s234]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+                let a1 = ::dh_robot::math::atan2(s234, c234);
+                let r2 = ::dh_robot::ik::solve_sincos(
+                    2.0 * t_11 * t_12,
+                    0.0,
+                    -(t_13 - (t_8 + t_15 * t_15 - t_14)),
+                    1e-11,
+                );
+                if r2.roots.is_empty() {
+                    attempt.note(r2.outcome, "q3", 0.6091883671078886, "m");
+                }
+                let free = if r2.is_free() {
+                    attempt.degenerate = true;
+                    free.union(::dh_robot::FreeJoints::of(&[2]))
+                } else {
+                    free
+                };
+                for (i2, &[c3, s3]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    let a2 = ::dh_robot::math::atan2(s3, c3);
+                    let t_16 = t_12 + t_11 * c3;
+                    let t_17 = t_11 * s3;
+                    let r3 = ::dh_robot::ik::solve_pair(
+                        -t_16,
+                        t_17,
+                        -(t_6 + t[2][0] * t_15),
+                        t_17,
+                        t_16,
+                        -(t_7 + t[2][1] * t_15),
+                        1e-11,
+                    );
+                    if r3.roots.is_empty() {
+                        attempt.note(r3.outcome, "q4", 0.6091883671078886, "m");
+                    }
+                    let free = if r3.is_free() {
+                        attempt.degenerate = true;
+                        free.union(::dh_robot::FreeJoints::of(&[3]))
+                    } else {
+                        free
+                    };
+                    for (i3, &[c4, s4]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                        let a3 = ::dh_robot::math::atan2(s4, c4);
+                        let branch = ::dh_robot::Branch::ANY
+                            .with_step(0, i2)
+                            .with_elbow(
+                                if i2 == 0 {
+                                    ::dh_robot::Elbow::Up
+                                } else {
+                                    ::dh_robot::Elbow::Down
+                                },
+                            );
+                        found([a0, a1 - a2 - a3, a2, a3], branch, free);
+                    }
+                }
+            }
+        }
+        attempt
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl ::dh_robot::ik::Kinematics<4> for WaferPrrr {
+    #[inline]
+    fn forward(&self, q: &[f64; 4]) -> ::dh_robot::ik::Pose {
+        let angles = [q[1] + q[2] + q[3], q[1] + q[2], q[1]];
+        let ([s234, s23, s2], [c234, c23, c2]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        [
+            [c234, -s234, 0.0, self.a3 * c23 + self.a2 * c2],
+            [s234, c234, 0.0, self.a3 * s23 + self.a2 * s2],
+            [0.0, 0.0, 1.0, q[0] + self.d2 + self.d4 + self.d3],
+        ]
+    }
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 4],
+    ) -> (::dh_robot::ik::Pose, [[f64; 4]; 6]) {
+        let angles = [q[1] + q[2] + q[3], q[1] + q[2], q[1]];
+        let ([s234, s23, s2], [c234, c23, c2]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let t_2 = self.a3 * c23;
+        let t_3 = self.a3 * s23;
+        let t_4 = t_2 + self.a2 * c2;
+        let t_5 = t_3 + self.a2 * s2;
+        (
+            [
+                [c234, -s234, 0.0, t_4],
+                [s234, c234, 0.0, t_5],
+                [0.0, 0.0, 1.0, self.d4 + self.d3 + self.d2 + q[0]],
+            ],
+            [
+                [0.0, -t_5, -t_3, 0.0],
+                [0.0, t_4, t_2, 0.0],
+                [1.0, 0.0, 0.0, 0.0],
+                [0.0, 0.0, 0.0, 0.0],
+                [0.0, 0.0, 0.0, 0.0],
+                [0.0, 1.0, 1.0, 1.0],
+            ],
+        )
+    }
+}
+impl ::dh_robot::InverseKinematics<4, 2, f64> for WaferPrrr {
+    type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
+    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 4, 2> {
+        WaferPrrr::inverse(self, target)
     }
 }

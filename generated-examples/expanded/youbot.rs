@@ -45,7 +45,7 @@ impl Youbot {
         let ([s5, s234, s23, s2, s1], [c5, c234, c23, c2, c1]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t = 0.2175 * s234 + 0.135 * s23 + 0.155 * s2 - 0.033;
+        let t_2 = 0.2175 * s234 + 0.135 * s23 + 0.155 * s2 - 0.033;
         let c5c234 = c5 * c234;
         let s5c234 = s5 * c234;
         ::dh_robot::pose::from_entries(
@@ -54,7 +54,7 @@ impl Youbot {
                 [s1 * c5c234 + s5 * c1, -(s1 * s5c234 - c5 * c1), -s234 * s1],
                 [c5 * s234, -s5 * s234, c234],
             ],
-            [-t * c1, -t * s1, 0.2175 * c234 + 0.135 * c23 + 0.155 * c2 + 0.147],
+            [-t_2 * c1, -t_2 * s1, 0.2175 * c234 + 0.135 * c23 + 0.155 * c2 + 0.147],
         )
     }
     /// Pose of every moving link's frame in the base, without the tool.
@@ -69,16 +69,16 @@ impl Youbot {
         let ([s1, s2, s23, s234, s5], [c1, c2, c23, c234, c5]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t = c1 * 0.033;
-        let t_2 = s1 * 0.033;
-        let t_3 = 0.155 * s2;
-        let t_4 = t - c1 * t_3;
-        let t_5 = t_2 - s1 * t_3;
-        let t_6 = 0.147 + 0.155 * c2;
-        let t_7 = 0.135 * s23;
-        let t_8 = t_4 - c1 * t_7;
-        let t_9 = t_5 - s1 * t_7;
-        let t_10 = t_6 + 0.135 * c23;
+        let t_2 = c1 * 0.033;
+        let t_3 = s1 * 0.033;
+        let t_4 = 0.155 * s2;
+        let t_5 = t_2 - c1 * t_4;
+        let t_6 = t_3 - s1 * t_4;
+        let t_7 = 0.147 + 0.155 * c2;
+        let t_8 = 0.135 * s23;
+        let t_9 = t_5 - c1 * t_8;
+        let t_10 = t_6 - s1 * t_8;
+        let t_11 = t_7 + 0.135 * c23;
         let c1c234 = c1 * c234;
         let s1c234 = s1 * c234;
         let c1s234 = c1 * s234;
@@ -86,11 +86,11 @@ impl Youbot {
         [
             ::dh_robot::pose::from_entries(
                 [[c1, 0.0, s1], [s1, 0.0, -c1], [0.0, 1.0, 0.0]],
-                [t, t_2, 0.147],
+                [t_2, t_3, 0.147],
             ),
             ::dh_robot::pose::from_entries(
                 [[-c1 * s2, -c1 * c2, s1], [-s1 * s2, -s1 * c2, -c1], [c2, -s2, 0.0]],
-                [t_4, t_5, t_6],
+                [t_5, t_6, t_7],
             ),
             ::dh_robot::pose::from_entries(
                 [
@@ -98,11 +98,11 @@ impl Youbot {
                     [-s1 * s23, -s1 * c23, -c1],
                     [c23, -s23, 0.0],
                 ],
-                [t_8, t_9, t_10],
+                [t_9, t_10, t_11],
             ),
             ::dh_robot::pose::from_entries(
                 [[c1c234, -s1, -c1s234], [s1c234, c1, -s1s234], [s234, 0.0, c234]],
-                [t_8, t_9, t_10],
+                [t_9, t_10, t_11],
             ),
             ::dh_robot::pose::from_entries(
                 [
@@ -110,7 +110,7 @@ impl Youbot {
                     [s1c234 * c5 + c1 * s5, c1 * c5 - s1c234 * s5, -s1s234],
                     [s234 * c5, -s234 * s5, c234],
                 ],
-                [t_8 - c1s234 * 0.2175, t_9 - s1s234 * 0.2175, t_10 + c234 * 0.2175],
+                [t_9 - c1s234 * 0.2175, t_10 - s1s234 * 0.2175, t_11 + c234 * 0.2175],
             ),
         ]
     }
@@ -125,19 +125,19 @@ impl Youbot {
         let ([s234, s1, s23, s2], [c234, c1, c23, c2]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t = s234 * 0.2175;
-        let t_2 = c234 * 0.2175;
-        let t_3 = t + 0.135 * s23;
-        let t_4 = t_2 + 0.135 * c23;
-        let t_5 = t_3 + 0.155 * s2;
-        let t_6 = t_4 + 0.155 * c2;
-        let t_7 = t_5 - 0.033;
+        let t_2 = s234 * 0.2175;
+        let t_3 = c234 * 0.2175;
+        let t_4 = t_2 + 0.135 * s23;
+        let t_5 = t_3 + 0.135 * c23;
+        let t_6 = t_4 + 0.155 * s2;
+        let t_7 = t_5 + 0.155 * c2;
+        let t_8 = t_6 - 0.033;
         ::dh_robot::nalgebra::SMatrix::from_data(
             ::dh_robot::nalgebra::ArrayStorage([
-                [s1 * t_7, -c1 * t_7, 0.0, 0.0, 0.0, 1.0],
-                [-c1 * t_6, -s1 * t_6, -t_5, s1, -c1, 0.0],
-                [-c1 * t_4, -s1 * t_4, -t_3, s1, -c1, 0.0],
-                [-c1 * t_2, -s1 * t_2, -t, s1, -c1, 0.0],
+                [s1 * t_8, -c1 * t_8, 0.0, 0.0, 0.0, 1.0],
+                [-c1 * t_7, -s1 * t_7, -t_6, s1, -c1, 0.0],
+                [-c1 * t_5, -s1 * t_5, -t_4, s1, -c1, 0.0],
+                [-c1 * t_3, -s1 * t_3, -t_2, s1, -c1, 0.0],
                 [0.0, 0.0, 0.0, -s234 * c1, -s234 * s1, c234],
             ]),
         )
@@ -162,15 +162,15 @@ impl Youbot {
         let s5c234 = s5 * c234;
         let s234c1 = s234 * c1;
         let s234s1 = s234 * s1;
-        let t = s234 * 0.2175;
-        let t_2 = c234 * 0.2175;
-        let t_3 = t + 0.135 * s23;
-        let t_4 = t_2 + 0.135 * c23;
-        let t_5 = t_3 + 0.155 * s2;
-        let t_6 = t_4 + 0.155 * c2;
-        let t_7 = t_5 - 0.033;
-        let t_8 = c1 * t_7;
-        let t_9 = s1 * t_7;
+        let t_2 = s234 * 0.2175;
+        let t_3 = c234 * 0.2175;
+        let t_4 = t_2 + 0.135 * s23;
+        let t_5 = t_3 + 0.135 * c23;
+        let t_6 = t_4 + 0.155 * s2;
+        let t_7 = t_5 + 0.155 * c2;
+        let t_8 = t_6 - 0.033;
+        let t_9 = c1 * t_8;
+        let t_10 = s1 * t_8;
         (
             ::dh_robot::pose::from_entries(
                 [
@@ -178,14 +178,14 @@ impl Youbot {
                     [c5c234 * s1 + s5 * c1, -(s1 * s5c234 - c5 * c1), -s234s1],
                     [c5 * s234, -s5 * s234, c234],
                 ],
-                [-t_8, -t_9, t_6 + 0.147],
+                [-t_9, -t_10, t_7 + 0.147],
             ),
             ::dh_robot::nalgebra::SMatrix::from_data(
                 ::dh_robot::nalgebra::ArrayStorage([
-                    [t_9, -t_8, 0.0, 0.0, 0.0, 1.0],
-                    [-c1 * t_6, -s1 * t_6, -t_5, s1, -c1, 0.0],
-                    [-c1 * t_4, -s1 * t_4, -t_3, s1, -c1, 0.0],
-                    [-c1 * t_2, -s1 * t_2, -t, s1, -c1, 0.0],
+                    [t_10, -t_9, 0.0, 0.0, 0.0, 1.0],
+                    [-c1 * t_7, -s1 * t_7, -t_6, s1, -c1, 0.0],
+                    [-c1 * t_5, -s1 * t_5, -t_4, s1, -c1, 0.0],
+                    [-c1 * t_3, -s1 * t_3, -t_2, s1, -c1, 0.0],
                     [0.0, 0.0, 0.0, -s234c1, -s234s1, c234],
                 ]),
             ),
@@ -211,5 +211,256 @@ impl ::dh_robot::Jacobian<5, f64> for Youbot {
     #[inline]
     fn jacobian(&self, q: &[f64; 5]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 5> {
         Youbot::jacobian(self, q)
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl Youbot {
+    /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
+    pub const MAX_SOLUTIONS: usize = 4;
+    /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
+    ///
+    /// Plan:
+    /// 1. `q1`: a cos + b sin = 0: two values half a turn apart.
+    /// 2. `q2 + q3 + q4`: two equations in its sine and cosine: one value.
+    /// 3. `q3`: a cos + b sin = c: two values.
+    /// 4. `q2`: two equations in its sine and cosine: one value.
+    /// 5. `q5`: free at every pose: 0 is taken.
+    #[must_use]
+    pub fn inverse(
+        &self,
+        target: (
+            &::dh_robot::nalgebra::Point3<f64>,
+            &::dh_robot::nalgebra::UnitVector3<f64>,
+        ),
+    ) -> ::dh_robot::Solutions<f64, 5, 4> {
+        let p: [f64; 3] = [target.0.x.into(), target.0.y.into(), target.0.z.into()];
+        let z: [f64; 3] = [target.1.x.into(), target.1.y.into(), target.1.z.into()];
+        if !p.iter().all(|x: &f64| x.is_finite()) {
+            return ::dh_robot::Solutions::none(
+                &Self::JOINTS,
+                ::dh_robot::Why::NotFinite,
+            );
+        }
+        if !z.iter().all(|x: &f64| x.is_finite()) {
+            return ::dh_robot::Solutions::none(
+                &Self::JOINTS,
+                ::dh_robot::Why::NotFinite,
+            );
+        }
+        let frame = ::dh_robot::inverse::frame_of_axis(p.map(|x| x / 0.6875), z);
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 0.6875,
+            few: false,
+        };
+        let task = ::dh_robot::ik::Task::Axis(p, z);
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, found| self.candidates(frame, found),
+        )
+    }
+    /// Runs the plan: calls `found` with every candidate.
+    fn candidates(
+        &self,
+        t: &::dh_robot::ik::Pose,
+        found: &mut dyn FnMut([f64; 5], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+    ) -> ::dh_robot::inverse::Attempt {
+        let mut attempt = ::dh_robot::inverse::Attempt::new();
+        let free = ::dh_robot::FreeJoints::NONE;
+        let t_2 = t[2][3] - 0.21381818181818182;
+        let t_3 = t_2 * t_2;
+        let t_4 = t_2 * t[2][2] * 2.0;
+        let r0 = ::dh_robot::ik::solve_sincos(-t[1][2], t[0][2], 0.0, 1e-11);
+        if r0.roots.is_empty() {
+            attempt.note(r0.outcome, "q1", 1.0, "");
+        }
+        let free = if r0.is_free() {
+            attempt.degenerate = true;
+            free.union(::dh_robot::FreeJoints::of(&[0]))
+        } else {
+            free
+        };
+        for (i0, &[c1, s1]) in r0.or_if_free([1.0, 0.0]).iter().enumerate() {
+            let a0 = ::dh_robot::math::atan2(s1, c1);
+            let t_5 = t[0][3] * c1 + t[1][3] * s1;
+            let t_6 = t[0][3] * s1 - t[1][3] * c1;
+            let t_7 = t[0][2] * c1 + t[1][2] * s1;
+            let t_8 = t_5 * 2.0;
+            let t_9 = 0.31636363636363635 - t_6 * (t[0][2] * s1 - t[1][2] * c1) * 2.0;
+            let t_10 = 0.048 * (t_8 - 0.048)
+                - (t_5 * t_5 + t_6 * t_6 + t_3 - 0.08938842975206612);
+            let t_11 = 0.31636363636363635 * (t_7 * (0.096 - t_8) + t_9 - t_4) - t_10;
+            let t_12 = t_5 - 0.048;
+            let r1 = ::dh_robot::ik::solve_pair(
+                0.0,
+                -1.0,
+                t_7,
+                1.0,
+                0.0,
+                t[2][2],
+                1e-11,
+            );
+            if r1.roots.is_empty() {
+                attempt.note(r1.outcome, "q2 + q3 + q4", 1.0, "");
+            }
+            let free = if r1.is_free() {
+                attempt.degenerate = true;
+                free.union(::dh_robot::FreeJoints::of(&[1, 2, 3]))
+            } else {
+                free
+            };
+            for (i1, &[c234, s234]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+                let a1 = ::dh_robot::math::atan2(s234, c234);
+                let t_13 = t_2 - 0.31636363636363635 * c234;
+                let r2 = ::dh_robot::ik::solve_sincos(
+                    0.08854214876033059,
+                    0.0,
+                    t_11,
+                    1e-11,
+                );
+                if r2.roots.is_empty() {
+                    attempt.note(r2.outcome, "q3", 0.6875, "m");
+                }
+                let free = if r2.is_free() {
+                    attempt.degenerate = true;
+                    free.union(::dh_robot::FreeJoints::of(&[2]))
+                } else {
+                    free
+                };
+                for (i2, &[c3, s3]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    let a2 = ::dh_robot::math::atan2(s3, c3);
+                    let t_14 = 0.19636363636363638 * s3;
+                    let t_15 = 0.22545454545454546 + 0.19636363636363638 * c3;
+                    let r3 = ::dh_robot::ik::solve_many(
+                        &[
+                            [-t_14, -t_15, t_12 + 0.31636363636363635 * s234],
+                            [t_15, -t_14, t_13],
+                            [t_15, -t_14, t_13],
+                        ],
+                        1e-11,
+                    );
+                    if r3.roots.is_empty() {
+                        attempt.note(r3.outcome, "q2", 0.6875, "m");
+                    }
+                    let free = if r3.is_free() {
+                        attempt.degenerate = true;
+                        free.union(::dh_robot::FreeJoints::of(&[1]))
+                    } else {
+                        free
+                    };
+                    for (i3, &[c2, s2]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                        let a3 = ::dh_robot::math::atan2(s2, c2);
+                        let r4 = ::dh_robot::ik::solve_sincos(0.0, 0.0, 0.0, 1e-11);
+                        if r4.roots.is_empty() {
+                            attempt.note(r4.outcome, "q5", 1.0, "");
+                        }
+                        let free = if r4.is_free() {
+                            attempt.degenerate = true;
+                            free.union(::dh_robot::FreeJoints::of(&[4]))
+                        } else {
+                            free
+                        };
+                        for (i4, &[c5, s5]) in r4
+                            .or_if_free([1.0, 0.0])
+                            .iter()
+                            .enumerate()
+                        {
+                            let a4 = ::dh_robot::math::atan2(s5, c5);
+                            let branch = ::dh_robot::Branch::ANY
+                                .with_step(0, i0)
+                                .with_shoulder(
+                                    if i0 == 0 {
+                                        ::dh_robot::Shoulder::Left
+                                    } else {
+                                        ::dh_robot::Shoulder::Right
+                                    },
+                                )
+                                .with_step(1, i2)
+                                .with_elbow(
+                                    if i2 == 0 {
+                                        ::dh_robot::Elbow::Up
+                                    } else {
+                                        ::dh_robot::Elbow::Down
+                                    },
+                                );
+                            found([a0, a3, a2, a1 - a2 - a3, a4], branch, free);
+                        }
+                    }
+                }
+            }
+        }
+        attempt
+    }
+}
+#[allow(clippy::all, clippy::pedantic)]
+impl ::dh_robot::ik::Kinematics<5> for Youbot {
+    #[inline]
+    fn forward(&self, q: &[f64; 5]) -> ::dh_robot::ik::Pose {
+        let angles = [q[4], q[1] + q[2] + q[3], q[1] + q[2], q[1], q[0]];
+        let ([s5, s234, s23, s2, s1], [c5, c234, c23, c2, c1]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let t_2 = 0.2175 * s234 + 0.135 * s23 + 0.155 * s2 - 0.033;
+        let c5c234 = c5 * c234;
+        let s5c234 = s5 * c234;
+        [
+            [c1 * c5c234 - s5 * s1, -(c1 * s5c234 + c5 * s1), -s234 * c1, -t_2 * c1],
+            [s1 * c5c234 + s5 * c1, -(s1 * s5c234 - c5 * c1), -s234 * s1, -t_2 * s1],
+            [
+                c5 * s234,
+                -s5 * s234,
+                c234,
+                0.2175 * c234 + 0.135 * c23 + 0.155 * c2 + 0.147,
+            ],
+        ]
+    }
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 5],
+    ) -> (::dh_robot::ik::Pose, [[f64; 5]; 6]) {
+        let angles = [q[4], q[1] + q[2] + q[3], q[0], q[1] + q[2], q[1]];
+        let ([s5, s234, s1, s23, s2], [c5, c234, c1, c23, c2]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let c5c234 = c5 * c234;
+        let s5c234 = s5 * c234;
+        let s234c1 = s234 * c1;
+        let s234s1 = s234 * s1;
+        let t_2 = s234 * 0.2175;
+        let t_3 = c234 * 0.2175;
+        let t_4 = t_2 + 0.135 * s23;
+        let t_5 = t_3 + 0.135 * c23;
+        let t_6 = t_4 + 0.155 * s2;
+        let t_7 = t_5 + 0.155 * c2;
+        let t_8 = t_6 - 0.033;
+        let t_9 = c1 * t_8;
+        let t_10 = s1 * t_8;
+        (
+            [
+                [c5c234 * c1 - s5 * s1, -(c1 * s5c234 + c5 * s1), -s234c1, -t_9],
+                [c5c234 * s1 + s5 * c1, -(s1 * s5c234 - c5 * c1), -s234s1, -t_10],
+                [c5 * s234, -s5 * s234, c234, t_7 + 0.147],
+            ],
+            [
+                [t_10, -c1 * t_7, -c1 * t_5, -c1 * t_3, 0.0],
+                [-t_9, -s1 * t_7, -s1 * t_5, -s1 * t_3, 0.0],
+                [0.0, -t_6, -t_4, -t_2, 0.0],
+                [0.0, s1, s1, s1, -s234c1],
+                [0.0, -c1, -c1, -c1, -s234s1],
+                [1.0, 0.0, 0.0, 0.0, c234],
+            ],
+        )
+    }
+}
+impl ::dh_robot::InverseKinematics<5, 4, f64> for Youbot {
+    type Target = (
+        ::dh_robot::nalgebra::Point3<f64>,
+        ::dh_robot::nalgebra::UnitVector3<f64>,
+    );
+    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 5, 4> {
+        Youbot::inverse(self, (&target.0, &target.1))
     }
 }
