@@ -259,7 +259,8 @@ impl Arm {
             let Some((turns, terms)) = &row.moves else { continue };
             let z = [axis[0][2], axis[1][2], axis[2][2]];
             let r: [f64; 3] = std::array::from_fn(|i| walk.tip[i][3] - axis[i][3]);
-            let across: [f64; 3] = std::array::from_fn(|i| z[(i + 1) % 3] * r[(i + 2) % 3] - z[(i + 2) % 3] * r[(i + 1) % 3]);
+            let across: [f64; 3] =
+                std::array::from_fn(|i| z[(i + 1) % 3] * r[(i + 2) % 3] - z[(i + 2) % 3] * r[(i + 1) % 3]);
             for (j, k) in terms {
                 for i in 0..3 {
                     columns[*j][i] += k * if *turns { across[i] } else { z[i] };
