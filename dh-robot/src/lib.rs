@@ -251,6 +251,8 @@ modules! {
     #[doc(hidden)]
     pub mod inverse;
     mod joint;
+    #[doc(hidden)]
+    pub mod lanes;
     pub mod math;
     pub mod pose;
     mod real;

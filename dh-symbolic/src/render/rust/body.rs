@@ -346,6 +346,16 @@ impl<'a> Body<'a> {
         if self.graph.as_constant(v).is_some_and(|p| p.is_zero()) { self.literal(0.0) } else { self.signed(-v) }
     }
 
+    /// Replaces the text of a node from here on.
+    pub(super) fn rename(&mut self, node: usize, text: &str) {
+        self.text[node] = Some((text.to_string(), false));
+    }
+
+    /// The text of a node, if it has been written.
+    pub(super) fn known(&self, node: usize) -> Option<&str> {
+        self.text[node].as_ref().map(|t| t.0.as_str())
+    }
+
     /// Takes the statements written so far.
     pub(super) fn take_lines(&mut self) -> Vec<String> {
         std::mem::take(&mut self.lines)

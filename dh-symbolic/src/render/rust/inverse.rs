@@ -1,6 +1,7 @@
 //! `inverse`: the plan as nested loops over the roots of its steps, and what verification needs.
 
 use super::body::Body;
+use super::lanes;
 use super::{literal, scalar_name, shift_expression};
 use crate::algebra::{Poly, Symbol};
 use crate::chain::{Chain, Coordinate, Scalar, Task};
@@ -15,6 +16,8 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
     let (target, frame, task, target_type) = target(chain, &reach);
     let given = if chain.redundant.is_some() { format!(", given: {f}") } else { String::new() };
     let pass = if chain.redundant.is_some() { ", given.into()" } else { "" };
+    let fits = lanes::fits(chain, inverse);
+    let fast = if fits { "if let Some(solutions) = self.lanes(&frame) {\nreturn solutions;\n}\n" } else { "" };
     let few = n + usize::from(chain.redundant.is_none()) <= 6 && chain.task == Task::Pose;
     let mut out = format!(
         "#[allow(clippy::all, clippy::pedantic)]\nimpl {name} {{\n\
@@ -22,13 +25,16 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
          pub const MAX_SOLUTIONS: usize = {m};\n\
          {}\n\
          #[must_use]\npub fn inverse(&self, {target}{given}) -> ::dh_robot::Solutions<{f}, {n}, {m}> {{\n\
-         {frame}\n\
+         {frame}\n{fast}\
          let setting = ::dh_robot::inverse::Setting {{ joints: &Self::JOINTS, reach: {reach}, few: {few} }};\n\
          let task = {task};\n\
          ::dh_robot::inverse::solve(self, setting, &task, &frame, |frame, found| self.candidates(frame{pass}, found))\n}}\n\n",
         docs(chain, inverse),
     );
     out.push_str(&candidates(chain, inverse));
+    if fits {
+        out.push_str(&lanes::lanes(chain, inverse));
+    }
     out.push_str("}\n");
     out.push_str(&kinematics(chain, name, forward));
     if chain.redundant.is_none() {
@@ -155,7 +161,7 @@ fn docs(chain: &Chain, inverse: &Inverse) -> String {
 }
 
 /// Expression of each joint variable from the coordinates x.
-fn motors(chain: &Chain, x: &[String]) -> Vec<String> {
+pub(super) fn motors(chain: &Chain, x: &[String]) -> Vec<String> {
     let shifted: Vec<String> = chain
         .joints
         .iter()
@@ -218,6 +224,21 @@ fn determinant(m: &[Vec<Poly>]) -> Poly {
         .sum()
 }
 
+/// Names of the target's entries and of known combinations.
+pub(super) fn inputs(inverse: &Inverse) -> Vec<(Symbol, String)> {
+    let mut inputs: Vec<(Symbol, String)> = Vec::new();
+    for (i, s) in inverse.target.iter().enumerate() {
+        let (row, column) = if i < 9 { (i / 3, i % 3) } else { (i - 9, 3) };
+        inputs.push((*s, format!("t[{row}][{column}]")));
+    }
+    for k in &inverse.plan.knowledge.known {
+        for s in k.symbols {
+            inputs.push((s, identifier(inverse.plan.knowledge.ring.symbol_name(s))));
+        }
+    }
+    inputs
+}
+
 /// The private function that runs the plan.
 fn candidates(chain: &Chain, inverse: &Inverse) -> String {
     let plan = &inverse.plan;
@@ -225,18 +246,8 @@ fn candidates(chain: &Chain, inverse: &Inverse) -> String {
     let unit = chain.unit.name;
     let reach = literal(plan.axes.reach, Scalar::F64);
     let given = if chain.redundant.is_some() { "given: f64, " } else { "" };
-    let mut inputs: Vec<(Symbol, String)> = Vec::new();
-    for (i, s) in inverse.target.iter().enumerate() {
-        let (row, column) = if i < 9 { (i / 3, i % 3) } else { (i - 9, 3) };
-        inputs.push((*s, format!("t[{row}][{column}]")));
-    }
-    for k in &plan.knowledge.known {
-        for s in k.symbols {
-            inputs.push((s, identifier(plan.knowledge.ring.symbol_name(s))));
-        }
-    }
     let outputs: Vec<Value> = inverse.solvers.iter().flat_map(|s| s.rows.concat()).collect();
-    let mut body = Body::staged(chain, &inverse.graph, outputs, Scalar::F64, 1.0 / plan.axes.reach, inputs);
+    let mut body = Body::staged(chain, &inverse.graph, outputs, Scalar::F64, 1.0 / plan.axes.reach, inputs(inverse));
     let depths = inverse.depths();
     let mut out = format!(
         "/// Runs the plan: calls `found` with every candidate.\n\
@@ -319,7 +330,7 @@ fn candidates(chain: &Chain, inverse: &Inverse) -> String {
 }
 
 /// A symbol's name as an identifier of generated code.
-fn identifier(name: &str) -> String {
+pub(super) fn identifier(name: &str) -> String {
     name.replace(|c: char| !c.is_ascii_alphanumeric() && c != '_', "_")
 }
 
@@ -327,7 +338,7 @@ fn joints_of(form: &Form, real: usize) -> Vec<usize> {
     (0..real).filter(|k| form[*k] != 0).collect()
 }
 
-fn combination(form: &[i8], angles: &[String]) -> String {
+pub(super) fn combination(form: &[i8], angles: &[String]) -> String {
     let mut out = String::new();
     for (k, a) in form.iter().zip(angles).filter(|(k, _)| **k != 0) {
         let sign = match (out.is_empty(), *k < 0) {
@@ -346,7 +357,7 @@ fn combination(form: &[i8], angles: &[String]) -> String {
 }
 
 /// Which root each step took, with the names that robot controllers use.
-fn branch(inverse: &Inverse) -> String {
+pub(super) fn branch(inverse: &Inverse) -> String {
     let mut out = String::from("::dh_robot::Branch::ANY");
     let mut named = [false; 3];
     let mut place = 0;

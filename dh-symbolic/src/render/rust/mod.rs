@@ -8,6 +8,7 @@ mod body;
 mod docs;
 mod forward;
 mod inverse;
+mod lanes;
 mod names;
 #[cfg(feature = "cli")]
 mod pretty;
