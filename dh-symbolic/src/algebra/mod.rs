@@ -30,8 +30,10 @@ mod text;
 pub use angle::Angle;
 pub use evaluate::Point;
 pub use field::{Element, FieldPoint};
+#[cfg(test)]
+pub(crate) use matrix::cross;
+pub(crate) use matrix::dot;
 pub use matrix::{Transform, Vector};
-pub(crate) use matrix::{cross, dot};
 pub use monomial::{Factor, Monomial};
 pub use poly::Poly;
 pub use rational::Rational;

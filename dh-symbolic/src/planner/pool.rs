@@ -67,6 +67,7 @@ const SCALARS: [Scalar; 16] = {
 };
 
 /// The scalars of a pose in the order of `SCALARS`.
+#[cfg(test)]
 fn scalars(t: &Pose) -> [f64; 16] {
     let back = |j: usize| -(t[0][j] * t[0][3] + t[1][j] * t[1][3] + t[2][j] * t[2][3]);
     let d = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
@@ -280,4 +281,38 @@ pub(super) fn residual(axes: &Axes, e: &Equation, x: &[f64], target: &Pose) -> f
     let right = pose::compose(&inverse_a, &pose::compose(target, &tail));
     let i = SCALARS.iter().position(|s| *s == e.scalar).unwrap_or(0);
     scalars(&left)[i] - scalars(&right)[i]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::chain::Convention;
+    use crate::chain::tests::revolute_chain;
+
+    #[test]
+    fn every_equation_holds_at_a_solution_and_its_slopes_are_measured_right() {
+        let rows = [(-90, "0.1", "0.2", 0), (60, "0.3", "0", 30), (90, "0", "0.1", -90), (180, "0.2", "0", 0)];
+        let axes = Axes::new(&revolute_chain(Convention::Standard, &rows));
+        let mut random = Random::new(5);
+        let x: Vec<f64> = (0..4).map(|_| 2.0 * random.next()).collect();
+        let target = *axes.frames_number(&x).last().unwrap();
+        let all = families(&axes);
+        assert!(all.len() > 5);
+        for family in &all {
+            for e in &family.equations {
+                assert!(residual(&axes, e, &x, &target).abs() < 1e-12, "{e:?}");
+                // A step in a direction outside the family's span changes nothing.
+                for k in 0..4 {
+                    let mut unit = vec![0.0; 4];
+                    unit[k] = 1.0;
+                    let touches = family.span.rows().iter().any(|r| r[k].abs() > 1e-9);
+                    let mut y = x.clone();
+                    y[k] += 0.1;
+                    if !touches {
+                        assert!(residual(&axes, e, &y, &target).abs() < 1e-12, "{e:?} moves with joint {k}");
+                    }
+                }
+            }
+        }
+    }
 }

@@ -302,7 +302,8 @@ impl Lower<'_> {
         let mut values: Vec<Value> = Vec::with_capacity(pose.graph.nodes().len());
         let live = pose.graph.live(&pose.outputs);
         for (node, live) in pose.graph.nodes().iter().zip(live) {
-            let signed = |v: Value, all: &[Value]| if v.negative { -all[v.node as usize] } else { all[v.node as usize] };
+            let signed =
+                |v: Value, all: &[Value]| if v.negative { -all[v.node as usize] } else { all[v.node as usize] };
             let value = match *node {
                 _ if !live => ZERO,
                 Node::Constant(i) => self.g.constant(pose.graph.constants()[i as usize].clone()),
@@ -314,7 +315,10 @@ impl Lower<'_> {
             };
             values.push(value);
         }
-        pose.outputs.iter().map(|v| if v.negative { -values[v.node as usize] } else { values[v.node as usize] }).collect()
+        pose.outputs
+            .iter()
+            .map(|v| if v.negative { -values[v.node as usize] } else { values[v.node as usize] })
+            .collect()
     }
 
     /// Cosine and sine of an angle sum of the chain: joints from what is known, the rest as it is.

@@ -39,8 +39,7 @@ pub(super) fn lanes(chain: &Chain, inverse: &Inverse) -> String {
     let depths = inverse.depths();
     let live = inverse.graph.live(&outputs);
     let wanted = needed_depths(inverse, &depths, &live);
-    let mut body =
-        Body::staged(chain, &inverse.graph, outputs, Scalar::F64, 1.0 / plan.axes.reach, inputs(inverse));
+    let mut body = Body::staged(chain, &inverse.graph, outputs, Scalar::F64, 1.0 / plan.axes.reach, inputs(inverse));
     // Lanes at each depth: the roots of the steps so far.
     let mut all = vec![Depth { lanes: 1 }];
     for step in &plan.steps {
@@ -145,13 +144,17 @@ impl Writer<'_> {
         }
         // Sines and cosines of this depth stand in arrays already; everything else of this depth is computed here.
         let here: Vec<usize> = (0..self.graph().nodes().len())
-            .filter(|i| self.live[*i] && self.depths[*i] == depth && !matches!(self.graph().nodes()[*i], Node::Symbol(_)))
+            .filter(|i| {
+                self.live[*i] && self.depths[*i] == depth && !matches!(self.graph().nodes()[*i], Node::Symbol(_))
+            })
             .collect();
         if here.is_empty() {
             return;
         }
         let symbols: Vec<usize> = (0..self.graph().nodes().len())
-            .filter(|i| self.live[*i] && self.depths[*i] == depth && matches!(self.graph().nodes()[*i], Node::Symbol(_)))
+            .filter(|i| {
+                self.live[*i] && self.depths[*i] == depth && matches!(self.graph().nodes()[*i], Node::Symbol(_))
+            })
             .collect();
         let mut loads: Vec<usize> = self.used_at(depth, &[]);
         loads.extend(symbols);
@@ -176,8 +179,7 @@ impl Writer<'_> {
             .chain(self.inverse.confirmation.iter().copied())
             .map(|v| v.node as usize)
             .collect();
-        let kept: Vec<usize> =
-            here.into_iter().filter(|i| self.wanted[*i] > depth || step_rows.contains(i)).collect();
+        let kept: Vec<usize> = here.into_iter().filter(|i| self.wanted[*i] > depth || step_rows.contains(i)).collect();
         for i in kept {
             let text = body.known(i).unwrap_or("0.0").to_string();
             let name = format!("v{i}");
@@ -256,7 +258,11 @@ impl Writer<'_> {
         let lanes = before * roots;
         let index = if p == before { "k".to_string() } else { format!("k / {before} * {p} + k % {p}") };
         let spread = |j: usize| {
-            if p == before { format!("f{i}[{j}]") } else { format!("::core::array::from_fn::<f64, {lanes}, _>(|k| f{i}[{j}][{index}])") }
+            if p == before {
+                format!("f{i}[{j}]")
+            } else {
+                format!("::core::array::from_fn::<f64, {lanes}, _>(|k| f{i}[{j}][{index}])")
+            }
         };
         self.out.push_str(&format!("let {c}_ = {};\n", spread(0)));
         if turns {
