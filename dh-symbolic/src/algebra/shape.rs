@@ -147,6 +147,8 @@ fn unfold(wave: &[(u32, bool, Rational)], v: AngleVar) -> Sum {
     if homogeneous.len() < plain.len() { homogeneous } else { plain }
 }
 
+/// Formulas with more terms are written as they come.
+const MOST_TERMS: usize = 400;
 /// The highest multiple of an angle that is unfolded into powers.
 const UNFOLD: u32 = 6;
 
@@ -422,10 +424,64 @@ fn sum_shape(sum: Sum) -> Shape {
     Shape::Sum(flat)
 }
 
+/// The quotient of two sums, where it is one: division from the greatest powers down.
+fn divided(mut a: Sum, b: &Sum) -> Option<Sum> {
+    let top = |s: &Sum| s.iter().max_by(|x, y| by_powers(x.0, y.0)).map(|(p, c)| (p.clone(), c.clone()));
+    let (lead, number) = top(b)?;
+    let one_over = number.recip()?;
+    let mut quotient = Sum::new();
+    while let Some((p, c)) = top(&a) {
+        let left = |(x, n): &(Atom, u32)| {
+            let own = p.iter().find(|y| y.0 == *x).map_or(0, |y| y.1);
+            own.checked_sub(*n)
+        };
+        lead.iter().try_for_each(|x| left(x).map(|_| ()))?;
+        let less = |(x, n): &(Atom, u32)| {
+            let n = n - lead.iter().find(|y| y.0 == *x).map_or(0, |y| y.1);
+            (n > 0).then(|| (x.clone(), n))
+        };
+        let term: Powers = p.iter().filter_map(less).collect();
+        let factor = &c * &one_over;
+        for (q, d) in b {
+            add(&mut a, times(&term, q), &-&(&factor * d));
+        }
+        a.retain(|_, c| !c.is_zero());
+        quotient.insert(term, factor);
+    }
+    Some(quotient)
+}
+
+/// An order of powers that products respect: by the exponent of the first atom in which they differ.
+fn by_powers(a: &Powers, b: &Powers) -> Ordering {
+    for (x, y) in a.iter().zip(b) {
+        match x.0.cmp(&y.0) {
+            Ordering::Less => return Ordering::Greater,
+            Ordering::Greater => return Ordering::Less,
+            Ordering::Equal if x.1 != y.1 => return x.1.cmp(&y.1),
+            Ordering::Equal => {}
+        }
+    }
+    a.len().cmp(&b.len())
+}
+
 impl Poly {
+    /// self / other, where the quotient is a formula again and division from the greatest powers down finds it.
+    pub fn quotient(&self, other: &Poly) -> Option<Poly> {
+        if self.terms().len() > MOST_TERMS || other.terms().len() > MOST_TERMS {
+            return None;
+        }
+        divided(to_sum(self), &to_sum(other)).map(|q| to_poly(&q))
+    }
+
     /// The formula as people write it.
     pub fn shape(&self) -> Shape {
         shape_of(to_sum(self))
+    }
+
+    /// Is this, as it stands, a sum of squares with positive factors?
+    pub fn is_sum_of_squares(&self) -> bool {
+        let square = |(a, n): &(Atom, u32)| n % 2 == 0 || matches!(a, Atom::Root(_));
+        to_sum(self).iter().all(|(p, c)| !c.is_negative() && p.iter().all(square))
     }
 
     /// A number and factors with their multiplicity, whose product is this formula: common factors, and factors that
@@ -525,6 +581,99 @@ impl Ring {
 
     /// A formula as people write it, in plain text.
     pub fn book_text(&self, p: &Poly) -> String {
-        self.shape_text(&p.shape())
+        // what nobody will read needs no good shape
+        if p.terms().len() > MOST_TERMS { self.text(p) } else { self.shape_text(&p.shape()) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn to_poly(s: &Shape) -> Poly {
+        match s {
+            Shape::Number(x) => Poly::constant(x.clone()),
+            Shape::Atom(a) => atom_poly(a),
+            Shape::Power(base, n) => to_poly(base).pow(*n),
+            Shape::Product(f) => f.iter().fold(Poly::one(), |p, x| &p * &to_poly(x)),
+            Shape::Sum(t) => t.iter().map(to_poly).sum(),
+            Shape::Negative(x) => -&to_poly(x),
+        }
+    }
+
+    struct Arm {
+        ring: Ring,
+        length: Vec<Poly>,
+        c: Vec<Poly>,
+        s: Vec<Poly>,
+    }
+
+    /// Lengths a, b; angles q1 (alone), q2 and q3 (parallel), q4 (alone); c and s of q1, q2, q23, q4.
+    fn arm() -> Arm {
+        let mut ring = Ring::new();
+        let length = ["a", "b"].map(|n| Poly::symbol(ring.symbol(n))).to_vec();
+        let q1 = ring.angle("q1");
+        let q2 = ring.angle("q2");
+        let q3 = ring.angle_parallel_to(q2, "q3");
+        let q4 = ring.angle("q4");
+        let waves = [vec![(q1, 1)], vec![(q2, 1)], vec![(q2, 1), (q3, 1)], vec![(q4, 1)]];
+        let c = waves.iter().map(|w| Poly::harmonic(w, false)).collect();
+        let s = waves.iter().map(|w| Poly::harmonic(w, true)).collect();
+        Arm { ring, length, c, s }
+    }
+
+    #[test]
+    fn books_write_it_like_this() {
+        let Arm { ring, length, c, s } = arm();
+        let (a, b) = (&length[0], &length[1]);
+        let two = Poly::int(2);
+        let x = &(&c[0] * &(&(a * &c[1]) - &(b * &s[2]))) - &(b * &s[0]);
+        let cases = [
+            (x.clone(), "c1*(a*c2 - b*s23) - b*s1"),
+            (&(&s[0] * &s[3]) * &(&c[2] - &s[2]), "s1*s4*(c23 - s23)"),
+            (&c[3].square() * a, "a*c4^2"),
+            (&s[3] * &c[3], "c4*s4"),
+            (&(a * a) - &(b * b), "a^2 - b^2"),
+            (&two * &(a + b), "2*(a + b)"),
+            (-&(a + b), "-a - b"),
+            (&(b - a) * &c[0], "c1*(b - a)"),
+            (Poly::constant(Rational::new(-381, 10).unwrap()), "-38.1"),
+            (Poly::constant(Rational::new(1, 3).unwrap()), "1/3"),
+            (&Poly::sqrt2() * a, "sqrt(2)*a"),
+            (Poly::zero(), "0"),
+        ];
+        for (p, text) in cases {
+            assert_eq!(ring.book_text(&p), text);
+        }
+    }
+
+    #[test]
+    fn every_shape_is_the_formula() {
+        let Arm { length, c, s, .. } = arm();
+        let atoms: Vec<&Poly> = length.iter().chain(&c).chain(&s).collect();
+        // all products of two sums of two atoms
+        for i in 0..atoms.len() {
+            for j in 0..atoms.len() {
+                for k in [0, 3, 7] {
+                    let left = atoms[i] - &atoms[j].scale(&Rational::int(3));
+                    let p = &(&left * &(atoms[j] + atoms[k])) * &atoms[i].pow(2);
+                    assert_eq!(to_poly(&p.shape()), p);
+                    let (number, factors) = p.factors();
+                    let product = factors.iter().fold(Poly::constant(number), |x, (f, n)| &x * &f.pow(*n));
+                    assert_eq!(product, p);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn exact_quotients_are_found() {
+        let Arm { length, c, s, .. } = arm();
+        let (a, b) = (&length[0], &length[1]);
+        let d = &(a * a) + &(b * b);
+        let q = &(a * &c[0]) - &(b * &s[2]);
+        assert_eq!((&q * &d).quotient(&d), Some(q.clone()));
+        assert_eq!((&(&q * &d) + a).quotient(&d), None);
+        assert_eq!(q.quotient(&Poly::zero()), None);
     }
 }

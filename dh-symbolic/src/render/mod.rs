@@ -4,5 +4,6 @@
 //!
 //! **Never here:** decisions about kinematics.
 
+pub mod errata;
 pub mod rust;
 pub mod verdict;

@@ -1,7 +1,9 @@
 //! Verdicts on hand derivations in plain words: for `dh check`, for compile errors, for the errata page.
 
 use crate::algebra::Ring;
+use crate::algebra::shape::Shape;
 use crate::chain::claim::{Derivation, Line, Place, Token, line_text};
+use crate::chain::table::Claims;
 use crate::kinematics::claims::{Condition, Edit, Fault, FaultKind, Mend, Ratio, Report, Verdict};
 use std::fmt::Write;
 
@@ -31,19 +33,25 @@ fn cut(text: String) -> String {
 
 /// A quotient of formulas.
 pub fn ratio_text(ring: &Ring, x: &Ratio) -> String {
-    let top = ring.book_text(&x.num);
     if x.den.is_one() {
-        return cut(top);
+        return cut(ring.book_text(&x.num));
     }
+    if let Some(q) = x.num.quotient(&x.den) {
+        return cut(ring.book_text(&q));
+    }
+    let top = ring.book_text(&x.num);
     let bracketed = |t: String, simple: bool| if simple { t } else { format!("({t})") };
     let below = ring.book_text(&x.den);
     let simple = below.chars().all(|c| c.is_ascii_alphanumeric());
-    cut(format!("{}/{}", bracketed(top, !ring.book_text(&x.num).contains(" ")), bracketed(below, simple)))
+    cut(format!("{}/{}", bracketed(top.clone(), !top.contains(' ')), bracketed(below, simple)))
 }
 
 /// `d2 >= 0`
 pub fn condition_text(ring: &Ring, c: &Condition) -> String {
-    format!("{} {} 0", ring.book_text(&c.formula), if c.strict { ">" } else { ">=" })
+    match c.formula.shape() {
+        Shape::Negative(inner) => format!("{} {} 0", ring.shape_text(&inner), if c.strict { "<" } else { "<=" }),
+        shape => format!("{} {} 0", ring.shape_text(&shape), if c.strict { ">" } else { ">=" }),
+    }
 }
 
 fn number(x: f64) -> String {
@@ -92,7 +100,7 @@ fn fault_remark(ring: &Ring, d: &Derivation, f: &Fault) -> Remark {
             r.headline = format!("{at}printed {}, correct {}", show(*printed), show(*correct));
             r.details.push(format!("rounding explains no more than {}", show(*tolerance)));
         }
-        FaultKind::Same => r.headline = "these are the same formula".into(),
+        FaultKind::Same => r.headline = "both sides are the same formula".into(),
         FaultKind::Order { left, right } => {
             r.headline = format!("not so: left {}, right {}", number(*left), number(*right));
         }
@@ -211,12 +219,38 @@ fn carets(places: &[Place], from: usize, tokens: &[Token], columns: &[usize], wi
     carets
 }
 
+/// What `dh check` prints: every claim with its verdict and its line in the file, then how many there are of each kind.
+pub fn check_text(report: &Report, claims: &Claims, file: &str) -> String {
+    let d = &claims.derivation;
+    let mut out = String::new();
+    let mut counts: Vec<(&str, usize)> = Vec::new();
+    for (line, v) in d.lines.iter().zip(&report.verdicts) {
+        if matches!(v, Verdict::Noted) {
+            continue;
+        }
+        let word = verdict_word(v);
+        match counts.iter_mut().find(|c| c.0 == word) {
+            Some(c) => c.1 += 1,
+            None => counts.push((word, 1)),
+        }
+        let number = claims.place(&line.place).map_or(0, crate::diagnostic::Place::line);
+        let _ = match number {
+            0 => write!(out, ""),
+            n => writeln!(out, "{file}:{n}"),
+        };
+        out.push_str(&line_report(report, d, line, v));
+    }
+    let counts: Vec<String> = counts.iter().map(|(word, n)| format!("{n} {word}")).collect();
+    let _ = writeln!(out, "{}", if counts.is_empty() { "no claims".into() } else { counts.join(", ") });
+    out
+}
+
 /// All lines with their verdicts, as plain text.
 pub fn derivation_report(report: &Report, d: &Derivation) -> String {
     let mut out = String::new();
     for (line, v) in d.lines.iter().zip(&report.verdicts) {
         if !line.note.is_empty() {
-            let _ = writeln!(out, "// {}", line.note);
+            let _ = writeln!(out, "// {}", line.note.split(" Correct: ").next().unwrap_or(""));
         }
         out.push_str(&line_report(report, d, line, v));
     }

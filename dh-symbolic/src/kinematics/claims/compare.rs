@@ -4,7 +4,7 @@ use super::evaluate::{At, Understood, refuse};
 use super::ratio::{Ratio, Worked};
 use super::value::{Matrix, Turn, Value};
 use super::{Condition, Evaluator};
-use crate::algebra::{Factor, Poly, Rational, Symbol};
+use crate::algebra::{Factor, Monomial, Poly, Rational, Symbol};
 use crate::chain::claim::Place;
 use crate::chain::{Handle, Role, Value as Nominal};
 
@@ -83,8 +83,8 @@ impl Evaluator<'_> {
         if numeric.is_zero() {
             return Ok(Outcome::Same(vec![]));
         }
-        if let Some(condition) = self.up_to_sign(&numeric).at(place)? {
-            return Ok(match self.positivity(condition.0, false).at(place)? {
+        if let Some(balance) = self.up_to_sign(&numeric).at(place)? {
+            return Ok(match self.positivity(balance.value, false).at(place)? {
                 Sign::Positive => Outcome::Same(vec![]),
                 Sign::Depends(c) => Outcome::Same(vec![c]),
                 Sign::Negative => Outcome::Differs(Box::new([a.clone(), b.clone(), numeric])),
@@ -101,25 +101,43 @@ impl Evaluator<'_> {
         Ok(Outcome::Differs(Box::new([a, b, numeric])))
     }
 
-    /// With one root w in `A + B w`: it is zero exactly if w = -A/B, where A^2 = B^2 w^2. Gives -A/B and the root.
-    fn up_to_sign(&mut self, x: &Ratio) -> Worked<Option<(Ratio, Symbol)>> {
-        let used: Vec<super::Root> = self.roots.iter().filter(|r| x.num.has_symbol(r.symbol)).cloned().collect();
-        let [super::Root { symbol, radicand }] = used.as_slice() else { return Ok(None) };
-        let (mut a, mut b) = (Poly::zero(), Poly::zero());
-        for (m, c) in x.num.collect(|f| matches!(f, Factor::Power(s, _) if s == symbol)) {
-            match m.exponent(*symbol) {
-                0 => a = c,
-                1 => b = c,
-                _ => return Ok(None),
+    /// `A m + B n` with products m, n of roots: it is zero exactly if m/n = -B/A, where that is not negative. Gives m, n and -B/A.
+    fn up_to_sign(&mut self, x: &Ratio) -> Worked<Option<Balance>> {
+        let roots: Vec<super::Root> = self.roots.iter().filter(|r| x.num.has_symbol(r.symbol)).cloned().collect();
+        let parts = x.num.collect(|f| matches!(f, Factor::Power(s, _) if roots.iter().any(|r| r.symbol == *s)));
+        let [(n, b), (m, a)] = parts.as_slice() else { return Ok(None) };
+        // A^2 m^2 = B^2 n^2
+        let mut sides = [Ratio::from(self.work.times(a, a)?), Ratio::from(self.work.times(b, b)?)];
+        for (side, powers) in sides.iter_mut().zip([m, n]) {
+            for r in &roots {
+                let square = r.radicand.power(powers.exponent(r.symbol), &mut self.work)?;
+                *side = side.times(&square, &mut self.work)?;
             }
         }
-        let (a2, b2) = (self.work.times(&a, &a)?, self.work.times(&b, &b)?);
-        let left = self.work.times(&a2, &radicand.den)?;
-        let right = self.work.times(&b2, &radicand.num)?;
-        if left != right {
+        let [left, right] = &sides;
+        let difference = left.minus(right, &mut self.work)?;
+        if !self.reduce(&difference)?.is_zero() {
             return Ok(None);
         }
-        Ok(Some((Ratio::new(-&a, b)?, *symbol)))
+        Ok(Some(Balance { m: m.clone(), n: n.clone(), value: Ratio::new(-b, a.clone())? }))
+    }
+
+    /// Puts `n value` in place of `m`.
+    fn balanced(&mut self, x: &Ratio, balance: &Balance) -> Worked<Ratio> {
+        let roots: Vec<Symbol> = self.roots.iter().map(|r| r.symbol).collect();
+        let mut parts = [Ratio::zero(), Ratio::zero()];
+        for (part, p) in parts.iter_mut().zip([&x.num, &x.den]) {
+            for (powers, c) in p.collect(|f| matches!(f, Factor::Power(s, _) if roots.contains(s))) {
+                let own = if powers == balance.m { balance.n.clone() } else { powers.clone() };
+                let mut term = Ratio::from(self.work.times(&Poly::term(own, Rational::ONE), &c)?);
+                if powers == balance.m {
+                    term = term.times(&balance.value, &mut self.work)?;
+                }
+                *part = part.plus(&term, &mut self.work)?;
+            }
+        }
+        let [num, den] = parts;
+        num.over(&den, &mut self.work)
     }
 
     /// Is a formula that is to be positive (`strict`) or at least zero so by itself? Even powers and roots are.
@@ -132,7 +150,7 @@ impl Evaluator<'_> {
             number = &number * &k;
             for (f, n) in factors {
                 let is_root = matches!(f.terms(), [(m, _)] if m.factors().all(|a| matches!(a, Factor::Power(s, _) if roots.contains(&s)) || matches!(a, Factor::Root(_))));
-                if is_root {
+                if is_root || f.is_sum_of_squares() {
                     continue;
                 }
                 match odd.iter_mut().find(|o| o.0 == f) {
@@ -173,7 +191,7 @@ impl Evaluator<'_> {
         let y = self.with_numbers(&y).at(place)?;
         let y = self.reduce(&y).at(place)?;
         if !y.is_zero() {
-            let Some((value, root)) = self.up_to_sign(&y).at(place)? else {
+            let Some(balance) = self.up_to_sign(&y).at(place)? else {
                 if self.is_zero_in_numbers(&y) {
                     return Ok(Outcome::Open(
                         "both angles agree in numbers, but the normal form cannot prove it".into(),
@@ -181,23 +199,13 @@ impl Evaluator<'_> {
                 }
                 return Ok(Outcome::Turned(y));
             };
-            match self.positivity(value.clone(), false).at(place)? {
+            match self.positivity(balance.value.clone(), false).at(place)? {
                 Sign::Positive => {}
                 Sign::Depends(c) => conditions.push(c),
                 Sign::Negative => return Ok(Outcome::Opposite),
             }
-            // the root is now known
-            let mut put = Ratio::zero();
-            for top in [&x.num, &x.den] {
-                let mut sum = Ratio::zero();
-                for (m, c) in top.collect(|f| matches!(f, Factor::Power(s, _) if *s == root)) {
-                    let part = value.power(m.exponent(root), &mut self.work).at(place)?;
-                    let part = part.times(&c.into(), &mut self.work).at(place)?;
-                    sum = sum.plus(&part, &mut self.work).at(place)?;
-                }
-                put = if put.is_zero() { sum } else { put.over(&sum, &mut self.work).at(place)? };
-            }
-            x = self.reduce(&put).at(place)?;
+            let known = self.balanced(&x, &balance).at(place)?;
+            x = self.reduce(&known).at(place)?;
         }
         // |x| is the product of the sides' lengths; x itself may be one of their squares
         for (p, q, _) in &difference.sides {
@@ -219,6 +227,13 @@ impl Evaluator<'_> {
             }
         })
     }
+}
+
+/// Products of roots whose ratio is known: m = n value.
+struct Balance {
+    m: Monomial,
+    n: Monomial,
+    value: Ratio,
 }
 
 enum Sign {

@@ -365,13 +365,13 @@ impl Evaluator<'_> {
                 let mut sum = Poly::zero();
                 for (m, c) in p.collect(|f| matches!(f, crate::algebra::Factor::Power(s, _) if *s == symbol)) {
                     let n = m.exponent(symbol);
-                    let squares = radicand.num.pow(n / 2);
-                    let rest = radicand.den.pow(half - n / 2);
+                    let squares = self.work.power(&radicand.num, n / 2)?;
+                    let rest = self.work.power(&radicand.den, half - n / 2)?;
                     let part = self.work.times(&c, &Poly::power(symbol, n % 2))?;
                     let part = self.work.times(&part, &squares)?;
                     sum = &sum + &self.work.times(&part, &rest)?;
                 }
-                let scale = radicand.den.pow(half);
+                let scale = self.work.power(&radicand.den, half)?;
                 out = if top {
                     Ratio::new(sum, self.work.times(&out.den, &scale)?)?
                 } else if sum.is_zero() {

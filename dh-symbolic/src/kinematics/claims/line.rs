@@ -3,7 +3,7 @@
 use super::compare::{Outcome, Pair};
 use super::evaluate::{Understood, refuse};
 use super::point::{Rounding, rounding, wrapped};
-use super::ratio::{Ratio, Work};
+use super::ratio::{Ratio, Trouble};
 use super::value::{Matrix, Turn, Value};
 use super::{Condition, Evaluator, Fault, FaultKind, Verdict};
 use crate::chain::Quantity;
@@ -47,13 +47,16 @@ fn refers(e: &Expr) -> bool {
 impl Evaluator<'_> {
     /// The verdict on a line.
     pub(super) fn line(&mut self, line: &Line) -> Verdict {
-        self.work = Work::new();
+        self.work.renew();
         match self.understand(line) {
             Ok(v) => v,
             Err(n) => {
-                self.work = Work::new();
+                self.work.renew();
                 let mend = match &line.statement {
-                    Statement::Claim { first, rest, .. } => self.mend_meaning(first, rest, &n),
+                    // what is too large to understand is too large to mend
+                    Statement::Claim { first, rest, .. } if n.why != Trouble::TooLarge.why() => {
+                        self.mend_meaning(first, rest, &n)
+                    }
                     _ => None,
                 };
                 Verdict::NotUnderstood(n, mend)
@@ -192,12 +195,15 @@ impl Evaluator<'_> {
     /// Looks for a mend of the printed side, then of the other one, where that is plain text as well.
     fn add_mend(&mut self, verdict: &mut Verdict, sides: &Sides<'_>, correct: &Value) {
         let Verdict::Wrong(faults) = verdict else { return };
-        let mut mend = self.mend(&sides.printed().place, correct);
-        if mend.is_none()
+        let mut mend = self.ranked_mend(&sides.printed().place, correct);
+        if mend.as_ref().is_none_or(|m| m.0 > 3)
             && let Ok(printed) = self.evaluate(sides.printed())
+            && let Some(other) = self.ranked_mend(&sides.other().place, &printed)
+            && mend.as_ref().is_none_or(|m| m.0 > other.0)
         {
-            mend = self.mend(&sides.other().place, &printed);
+            mend = Some(other);
         }
+        let mend = mend.map(|m| m.1);
         if let Some(f) = faults.first_mut() {
             f.mend = mend;
         }

@@ -5,7 +5,6 @@
 
 use super::compare::{Outcome, Pair};
 use super::quick::{Quick, Sieve};
-use super::ratio::Work;
 use super::value::Value;
 use super::{Edit, Evaluator, Mend};
 use crate::algebra::Factor;
@@ -15,8 +14,14 @@ use crate::chain::claim::{Expr, NotUnderstood, Place, Relation, Token, TokenKind
 const LONGEST: usize = 240;
 /// Most single changes that are combined in pairs.
 const PAIRED: usize = 700;
+/// Words that are read in search of mends, for one formula and for a whole derivation.
+const EFFORT: usize = 400_000;
+const TOTAL_EFFORT: usize = 4_000_000;
 /// Most survivors of the sieve that are proven.
 const PROOFS: usize = 40;
+
+/// The rank of a pair of changes: rather two wrong letters than one insertion.
+const PAIR: u8 = 3;
 
 /// A candidate: the smaller the rank, the likelier the slip.
 struct Candidate {
@@ -27,16 +32,23 @@ struct Candidate {
 impl Evaluator<'_> {
     /// A change of the tokens at `place` that makes them mean `target`.
     pub(super) fn mend(&mut self, place: &Place, target: &Value) -> Option<Mend> {
+        self.ranked_mend(place, target).map(|m| m.1)
+    }
+
+    /// With its rank: how unlikely such a slip is.
+    pub(super) fn ranked_mend(&mut self, place: &Place, target: &Value) -> Option<(u8, Mend)> {
         let tokens = self.tokens;
         let printed = tokens.get(place.clone())?;
-        if printed.len() > LONGEST {
+        if printed.len() > LONGEST || self.searched > TOTAL_EFFORT {
             return None;
         }
-        self.work = Work::new();
+        self.work.renew();
         let mut sieve = Sieve::new(self.random_point(77));
         let goal = sieve.value(target);
         let mut singles = self.candidates(place, target);
         singles.sort_by_key(|c| c.rank);
+        singles.truncate(EFFORT / printed.len().max(1));
+        self.searched += singles.len() * printed.len();
         let mut proofs = 0;
         let mut values: Vec<Option<f64>> = Vec::with_capacity(singles.len());
         for c in &singles {
@@ -48,7 +60,7 @@ impl Evaluator<'_> {
             if v.is_near(&goal) && proofs < PROOFS {
                 proofs += 1;
                 if self.proves(place, &mend, target) {
-                    return Some(mend);
+                    return Some((c.rank, mend));
                 }
             }
             values.push(match v {
@@ -56,7 +68,7 @@ impl Evaluator<'_> {
                 _ => None,
             });
         }
-        self.pair_of_edits(place, target, &mut sieve, &goal, &singles, &values)
+        self.pair_of_edits(place, target, &mut sieve, &goal, &singles, &values).map(|m| (PAIR, m))
     }
 
     /// Two changes in different terms add up; two in one term are tried one by one.
@@ -93,6 +105,8 @@ impl Evaluator<'_> {
             }
         }
         pairs.sort_unstable();
+        pairs.truncate(EFFORT / place.len().max(1));
+        self.searched += pairs.len() * place.len();
         let mut proofs = 0;
         for (_, i, j) in pairs {
             let (Some((a, _)), Some((b, _))) = (usable.get(i), usable.get(j)) else { continue };
@@ -116,7 +130,7 @@ impl Evaluator<'_> {
     }
 
     fn proves(&mut self, place: &Place, mend: &Mend, target: &Value) -> bool {
-        self.work = Work::new();
+        self.work.renew();
         let Ok(e) = Expr::parse(&mended(self.tokens, place, mend)) else { return false };
         let Ok(v) = self.evaluate(&e) else { return false };
         match self.pair(v, target.clone(), place) {
@@ -170,7 +184,10 @@ impl Evaluator<'_> {
                     for f in siblings(&t.text) {
                         put(1, one.clone(), &[f]);
                     }
-                    put(3, one.clone(), &[]);
+                    match tokens.get(k + 2).filter(|_| is(k + 3, ")")) {
+                        Some(only) => put(3, k..k + 4, &[&only.text]),
+                        None => put(3, one.clone(), &[]),
+                    }
                 }
                 TokenKind::Name => {
                     let swapped = swap(&t.text);

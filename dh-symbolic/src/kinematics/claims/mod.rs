@@ -167,6 +167,8 @@ struct Evaluator<'a> {
     roots: Vec<Root>,
     given: Vec<point::Given>,
     work: ratio::Work,
+    /// Words read in search of mends.
+    searched: usize,
 }
 
 impl<'a> Evaluator<'a> {
@@ -191,10 +193,11 @@ impl<'a> Evaluator<'a> {
             transforms: BTreeMap::new(),
             joints,
             locals: Vec::new(),
-            constants: Vec::new(),
+            constants: scope::constant_angles(chain),
             roots: Vec::new(),
             given: Vec::new(),
             work: ratio::Work::new(),
+            searched: 0,
         }
     }
 }

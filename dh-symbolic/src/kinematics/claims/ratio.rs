@@ -2,16 +2,21 @@
 
 use crate::algebra::{Poly, Rational};
 
-/// Products of terms that one line may cost. A full PUMA product costs a few thousand.
-const BUDGET: u64 = 3_000_000;
+/// Products of terms that one line may cost: some tenths of a second where a macro runs unoptimised. A full PUMA product costs a few
+/// thousand.
+const BUDGET: u64 = 400_000;
 
 /// Greatest multiple of an angle that may arise; the normal form is exact up to 127.
 const ORDER: u32 = 100;
+
+/// And a whole derivation.
+const TOTAL: u64 = 4_000_000;
 
 /// What is left of the budget.
 #[derive(Clone, Debug)]
 pub(super) struct Work {
     left: u64,
+    later: u64,
 }
 
 /// The budget is spent, or a division by zero.
@@ -34,11 +39,27 @@ pub(super) type Worked<T> = Result<T, Trouble>;
 
 impl Work {
     pub(super) fn new() -> Work {
-        Work { left: BUDGET }
+        Work { left: BUDGET, later: TOTAL }
     }
 
+    /// The next line begins: it has its own budget, as long as the total lasts.
+    pub(super) fn renew(&mut self) {
+        self.later += self.left;
+        self.left = BUDGET.min(self.later);
+        self.later -= self.left;
+    }
+
+    /// The power of a formula.
+    pub(super) fn power(&mut self, p: &Poly, n: u32) -> Worked<Poly> {
+        (0..n).try_fold(Poly::one(), |x, _| self.times(&x, p))
+    }
+
+    /// The product of two formulas.
     pub(super) fn times(&mut self, a: &Poly, b: &Poly) -> Worked<Poly> {
-        let cost = a.terms().len() as u64 * b.terms().len() as u64;
+        let (n, m) = (a.terms().len() as u64, b.terms().len() as u64);
+        // two harmonics of one group become two terms
+        let doublings = if n > 1 && m > 1 { common_groups(a, b) } else { 0 };
+        let cost = n.saturating_mul(m) << doublings.min(12);
         self.left = self.left.checked_sub(cost).ok_or(Trouble::TooLarge)?;
         let order = |p: &Poly| p.terms().iter().map(|(m, _)| u32::from(m.order())).max().unwrap_or(0);
         if order(a) + order(b) > ORDER {
@@ -46,6 +67,16 @@ impl Work {
         }
         Ok(a * b)
     }
+}
+
+fn common_groups(a: &Poly, b: &Poly) -> usize {
+    let groups = |p: &Poly| {
+        let mut g: Vec<u16> = p.angles().into_iter().map(|v| v.group()).collect();
+        g.dedup();
+        g
+    };
+    let (g, h) = (groups(a), groups(b));
+    g.iter().filter(|x| h.contains(x)).count()
 }
 
 /// `num / den`; `den` is not zero.

@@ -3,8 +3,8 @@
 use super::Evaluator;
 use super::ratio::{Ratio, Worked};
 use super::value::{Turn, Value};
-use crate::algebra::{Angle, Poly, Rational};
-use crate::chain::{AngleCell, Chain, Convention, Coordinate, Handle};
+use crate::algebra::{Angle, AngleVar, Poly, Rational};
+use crate::chain::{AngleCell, Chain, Convention, Coordinate, Handle, Parameter, Role, Value as Nominal};
 
 /// `prefix` and a number from 0: `a2` is ("a", 2).
 fn numbered(name: &str) -> Option<(&str, usize)> {
@@ -154,6 +154,18 @@ fn shift(chain: &Chain, cell: &AngleCell) -> Turn {
         }
     }
     turn
+}
+
+/// The constant angles of the table that have no exact sine, with their sizes: `20deg` in a cell and in a line are one.
+pub(super) fn constant_angles(chain: &Chain) -> Vec<(AngleVar, Angle)> {
+    let constant = |p: &Parameter| match (&p.role, p.handle) {
+        (Role::Constant(Nominal::Angle(a)), Handle::Angle(v)) => {
+            let approx = a.approx.as_ref().map_or(Angle::ZERO, |x| radians(x.to_f64()));
+            Some((v, a.exact().plus(&approx)))
+        }
+        _ => None,
+    };
+    chain.parameters.iter().filter_map(constant).filter(|c| !c.1.factor().is_negative()).collect()
 }
 
 /// Radians as a multiple of pi, to the digits that a double has.
