@@ -23,7 +23,7 @@ pub(super) const ARCS: usize = 4;
 const FIRST_MIDDLE: f64 = 0.131;
 
 /// Sine and cosine by their series, for constants (the ordinary functions can't run at compile time).
-const fn sin_cos_series(x: f64) -> (f64, f64) {
+pub(super) const fn sin_cos_series(x: f64) -> (f64, f64) {
     let (mut sin, mut cos, mut term) = (0.0, 0.0, 1.0);
     let mut k = 0;
     while k < 40 {
@@ -120,12 +120,84 @@ impl Tables {
     }
 }
 
-/// Halves an arc of degree `n`: `b` becomes its second half, and the first half is returned. The new end is the vector
+/// Interpolation at Chebyshev's points of an arc: what gives Bernstein coefficients for values, where no global polynomial is exact enough.
+pub(super) struct Nodes<const C: usize> {
+    /// The parameters of the points, between 0 and 1.
+    pub(super) at: [f64; C],
+    /// Row `j` times the values (each over `|d|^-n`) is the coefficient `b_j`.
+    pub(super) inverse: [[f64; C]; C],
+}
+
+impl<const C: usize> Nodes<C> {
+    pub(super) const fn new() -> Self {
+        let n = C - 1;
+        let mut at = [0.0; C];
+        // Rows [Bernstein polynomials at a node | unit matrix], to be reduced by Gauss and Jordan with row pivots.
+        let mut left = [[0.0; C]; C];
+        let mut inverse = [[0.0; C]; C];
+        let mut k = 0;
+        while k < C {
+            let (_, c) = sin_cos_series(core::f64::consts::PI * (2 * k + 1) as f64 / (2 * C) as f64);
+            let x = 0.5 - 0.5 * c;
+            at[k] = x;
+            inverse[k][k] = 1.0;
+            let mut binomial = 1.0;
+            let mut j = 0;
+            while j <= n {
+                let mut product = binomial;
+                let mut i = 0;
+                while i < n {
+                    product *= if i < j { x } else { 1.0 - x };
+                    i += 1;
+                }
+                left[k][j] = product;
+                binomial = binomial * (n - j) as f64 / (j + 1) as f64;
+                j += 1;
+            }
+            k += 1;
+        }
+        let mut k = 0;
+        while k < C {
+            let mut row = k;
+            let mut r = k + 1;
+            while r < C {
+                if left[r][k].abs() > left[row][k].abs() {
+                    row = r;
+                }
+                r += 1;
+            }
+            (left[k], left[row]) = (left[row], left[k]);
+            (inverse[k], inverse[row]) = (inverse[row], inverse[k]);
+            let pivot = left[k][k];
+            let mut j = 0;
+            while j < C {
+                left[k][j] /= pivot;
+                inverse[k][j] /= pivot;
+                j += 1;
+            }
+            let mut r = 0;
+            while r < C {
+                let factor = if r == k { 0.0 } else { left[r][k] };
+                let mut j = 0;
+                while j < C {
+                    left[r][j] -= factor * left[k][j];
+                    inverse[r][j] -= factor * inverse[k][j];
+                    j += 1;
+                }
+                r += 1;
+            }
+            k += 1;
+        }
+        Self { at, inverse }
+    }
+}
+
+/// Halves an arc of degree `C - 1`: `b` becomes its second half, and the first half is returned. The new end is the vector
 /// `(d0 + d1) / 2`, not normalised.
 #[inline]
-pub(super) fn halve<const C: usize>(b: &mut [f64; C], n: usize) -> [f64; C] {
+pub(super) fn halve<const C: usize>(b: &mut [f64; C]) -> [f64; C] {
     let mut left = [0.0; C];
-    let n = n.min(C - 1);
+    let n = C - 1;
     left[0] = b[0];
     for r in 1..=n {
         // After step r, b[j] for j <= n - r are the averages over r + 1 neighbours, and later entries belong to the second half.
@@ -150,6 +222,25 @@ mod tests {
     }
 
     #[test]
+    fn values_at_the_nodes_give_back_the_coefficients() {
+        const NODES: Nodes<17> = Nodes::new();
+        let b: [f64; 17] = core::array::from_fn(|j| ((j * j * 7 + 3) % 11) as f64 - 5.0);
+        let values = NODES.at.map(|x| {
+            let mut w = b;
+            for n in (1..17).rev() {
+                for j in 0..n {
+                    w[j] += x * (w[j + 1] - w[j]);
+                }
+            }
+            w[0]
+        });
+        for j in 0..17 {
+            let back: f64 = NODES.inverse[j].iter().zip(&values).map(|(a, b)| a * b).sum();
+            assert!((back - b[j]).abs() < 1e-9, "{j}: {back}");
+        }
+    }
+
+    #[test]
     fn halves_are_the_same_polynomial() {
         let value = |b: &[f64], x: f64| {
             let mut b = b.to_vec();
@@ -158,15 +249,15 @@ mod tests {
             }
             b[0]
         };
-        let mut whole = [0.0; MAX_COEFFICIENTS];
-        for (j, b) in whole.iter_mut().take(7).enumerate() {
+        let mut whole = [0.0; 7];
+        for (j, b) in whole.iter_mut().enumerate() {
             *b = ((j * j * 7 + 3) % 11) as f64 - 5.0;
         }
         let mut right = whole;
-        let left = halve(&mut right, 6);
+        let left = halve(&mut right);
         for x in [0.0, 0.3, 1.0] {
-            assert!((value(&left[..7], x) - value(&whole[..7], 0.5 * x)).abs() < 1e-13);
-            assert!((value(&right[..7], x) - value(&whole[..7], 0.5 + 0.5 * x)).abs() < 1e-13);
+            assert!((value(&left, x) - value(&whole, 0.5 * x)).abs() < 1e-13);
+            assert!((value(&right, x) - value(&whole, 0.5 + 0.5 * x)).abs() < 1e-13);
         }
     }
 }

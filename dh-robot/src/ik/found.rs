@@ -2,7 +2,7 @@
 
 use core::ops::Deref;
 
-use super::list::List;
+use super::list::{Blank, List};
 
 /// Why a kernel found as many solutions as it did.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,7 +36,7 @@ pub struct Found<T, const N: usize> {
 /// Angles, each as a point `[cos, sin]` of the unit circle.
 pub type Angles<const N: usize> = Found<[f64; 2], N>;
 
-impl<T: Copy + Default, const N: usize> Found<T, N> {
+impl<T: Blank, const N: usize> Found<T, N> {
     /// No solution, because of `outcome`.
     #[inline]
     pub(super) fn none(outcome: Outcome) -> Self {
@@ -60,7 +60,7 @@ impl<T: Copy + Default, const N: usize> Found<T, N> {
     }
 }
 
-impl<T: Copy + Default, const N: usize> Deref for Found<T, N> {
+impl<T: Blank, const N: usize> Deref for Found<T, N> {
     type Target = [T];
     #[inline]
     fn deref(&self) -> &[T] {
@@ -68,7 +68,7 @@ impl<T: Copy + Default, const N: usize> Deref for Found<T, N> {
     }
 }
 
-impl<'a, T: Copy + Default, const N: usize> IntoIterator for &'a Found<T, N> {
+impl<'a, T: Blank, const N: usize> IntoIterator for &'a Found<T, N> {
     type Item = &'a T;
     type IntoIter = core::slice::Iter<'a, T>;
     #[inline]

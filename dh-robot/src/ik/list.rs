@@ -2,6 +2,28 @@
 
 use core::ops::Deref;
 
+/// A value for the unused places of a list. (`Default` isn't there for arrays of any length.)
+pub trait Blank: Copy {
+    /// That value.
+    const BLANK: Self;
+}
+
+impl Blank for f64 {
+    const BLANK: Self = 0.0;
+}
+
+impl Blank for bool {
+    const BLANK: Self = false;
+}
+
+impl<T: Blank, const N: usize> Blank for [T; N] {
+    const BLANK: Self = [T::BLANK; N];
+}
+
+impl<A: Blank, B: Blank> Blank for (A, B) {
+    const BLANK: Self = (A::BLANK, B::BLANK);
+}
+
 /// At most `N` values; derefs to a slice.
 #[derive(Clone, Copy, Debug)]
 pub struct List<T, const N: usize> {
@@ -9,11 +31,11 @@ pub struct List<T, const N: usize> {
     len: usize,
 }
 
-impl<T: Copy + Default, const N: usize> List<T, N> {
+impl<T: Blank, const N: usize> List<T, N> {
     /// An empty list.
     #[inline]
     pub fn new() -> Self {
-        Self { items: [T::default(); N], len: 0 }
+        Self { items: [T::BLANK; N], len: 0 }
     }
 
     /// Appends a value; a full list stays as it is and answers `false`.
@@ -56,13 +78,13 @@ impl<T: Copy + Default, const N: usize> List<T, N> {
     }
 }
 
-impl<T: Copy + Default, const N: usize> Default for List<T, N> {
+impl<T: Blank, const N: usize> Default for List<T, N> {
     fn default() -> Self {
         Self::new()
     }
 }
 
-impl<T: Copy + Default, const N: usize> Deref for List<T, N> {
+impl<T: Blank, const N: usize> Deref for List<T, N> {
     type Target = [T];
     #[inline]
     fn deref(&self) -> &[T] {
@@ -70,7 +92,7 @@ impl<T: Copy + Default, const N: usize> Deref for List<T, N> {
     }
 }
 
-impl<'a, T: Copy + Default, const N: usize> IntoIterator for &'a List<T, N> {
+impl<'a, T: Blank, const N: usize> IntoIterator for &'a List<T, N> {
     type Item = &'a T;
     type IntoIter = core::slice::Iter<'a, T>;
     fn into_iter(self) -> Self::IntoIter {
@@ -84,10 +106,10 @@ mod tests {
 
     #[test]
     fn a_full_list_refuses() {
-        let mut list = List::<u8, 2>::new();
-        assert!(list.push(1) && list.push(2) && !list.push(3));
-        assert_eq!(list.as_slice(), &[1, 2]);
-        assert_eq!((list.pop(), list.pop(), list.pop()), (Some(2), Some(1), None));
+        let mut list = List::<f64, 2>::new();
+        assert!(list.push(1.0) && list.push(2.0) && !list.push(3.0));
+        assert_eq!(list.as_slice(), &[1.0, 2.0]);
+        assert_eq!((list.pop(), list.pop(), list.pop()), (Some(2.0), Some(1.0), None));
         assert!(list.is_empty());
     }
 }

@@ -13,6 +13,10 @@ mod backend {
         x.sin_cos()
     }
     #[inline(always)]
+    pub(in super::super) fn floor(x: f64) -> f64 {
+        x.floor()
+    }
+    #[inline(always)]
     pub(in super::super) fn atan2(y: f64, x: f64) -> f64 {
         y.atan2(x)
     }
@@ -26,9 +30,22 @@ mod backend {
     pub(in super::super) fn sin_cos(x: f64) -> (f64, f64) {
         libm::sincos(x)
     }
+    pub(in super::super) fn floor(x: f64) -> f64 {
+        libm::floor(x)
+    }
     pub(in super::super) fn atan2(y: f64, x: f64) -> f64 {
         libm::atan2(y, x)
     }
 }
 
-pub(super) use backend::{atan2, sin_cos, sqrt};
+pub(super) use backend::{atan2, floor, sin_cos, sqrt};
+
+/// The angle in (-pi, pi] that differs by whole turns.
+pub(super) fn wrapped(angle: f64) -> f64 {
+    use core::f64::consts::{PI, TAU};
+    if angle > -PI && angle <= PI {
+        return angle;
+    }
+    let rest = angle - TAU * floor(0.5 + angle / TAU);
+    if rest <= -PI { rest + TAU } else { rest }
+}

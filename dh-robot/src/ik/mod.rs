@@ -12,9 +12,11 @@
 
 #![allow(clippy::neg_cmp_op_on_partial_ord)] // `!(x <= y)` is how NaN ends on the safe side
 
+mod arcs;
 mod bernstein;
 mod bilinear;
 mod found;
+pub mod general;
 mod lengths;
 mod list;
 mod many;
@@ -23,6 +25,7 @@ mod newton2;
 mod pair;
 mod polish;
 pub mod pose;
+mod rescue;
 mod sincos;
 pub mod tolerance;
 mod trig_poly;
@@ -33,11 +36,12 @@ pub use found::{Angles, Found, Outcome};
 pub use lengths::{
     LengthAngle, solve_length_and_angle, solve_length_squared_and_angle, solve_quadratic, solve_two_lengths,
 };
-pub use list::List;
+pub use list::{Blank, List};
 pub use many::solve_many;
 pub use pair::{solve_pair, solve_turn};
-pub use polish::{Kinematics, Polished, Task, levenberg_marquardt, polish};
+pub use polish::{Kinematics, Polished, Task, levenberg_marquardt, polish, same_solution};
 pub use pose::{Chain, Pose};
+pub use rescue::{add_polished, solve_from_everywhere, solve_nearby};
 pub use sincos::solve_sincos;
 pub use trig_poly::TrigPoly;
 

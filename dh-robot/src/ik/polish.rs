@@ -2,7 +2,7 @@
 
 use super::math::{atan2, sqrt};
 use super::pose::{Pose, cross, dot, rotation_between};
-use super::tolerance::POLISHED;
+use super::tolerance::{NEAR, POLISHED, REACHED, SAME};
 
 /// What polishing must know of an arm.
 pub trait Kinematics<const N: usize> {
@@ -131,6 +131,42 @@ pub fn polish<const N: usize>(
     Polished { position: norm(&error[..3]), rotation: norm(&error[3..]), steps: taken }
 }
 
+/// Are two joint vectors that both reach a task the same solution, up to whole turns and rounding?
+///
+/// Near a double root, polishing ends anywhere within the square root of its tolerance (and near a root of higher order, still farther
+/// away). What lies between two such ends reaches the task too; what lies between two solutions doesn't.
+pub fn same_solution<const N: usize>(
+    arm: &impl Kinematics<N>,
+    task: &Task,
+    reach: f64,
+    p: &[f64; N],
+    q: &[f64; N],
+) -> bool {
+    let mut apart = 0.0f64;
+    let mut step = [0.0; N];
+    for i in 0..N {
+        let (s, c) = super::math::sin_cos(q[i] - p[i]);
+        if c < 0.0 || s.abs() > NEAR {
+            return false;
+        }
+        apart = apart.max(s.abs());
+        step[i] = s;
+    }
+    if apart <= SAME {
+        return true;
+    }
+    let mut middle = *p;
+    for i in 0..N {
+        middle[i] += 0.5 * step[i];
+    }
+    // The way between them may be bent: a few steps lead back to it. From between two solutions they lead to one of them, or nowhere.
+    if !polish(arm, &mut middle, task, reach, 4).reaches(REACHED) {
+        return false;
+    }
+    let distance = |q: &[f64; N]| middle.iter().zip(q).fold(0.0f64, |m, (a, b)| m.max(super::math::sin_cos(a - b).0.abs()));
+    distance(p).min(distance(q)) > 0.2 * apart
+}
+
 /// Drives `error(q)` to zero in the sense of least squares; `jacobian` is minus its derivative. Gives back the last error and
 /// the number of steps taken.
 ///
@@ -149,6 +185,8 @@ pub fn levenberg_marquardt<const N: usize, const M: usize>(
     const FIRST: f64 = 1e-2;
     /// Tries with more and more damping before giving up.
     const TRIES: usize = 12;
+    /// Square of an error below which a step that doesn't help much is rounding noise.
+    const FLOOR: f64 = 1e-26;
     let square = |e: &[f64; M]| e.iter().map(|x| x * x).sum::<f64>();
     let mut e = error(q);
     let mut now = square(&e);
@@ -180,10 +218,13 @@ pub fn levenberg_marquardt<const N: usize, const M: usize>(
             if then < now {
                 // A full reduction is what Newton promises; then trust it more.
                 weight = if then < 0.25 * now { weight * 0.1 } else { weight };
+                helped = then < 0.25 * now || now > FLOOR;
                 *q = next;
                 e = e_next;
                 now = then;
-                helped = true;
+                break;
+            }
+            if now <= FLOOR {
                 break;
             }
             weight = if weight < 1e-6 { 1e-4 } else { weight * 6.0 };

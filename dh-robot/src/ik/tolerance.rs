@@ -39,6 +39,8 @@ pub const POLISHED: f64 = 1e-15;
 /// `f64` is a hundred times smaller, a false branch a million times larger.
 pub const REACHED: f64 = 1e-10;
 
-/// Joint vectors that differ by less than this in every joint (rad, or length over reach) are the same solution. Larger than the
-/// spread of a double root (2e-7), smaller than the distance of distinct solutions that a target in doubles can resolve.
+/// Joint vectors that differ by less than this in every joint (rad) are the same solution.
 pub const SAME: f64 = 1e-6;
+
+/// Joint vectors that differ by more than this (rad) are never the same solution, even if they end at the same root of high order.
+pub const NEAR: f64 = 0.05;

@@ -4,79 +4,12 @@
 //! tell a pair of real angles from a pair of complex ones. Here, an arc is thrown away only when its Bernstein coefficients prove
 //! that there is no root, halved while there may be several, and its root is bracketed as soon as there is exactly one.
 
-use super::bernstein::{ARCS, MAX_COEFFICIENTS, MAX_DEGREE, Tables, halve};
+use super::arcs::{Arc, Bracket, Search, between, point, square};
+use super::bernstein::{ARCS, MAX_DEGREE, Tables};
 use super::found::{Angles, Found, Outcome};
-use super::list::List;
-use super::math::sqrt;
+use super::list::{Blank, List};
 use super::tolerance::TOUCH;
 use super::trig_poly::TrigPoly;
-
-/// Arcs are not halved more often than this: 2 pi / 4 / 2^24 is a ten-millionth of a radian.
-const MAX_DEPTH: usize = 24;
-/// Two touching roots nearer than this are one that was seen from two arcs.
-const SAME_TOUCH: f64 = 1e-6;
-
-/// An arc on which roots are still to be looked for.
-#[derive(Clone, Copy)]
-struct Arc<const C: usize> {
-    /// Bernstein coefficients; entries after `2 D` are not used.
-    b: [f64; C],
-    /// Its ends as half-angle vectors (not of unit length).
-    ends: [[f64; 2]; 2],
-    depth: usize,
-}
-
-impl<const C: usize> Default for Arc<C> {
-    fn default() -> Self {
-        Self { b: [0.0; C], ends: [[0.0; 2]; 2], depth: 0 }
-    }
-}
-
-/// An arc with exactly one root.
-#[derive(Clone, Copy, Default)]
-struct Bracket {
-    /// Its ends as half-angle vectors.
-    ends: [[f64; 2]; 2],
-    /// First negative, then positive?
-    rising: bool,
-    /// The approximate root as `[cos, sin]`.
-    at: [f64; 2],
-    /// Sine of the last step that led there.
-    last: f64,
-}
-
-/// What a search knows and has found.
-struct Search<const C: usize, F> {
-    /// An extremum that misses zero by less is a double root.
-    touch: f64,
-    /// An extremum beyond zero by less isn't beyond zero.
-    noise: f64,
-    /// An arc whose coefficients are all smaller is a root of higher order.
-    nothing: f64,
-    /// Arcs with one root. More than `2 D < C` of them would be an artefact of rounding.
-    brackets: List<Bracket, C>,
-    /// Called with every touching root.
-    touching: F,
-}
-
-impl<const C: usize, F> Search<C, F> {
-    /// Notes that the arc has exactly one root between the parameters `low` and `high`, probably near `x`.
-    #[inline]
-    fn bracket(&mut self, arc: &Arc<C>, low: f64, high: f64, x: f64, rising: bool) {
-        let ends = [between(&arc.ends, low), between(&arc.ends, high)];
-        self.brackets.push(Bracket { ends, rising, at: point(&arc.ends, x), last: 0.0 });
-    }
-}
-
-/// What the coefficients of an arc say.
-enum Verdict {
-    /// No root.
-    Empty,
-    /// Exactly one, and the ends have opposite signs.
-    One,
-    /// Several, or perhaps a double one.
-    Unclear,
-}
 
 impl<const D: usize> TrigPoly<D> {
     const TABLES: Tables = {
@@ -111,123 +44,50 @@ impl<const D: usize> TrigPoly<D> {
         if !(size < f64::INFINITY) {
             return Found::none(Outcome::NoRealRoot);
         }
-        let mut roots = List::<([f64; 2], bool), R>::new();
-        let mut touching = List::<[f64; 2], R>::new();
-        self.each_root(touch, |root, touches| {
-            if !touches {
-                roots.push((root, false));
-            } else if !touching.iter().any(|t| near(*t, root)) {
-                touching.push(root);
-            }
-        });
-        for &t in &touching {
-            roots.push((t, true));
+        let mut roots = List::new();
+        // 2 D + 1 coefficients, spelled out because a constant can't be computed from D.
+        match D {
+            1 => self.each_root::<3>(touch, |root| _ = roots.push(root)),
+            2 => self.each_root::<5>(touch, |root| _ = roots.push(root)),
+            3 => self.each_root::<7>(touch, |root| _ = roots.push(root)),
+            4 => self.each_root::<9>(touch, |root| _ = roots.push(root)),
+            5 => self.each_root::<11>(touch, |root| _ = roots.push(root)),
+            6 => self.each_root::<13>(touch, |root| _ = roots.push(root)),
+            7 => self.each_root::<15>(touch, |root| _ = roots.push(root)),
+            8 => self.each_root::<17>(touch, |root| _ = roots.push(root)),
+            9 => self.each_root::<19>(touch, |root| _ = roots.push(root)),
+            10 => self.each_root::<21>(touch, |root| _ = roots.push(root)),
+            11 => self.each_root::<23>(touch, |root| _ = roots.push(root)),
+            _ => self.each_root::<25>(touch, |root| _ = roots.push(root)),
         }
-        let outcome = match (roots.is_empty(), touching.is_empty()) {
-            (true, _) => Outcome::NoRealRoot,
-            (false, true) => Outcome::Regular,
-            (false, false) => Outcome::Touching,
+        // Touching roots come last.
+        let outcome = match roots.last() {
+            None => Outcome::NoRealRoot,
+            Some((_, false)) => Outcome::Regular,
+            Some((_, true)) => Outcome::Touching,
         };
         Found { roots, outcome }
     }
 
-    /// Calls `found` with every real root, and whether it only touches zero (within `touch`, relative).
-    pub(super) fn each_root(&self, touch: f64, mut found: impl FnMut([f64; 2], bool)) {
-        // Storage for 2 D + 1 coefficients, in a few sizes.
-        match D {
-            1 => self.each_root_in::<3>(touch, &mut found),
-            2 => self.each_root_in::<5>(touch, &mut found),
-            3 | 4 => self.each_root_in::<9>(touch, &mut found),
-            5..=8 => self.each_root_in::<17>(touch, &mut found),
-            _ => self.each_root_in::<MAX_COEFFICIENTS>(touch, &mut found),
+    /// Calls `found` with every real root, and whether it only touches zero; `C = 2 D + 1`.
+    fn each_root<const C: usize>(&self, touch: f64, mut found: impl FnMut(([f64; 2], bool))) {
+        let mut search = Search::<C>::new(self.size(), touch);
+        for arc in &self.on_arcs() {
+            search.arc(arc);
+        }
+        self.refine(search.brackets.as_mut_slice());
+        for bracket in &search.brackets {
+            found((bracket.at, false));
+        }
+        for &at in &search.touching {
+            found((at, true));
         }
     }
 
-    /// [`TrigPoly::each_root`] with `C >= 2 D + 1`.
-    fn each_root_in<const C: usize>(&self, touch: f64, found: &mut impl FnMut([f64; 2], bool)) {
-        let n = 2 * D;
-        let scale = self.size();
-        let mut search = Search::<C, _> {
-            touch: touch * scale,
-            noise: 1e-15 * scale,
-            nothing: 1e-14 * scale,
-            brackets: List::new(),
-            touching: |at| found(at, true),
-        };
-        let mut arcs = [[0.0; C]; ARCS];
-        self.on_arcs(&mut arcs);
-        // One arc's last coefficient is the next one's first: they must not differ, or a root could fall in between.
-        for i in 0..ARCS {
-            arcs[(i + 1) % ARCS][0] = arcs[i][n];
-        }
-        for i in 0..ARCS {
-            let arc = Arc { b: arcs[i], ends: [Self::TABLES.ends[i], Self::TABLES.ends[i + 1]], depth: 0 };
-            if !self.settle(&arc, &mut search) {
-                self.halve_until_settled(arc, &mut search);
-            }
-        }
-        let mut brackets = search.brackets;
-        self.refine(brackets.as_mut_slice());
-        for bracket in &brackets {
-            found(bracket.at, false);
-        }
-    }
-
-    /// Finds the roots in an arc by halving it as often as needed.
-    #[inline(never)] // Keeps the stack of arcs away from the many polynomials that don't need it.
-    fn halve_until_settled<const C: usize, F: FnMut([f64; 2])>(&self, arc: Arc<C>, search: &mut Search<C, F>) {
-        let mut stack = List::<Arc<C>, MAX_DEPTH>::new();
-        let mut current = Some(arc);
-        while let Some(mut arc) = current {
-            let left = halve(&mut arc.b, 2 * D);
-            let [d0, d1] = arc.ends;
-            let middle = [0.5 * (d0[0] + d1[0]), 0.5 * (d0[1] + d1[1])];
-            let depth = arc.depth + 1;
-            let right = Arc { b: arc.b, ends: [middle, d1], depth };
-            let left = Arc { b: left, ends: [d0, middle], depth };
-            current = match (self.settle(&left, search), self.settle(&right, search)) {
-                (true, true) => stack.pop(),
-                (true, false) => Some(right),
-                (false, true) => Some(left),
-                (false, false) => {
-                    // Never full: one arc waits at each depth.
-                    stack.push(right);
-                    Some(left)
-                }
-            };
-        }
-    }
-
-    /// Notes the roots in an arc, if they can be told; answers `false` if it must be halved.
+    /// The arcs that make up the circle, with their coefficients.
     #[inline]
-    fn settle<const C: usize, F: FnMut([f64; 2])>(&self, arc: &Arc<C>, search: &mut Search<C, F>) -> bool {
-        let (n, b) = (2 * D, &arc.b);
-        match verdict(b, n, search.touch) {
-            Verdict::Empty => return true,
-            Verdict::One => {
-                search.bracket(arc, 0.0, 1.0, crossing(b, n), b[0] < 0.0);
-                return true;
-            }
-            Verdict::Unclear => {}
-        }
-        if self.by_extremum(arc, search) {
-            return true;
-        }
-        let small = b.iter().take(n + 1).all(|b| b.abs() <= search.nothing);
-        if small || arc.depth >= MAX_DEPTH {
-            // A root of higher order, or as good as one.
-            (search.touching)(point(&arc.ends, 0.5));
-            if (b[0] < 0.0) != (b[n] < 0.0) {
-                search.bracket(arc, 0.0, 1.0, 0.5, b[0] < 0.0);
-            }
-            return true;
-        }
-        false
-    }
-
-    /// Bernstein coefficients on all arcs.
-    #[inline]
-    fn on_arcs<const C: usize>(&self, arcs: &mut [[f64; C]; ARCS]) {
+    pub(super) fn on_arcs<const C: usize>(&self) -> [Arc<C>; ARCS] {
+        let mut arcs = [Arc::BLANK; ARCS];
         // Fourier coefficients around the middle of the first arc; a quarter turn to the next middle exchanges them.
         let (mut cos, mut sin) = ([0.0; MAX_DEGREE], [0.0; MAX_DEGREE]);
         for k in 0..D {
@@ -235,7 +95,8 @@ impl<const D: usize> TrigPoly<D> {
             cos[k] = self.cos[k] * c + self.sin[k] * s;
             sin[k] = self.sin[k] * c - self.cos[k] * s;
         }
-        for arc in arcs {
+        for (i, arc) in arcs.iter_mut().enumerate() {
+            arc.ends = [Self::TABLES.ends[i], Self::TABLES.ends[i + 1]];
             let (mut even, mut odd) = ([0.0; MAX_DEGREE + 1], [0.0; MAX_DEGREE + 1]);
             for j in 0..=D {
                 even[j] = self.constant * Self::TABLES.one[j];
@@ -253,14 +114,19 @@ impl<const D: usize> TrigPoly<D> {
                 };
             }
             for j in 0..=D {
-                arc[j] = even[j] + odd[j];
-                arc[2 * D - j] = even[j] - odd[j];
+                arc.b[j] = even[j] + odd[j];
+                arc.b[2 * D - j] = even[j] - odd[j];
             }
         }
+        // One arc's last coefficient is the next one's first: they must not differ, or a root could fall in between.
+        for i in 0..ARCS {
+            arcs[(i + 1) % ARCS].b[0] = arcs[i].b[2 * D];
+        }
+        arcs
     }
 
     /// Moves the starting points of all brackets onto their roots.
-    fn refine(&self, brackets: &mut [Bracket]) {
+    pub(super) fn refine(&self, brackets: &mut [Bracket]) {
         // Three of Halley's steps (the error is cubed each time) are enough for nearly all roots. All roots together, without
         // a branch, so that none waits for another.
         for _ in 0..3 {
@@ -320,165 +186,6 @@ impl<const D: usize> TrigPoly<D> {
         }
         point(&bracket.ends, x)
     }
-
-    /// Handles an arc on which the polynomial bends one way only, so that there is one extremum at most; answers `false` if it doesn't.
-    #[inline]
-    fn by_extremum<const C: usize, F: FnMut([f64; 2])>(&self, arc: &Arc<C>, search: &mut Search<C, F>) -> bool {
-        let (n, b) = (2 * D, &arc.b);
-        let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
-        for j in 0..n - 1 {
-            let bend = b[j] - 2.0 * b[j + 1] + b[j + 2];
-            (least, most) = (least.min(bend), most.max(bend));
-        }
-        if least < 0.0 && most > 0.0 {
-            return false;
-        }
-        let (first, last) = (b[1] - b[0], b[n] - b[n - 1]);
-        let crosses = (b[0] < 0.0) != (b[n] < 0.0);
-        if (first < 0.0) == (last < 0.0) {
-            // Monotone.
-            if crosses {
-                search.bracket(arc, 0.0, 1.0, crossing(b, n), b[0] < 0.0);
-                return true;
-            }
-            // The extremum of a touching polynomial may sit on the end itself, where rounding puts it on the wrong side.
-            let flat = 1e-4 * (most - least).abs().max(least.abs());
-            if b[0].abs() <= search.touch && first.abs() <= flat {
-                (search.touching)(point(&arc.ends, 0.0));
-            }
-            if b[n].abs() <= search.touch && last.abs() <= flat {
-                (search.touching)(point(&arc.ends, 1.0));
-            }
-            return true;
-        }
-        let x = extremum(b, n);
-        let at = point(&arc.ends, x);
-        let value = self.value_and_slope(at).0;
-        if crosses {
-            // One root, on the side where the signs differ.
-            let left = (value < 0.0) != (b[0] < 0.0);
-            let (low, high) = if left { (0.0, x) } else { (x, 1.0) };
-            search.bracket(arc, low, high, 0.5 * (low + high), b[0] < 0.0);
-            if value.abs() <= search.touch {
-                (search.touching)(at);
-            }
-        } else if (value < 0.0) != (b[0] < 0.0) && value.abs() > search.noise {
-            // Two roots. Start where the parabola through extremum and ends crosses zero.
-            let reach = |end: f64| sqrt((value / (value - end)).clamp(0.0, 1.0));
-            search.bracket(arc, 0.0, x, x - x * reach(b[0]), b[0] < 0.0);
-            search.bracket(arc, x, 1.0, x + (1.0 - x) * reach(b[n]), value < 0.0);
-        } else if value.abs() <= search.touch {
-            (search.touching)(at);
-        }
-        true
-    }
-}
-
-/// The half-angle vector at parameter `x` of an arc.
-#[inline]
-fn between([d0, d1]: &[[f64; 2]; 2], x: f64) -> [f64; 2] {
-    [d0[0] + x * (d1[0] - d0[0]), d0[1] + x * (d1[1] - d0[1])]
-}
-
-/// The square as a complex number: from the half-angle vector to the angle's, with the square of its length.
-#[inline]
-fn square(d: [f64; 2]) -> [f64; 2] {
-    [d[0] * d[0] - d[1] * d[1], 2.0 * d[0] * d[1]]
-}
-
-/// The angle at parameter `x` of an arc, as `[cos, sin]`.
-#[inline]
-fn point(ends: &[[f64; 2]; 2], x: f64) -> [f64; 2] {
-    let d = between(ends, x);
-    let inverse = 1.0 / (d[0] * d[0] + d[1] * d[1]);
-    square(d).map(|x| x * inverse)
-}
-
-/// Counts the changes of sign; coefficients within `touch` of zero may have either sign and are counted both ways.
-#[inline]
-fn verdict<const C: usize>(b: &[f64; C], n: usize, touch: f64) -> Verdict {
-    let (mut least, mut most) = (b[0], b[0]);
-    let mut changes = 0;
-    let mut negative = b[0] < 0.0;
-    let mut sure = b[0].abs() > touch;
-    for &x in b.iter().take(n + 1).skip(1) {
-        (least, most) = (least.min(x), most.max(x));
-        if (x < 0.0) != negative {
-            changes += 1;
-            negative = !negative;
-        }
-        sure &= x.abs() > touch;
-    }
-    if least > touch || most < -touch {
-        return Verdict::Empty;
-    }
-    if changes == 1 && sure {
-        return Verdict::One;
-    }
-    if sure {
-        return Verdict::Unclear;
-    }
-    // Worst case: an uncertain coefficient opposes its predecessor.
-    let (mut worst, mut sign) = (0, 0.0f64);
-    for &x in b.iter().take(n + 1) {
-        let s = if x.abs() <= touch { if sign == 0.0 { 0.0 } else { -sign } } else { 1f64.copysign(x) };
-        if s * sign < 0.0 {
-            worst += 1;
-        }
-        sign = s;
-    }
-    if worst == 1 && (b[0] < 0.0) != (b[n] < 0.0) && b[0].abs() > touch { Verdict::One } else { Verdict::Unclear }
-}
-
-/// Where the control polygon of an arc with one change of sign crosses zero.
-#[inline]
-fn crossing<const C: usize>(b: &[f64; C], n: usize) -> f64 {
-    let negative = b[0] < 0.0;
-    for j in 0..n {
-        if (b[j + 1] < 0.0) != negative {
-            let x = (j as f64 + b[j] / (b[j] - b[j + 1])) / n as f64;
-            return if x > 0.0 && x < 1.0 { x } else { 0.5 };
-        }
-    }
-    0.5
-}
-
-/// The parameter of the only extremum of the Bernstein polynomial `b`: the root of its derivative, which is monotone.
-fn extremum<const C: usize>(b: &[f64; C], n: usize) -> f64 {
-    let (mut low, mut high) = (0.0, 1.0);
-    let (first, last) = (b[1] - b[0], b[n] - b[n - 1]);
-    let falls = first < 0.0;
-    let mut x = first / (first - last);
-    for _ in 0..60 {
-        // De Casteljau down to three points: first and second derivative, up to factors n and n (n - 1).
-        let mut w = *b;
-        for r in 1..n - 1 {
-            for j in 0..=n - r {
-                w[j] += x * (w[j + 1] - w[j]);
-            }
-        }
-        let (d0, d1) = (w[1] - w[0], w[2] - w[1]);
-        let slope = d0 + x * (d1 - d0);
-        if slope == 0.0 {
-            return x;
-        }
-        if (slope < 0.0) == falls {
-            low = x;
-        } else {
-            high = x;
-        }
-        let newton = x - slope / ((d1 - d0) * (n - 1) as f64);
-        if (newton - x).abs() < 1e-9 {
-            return newton.clamp(low, high);
-        }
-        x = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-    }
-    x
-}
-
-/// Are two points of the unit circle one touching root?
-fn near(a: [f64; 2], b: [f64; 2]) -> bool {
-    (a[0] - b[0]).abs() + (a[1] - b[1]).abs() < SAME_TOUCH
 }
 
 #[cfg(test)]

@@ -1,0 +1,348 @@
+//! Six equations in three angles as a 12 x 12 matrix in one of them (Raghavan and Roth's dialytic elimination).
+//!
+//! Each equation is bilinear in `(1, cos x, sin x)` and `(1, cos y, sin y)`, with coefficients linear in the cosine and sine of the hidden
+//! angle. Times `cos(x/2)` and `sin(x/2)` it becomes two linear equations in the twelve unknowns
+//!
+//! ```text
+//! (cos 3x/2, sin 3x/2, cos x/2, sin x/2) x (1, cos y, sin y),
+//! ```
+//!
+//! which have a solution other than zero only where the determinant vanishes.
+
+use super::choice::Choice;
+use super::closure::{Closure, EQUATIONS, unit};
+use crate::ik::{Blank, List};
+use crate::ik::math::{sin_cos, sqrt};
+
+/// Rows and columns of the matrix.
+const SIZE: usize = 2 * EQUATIONS;
+/// A square matrix, row by row.
+type Matrix = [[f64; SIZE]; SIZE];
+
+/// The matrix as a function of the hidden angle: `constant + cos C + sin S`, both factors of `C` and `S` in one array.
+pub(super) struct Dialytic {
+    parts: [Matrix; 3],
+}
+
+/// What is known at a root of the determinant.
+#[derive(Clone, Copy)]
+pub(super) struct Refined {
+    /// The hidden angle.
+    pub(super) hidden: [f64; 2],
+    /// The angle that doubles and the single one.
+    pub(super) others: [[f64; 2]; 2],
+    /// The size of the last step, in radians: small where the root is a simple one.
+    pub(super) step: f64,
+    /// The squared distance of the null vector (of length one) from any that angles can make: zero for solutions.
+    pub(super) misfit: f64,
+}
+
+impl Blank for Refined {
+    const BLANK: Self = Self { hidden: [0.0; 2], others: [[0.0; 2]; 2], step: 0.0, misfit: 0.0 };
+}
+
+impl Refined {
+    /// A step of the eigenvalue iteration that should have ended, but didn't, is larger.
+    const SETTLED: f64 = 1e-6;
+    /// A null vector that misses the form of a solution by more (squared) belongs to none.
+    const MISFIT: f64 = 1e-3;
+
+    /// Has the iteration converged?
+    pub(super) fn settled(&self) -> bool {
+        self.step < Self::SETTLED
+    }
+
+    /// Does the null vector have the form of a solution?
+    pub(super) fn fits(&self) -> bool {
+        self.misfit < Self::MISFIT
+    }
+}
+
+impl Dialytic {
+    pub(super) fn new(closure: &Closure, choice: Choice) -> Self {
+        let [hidden, double, single] = choice.middle().map(|i| [9, 3, 1][i]);
+        let mut parts = [[[0.0; SIZE]; SIZE]; 3];
+        for (h, part) in parts.iter_mut().enumerate() {
+            for (r, equation) in closure.equations.iter().enumerate() {
+                for y in 0..3 {
+                    let at = |x: usize| equation[hidden * h + double * x + single * y];
+                    let (one, cos, sin) = (at(0), 0.5 * at(1), 0.5 * at(2));
+                    // (one + 2 cos cos x + 2 sin sin x) times cos(x/2), then times sin(x/2).
+                    let (first, second) = (&mut part[2 * r], 2 * r + 1);
+                    (first[y], first[3 + y], first[6 + y], first[9 + y]) = (cos, sin, one + cos, sin);
+                    let second = &mut part[second];
+                    (second[y], second[3 + y], second[6 + y], second[9 + y]) = (-sin, cos, sin, one - cos);
+                }
+            }
+        }
+        Self { parts }
+    }
+
+    /// The matrix at a hidden angle `[cos, sin]`.
+    #[inline]
+    fn at(&self, [c, s]: [f64; 2]) -> Matrix {
+        let [constant, cos, sin] = &self.parts;
+        let mut out = *constant;
+        for r in 0..SIZE {
+            for k in 0..SIZE {
+                out[r][k] += c * cos[r][k] + s * sin[r][k];
+            }
+        }
+        out
+    }
+
+    /// The derivative of the matrix by the hidden angle, times a vector.
+    fn slope_times(&self, [c, s]: [f64; 2], x: &[f64; SIZE]) -> [f64; SIZE] {
+        let [_, cos, sin] = &self.parts;
+        let mut out = [0.0; SIZE];
+        for r in 0..SIZE {
+            for k in 0..SIZE {
+                out[r] += (c * sin[r][k] - s * cos[r][k]) * x[k];
+            }
+        }
+        out
+    }
+
+    /// The determinant at a hidden angle, and the smallest pivot on the way.
+    pub(super) fn determinant(&self, at: [f64; 2]) -> (f64, f64) {
+        determinant(self.at(at))
+    }
+
+    /// Improves a root of the determinant by Newton's method for nonlinear eigenvalues, and gives the other two middle angles at it.
+    ///
+    /// With a null vector `x` the step solves `M y = M' x`: then `y` is the better null vector and `(c.x) / (c.y)` the step back, for any
+    /// `c`; here `c = x`.
+    pub(super) fn refined(&self, mut at: [f64; 2], steps: usize) -> Refined {
+        // Not orthogonal to any null vector of the form above.
+        let mut x = [1.0, 0.3, 0.2, 0.5, -0.7, 0.4, 0.9, 0.1, -0.3, 0.8, 0.6, -0.2];
+        let mut step = f64::INFINITY;
+        for k in 0..=steps {
+            let lu = Lu::new(self.at(at));
+            if k == 0 {
+                // Inverse iteration from any right-hand side, twice.
+                for _ in 0..2 {
+                    x = normalised(&lu.solve(&x));
+                }
+            }
+            let y = lu.solve(&self.slope_times(at, &x));
+            let along: f64 = x.iter().zip(&y).map(|(a, b)| a * b).sum();
+            let by = -1.0 / along;
+            if !(by.abs() < 0.5) {
+                break;
+            }
+            x = normalised(&y);
+            let (s, c) = sin_cos(by);
+            at = [at[0] * c - at[1] * s, at[0] * s + at[1] * c];
+            step = by.abs();
+            if step < 1e-9 {
+                break;
+            }
+        }
+        let (others, misfit) = angles(&x);
+        Refined { hidden: at, others, step, misfit }
+    }
+
+    /// The number of null vectors at this hidden angle, within rounding of a double root.
+    pub(super) fn nullity(&self, at: [f64; 2]) -> usize {
+        self.pivots(at).iter().filter(|p| !(**p > 1e-7)).count()
+    }
+
+    /// The solutions at a hidden angle with two null vectors: two joint vectors may share the angle. None, if the null vectors are the
+    /// complex pair of a phantom.
+    ///
+    /// A combination `a A + b B` of the two null vectors, as 4 x 3 matrices, has rank one where all its 2 x 2 minors vanish. These
+    /// are quadratics in `a : b` with the same roots; the largest one is solved.
+    pub(super) fn pair(&self, at: [f64; 2]) -> List<Refined, 2> {
+        let lu = Lu::new(self.at(at));
+        let mut a = [1.0, 0.3, 0.2, 0.5, -0.7, 0.4, 0.9, 0.1, -0.3, 0.8, 0.6, -0.2];
+        let mut b = [0.2, -0.4, 1.0, 0.1, 0.6, 0.8, -0.5, 0.9, 0.3, -0.6, 0.7, 0.4];
+        for _ in 0..3 {
+            a = normalised(&lu.solve(&a));
+            b = lu.solve(&b);
+            let along: f64 = a.iter().zip(&b).map(|(a, b)| a * b).sum();
+            for (b, a) in b.iter_mut().zip(&a) {
+                *b -= along * a;
+            }
+            b = normalised(&b);
+        }
+        let mut best = [0.0; 3];
+        let size = |q: &[f64; 3]| q.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        for i in 0..4 {
+            for j in 0..i {
+                for (k, l) in [(0, 1), (0, 2), (1, 2)] {
+                    let [p, q, r, s] = [3 * i + k, 3 * j + l, 3 * i + l, 3 * j + k];
+                    let minor = [
+                        a[p] * a[q] - a[r] * a[s],
+                        a[p] * b[q] + b[p] * a[q] - a[r] * b[s] - b[r] * a[s],
+                        b[p] * b[q] - b[r] * b[s],
+                    ];
+                    if size(&minor) > size(&best) {
+                        best = minor;
+                    }
+                }
+            }
+        }
+        let mut pair = List::new();
+        let [aa, ab, bb] = best;
+        let discriminant = ab * ab - 4.0 * aa * bb;
+        // A double combination is left to the general treatment.
+        if discriminant > 1e-12 * size(&best) * size(&best) {
+            let q = -0.5 * (ab + sqrt(discriminant).copysign(ab));
+            for (x, y) in [(q, aa), (bb, q)] {
+                let mut v = a;
+                for (v, b) in v.iter_mut().zip(&b) {
+                    *v = *v * x + b * y;
+                }
+                let (others, misfit) = angles(&normalised(&v));
+                pair.push(Refined { hidden: at, others, step: 0.0, misfit });
+            }
+        }
+        pair
+    }
+
+    /// The absolute pivots of complete pivoting, over the first one: a cheap picture of the singular values.
+    pub(super) fn pivots(&self, at: [f64; 2]) -> [f64; SIZE] {
+        let mut m = self.at(at);
+        let mut pivots = [0.0; SIZE];
+        for k in 0..SIZE {
+            let (mut row, mut column, mut best) = (k, k, 0.0);
+            for r in k..SIZE {
+                for c in k..SIZE {
+                    if m[r][c].abs() > best {
+                        (row, column, best) = (r, c, m[r][c].abs());
+                    }
+                }
+            }
+            pivots[k] = best;
+            if best == 0.0 {
+                break;
+            }
+            m.swap(k, row);
+            for r in &mut m {
+                r.swap(k, column);
+            }
+            for r in k + 1..SIZE {
+                let factor = m[r][k] / m[k][k];
+                for c in k..SIZE {
+                    m[r][c] -= factor * m[k][c];
+                }
+            }
+        }
+        let first = pivots[0];
+        if first > 0.0 { pivots.map(|p| p / first) } else { pivots }
+    }
+}
+
+/// The angles `x` and `y` of a null vector `(cos 3x/2, sin 3x/2, cos x/2, sin x/2) x (1, cos y, sin y)`, in the sense of least squares,
+/// and how far (relative) the vector is from that form.
+fn angles(v: &[f64; SIZE]) -> ([[f64; 2]; 2], f64) {
+    let (mut one, mut cos, mut sin) = (0.0, 0.0, 0.0);
+    for i in 0..4 {
+        one += v[3 * i] * v[3 * i];
+        cos += v[3 * i] * v[3 * i + 1];
+        sin += v[3 * i] * v[3 * i + 2];
+    }
+    let y = if one > 0.0 { unit([cos, sin]) } else { [1.0, 0.0] };
+    let [a, b, c, d] = [0, 3, 6, 9].map(|i| v[i] + y[0] * v[i + 1] + y[1] * v[i + 2]);
+    // x = 3x/2 - x/2
+    let x = unit([a * c + b * d, b * c - a * d]);
+    // From (cos x/2, sin x/2) = (p, r) follows (cos 3x/2, sin 3x/2); the vector's length is one, and that of the form is two.
+    let (p, r) = (0.5 * (c + x[0] * a + x[1] * b), 0.5 * (d - x[1] * a + x[0] * b));
+    let form = [x[0] * p - x[1] * r, x[1] * p + x[0] * r, p, r];
+    let mut misfit = 0.0;
+    for i in 0..4 {
+        for (k, g) in [1.0, y[0], y[1]].iter().enumerate() {
+            let miss = v[3 * i + k] - 0.5 * form[i] * g;
+            misfit += miss * miss;
+        }
+    }
+    ([x, y], misfit)
+}
+
+fn normalised(x: &[f64; SIZE]) -> [f64; SIZE] {
+    let norm = sqrt(x.iter().map(|x| x * x).sum());
+    x.map(|x| x / norm)
+}
+
+/// The determinant by Gaussian elimination with row pivots, and the smallest pivot.
+fn determinant(mut m: Matrix) -> (f64, f64) {
+    let (mut product, mut least) = (1.0, f64::INFINITY);
+    for k in 0..SIZE {
+        let mut row = k;
+        for r in k + 1..SIZE {
+            if m[r][k].abs() > m[row][k].abs() {
+                row = r;
+            }
+        }
+        if row != k {
+            m.swap(k, row);
+            product = -product;
+        }
+        let top = m[k];
+        product *= top[k];
+        least = least.min(top[k].abs());
+        if top[k] == 0.0 {
+            break;
+        }
+        let inverse = 1.0 / top[k];
+        for r in &mut m[k + 1..] {
+            let factor = r[k] * inverse;
+            for c in k + 1..SIZE {
+                r[c] -= factor * top[c];
+            }
+        }
+    }
+    (product, least)
+}
+
+/// A factorised matrix.
+struct Lu {
+    m: Matrix,
+    order: [usize; SIZE],
+}
+
+impl Lu {
+    fn new(mut m: Matrix) -> Self {
+        let mut order = core::array::from_fn(|i| i);
+        for k in 0..SIZE {
+            let mut row = k;
+            for r in k + 1..SIZE {
+                if m[r][k].abs() > m[row][k].abs() {
+                    row = r;
+                }
+            }
+            m.swap(k, row);
+            order.swap(k, row);
+            // A pivot that vanished by rounding is as good as a tiny one: the solution becomes a null vector.
+            if m[k][k].abs() < 1e-18 {
+                m[k][k] = 1e-18;
+            }
+            let top = m[k];
+            let inverse = 1.0 / top[k];
+            for r in &mut m[k + 1..] {
+                let factor = r[k] * inverse;
+                r[k] = factor;
+                for c in k + 1..SIZE {
+                    r[c] -= factor * top[c];
+                }
+            }
+        }
+        Self { m, order }
+    }
+
+    fn solve(&self, b: &[f64; SIZE]) -> [f64; SIZE] {
+        let mut x = self.order.map(|i| b[i]);
+        for r in 0..SIZE {
+            for c in 0..r {
+                x[r] -= self.m[r][c] * x[c];
+            }
+        }
+        for r in (0..SIZE).rev() {
+            for c in r + 1..SIZE {
+                x[r] -= self.m[r][c] * x[c];
+            }
+            x[r] /= self.m[r][r];
+        }
+        x
+    }
+}

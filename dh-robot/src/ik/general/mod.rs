@@ -1,0 +1,26 @@
+//! The general six-revolute arm: all of its up to sixteen solutions, whatever its constants.
+//!
+//! ```text
+//! conformal   what a rigid transform does to an axis: fourteen numbers, linear in the sine and cosine of every joint
+//! closure     the loop, cut at a joint: 14 equations in 5 angles; two of them eliminated linearly, 6 equations are left
+//! dialytic    those six as a 12 x 12 matrix in one angle, whose determinant vanishes at solutions
+//! solve       determinant -> trigonometric polynomial of degree 8 -> roots -> null vectors -> polished joint vectors
+//! choice      which joint plays which part; found once per arm
+//! ```
+//!
+//! The method is Raghavan and Roth's (*Inverse kinematics of the general 6R manipulator and related linkages*, 1993), with half-angle
+//! tangents replaced by sines and cosines throughout. That makes no angle special, and it removes the
+//! extraneous factor `(1 + x^2)^4` of their determinant: the harmonics 9 to 12 vanish, and their size shows the rounding error.
+
+mod choice;
+mod closure;
+mod conformal;
+mod determinant;
+mod dialytic;
+mod solve;
+
+pub use choice::{Choice, Ranked, rank};
+pub use solve::{General6R, Solved};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,214 @@
+//! From the determinant of a loop to the joint vectors of the arm.
+
+use super::choice::Choice;
+use super::closure::Closure;
+use super::determinant::Determinant;
+use super::dialytic::{Dialytic, Refined};
+use crate::ik::math::{atan2, sin_cos, wrapped};
+use crate::ik::pose::{Chain, IDENTITY, Pose, compose, inverse, turn};
+use crate::ik::tolerance::REACHED;
+use crate::ik::{Kinematics, List, Task, polish, same_solution, solve_from_everywhere, solve_nearby};
+
+/// Steps of polishing.
+const STEPS: usize = 12;
+/// Starting points of the very last resort.
+const STARTS: usize = 64;
+/// Steps of the eigenvalue iteration.
+const REFINEMENTS: usize = 6;
+/// Where a root is degenerate, solutions are looked for at these distances (rad) too.
+const NEIGHBOURS: [f64; 4] = [1e-4, -1e-4, 1e-2, -1e-2];
+/// A determinant whose smallest pivot is smaller than this everywhere vanishes identically.
+const SINGULAR: f64 = 1e-11;
+/// Relative rounding error of a determinant above which its roots mean nothing.
+const ALL_NOISE: f64 = 1e-4;
+
+/// A six-revolute arm without usable structure.
+#[derive(Clone, Copy, Debug)]
+pub struct General6R {
+    /// With lengths over the reach.
+    arm: Chain<6>,
+    reach: f64,
+    choices: [Choice; 3],
+}
+
+/// All solutions of a pose.
+#[derive(Clone, Copy, Debug)]
+pub struct Solved {
+    /// Joint vectors, in (-pi, pi].
+    pub solutions: List<[f64; 6], 16>,
+    /// Did the last elimination account for each of its roots? If not, the pose is singular or nearly so: a fold, or a continuum.
+    pub clean: bool,
+}
+
+/// How one elimination went.
+pub(super) struct Attempt {
+    /// Is every root of the determinant accounted for by a solution?
+    pub(super) clean: bool,
+    /// Roughly the number of factorisations of a 12 x 12 matrix that it took.
+    pub(super) work: usize,
+}
+
+impl General6R {
+    /// The arm `Rz(q1) C1 ... Rz(q6) C6` with the constant transforms `links`. `choices` are the best of
+    /// [`rank`](super::rank); the second and third one are only used where the first one meets a degenerate root.
+    pub fn new(links: &[Pose; 6], choices: [Choice; 3]) -> Self {
+        let mut arm = Chain { links: *links, slides: [false; 6] };
+        let reach = arm.reach();
+        for link in &mut arm.links {
+            *link = shrunk(link, reach);
+        }
+        Self { arm, reach, choices }
+    }
+
+    /// The arm with lengths over its reach.
+    pub(super) fn scaled_arm(&self) -> &Chain<6> {
+        &self.arm
+    }
+
+    /// All real solutions for a target pose.
+    pub fn solve(&self, target: &Pose) -> Solved {
+        let target = shrunk(target, self.reach);
+        let mut solved = Solved { solutions: List::new(), clean: false };
+        if !target.iter().flatten().all(|x| x.is_finite()) {
+            return solved;
+        }
+        for choice in self.choices {
+            if self.attempt(&target, choice, &mut solved.solutions).clean {
+                solved.clean = true;
+                return solved;
+            }
+        }
+        let [first, ..] = self.choices;
+        let neighbour = |pose: &Pose| {
+            let mut solutions = List::new();
+            self.attempt(pose, first, &mut solutions);
+            solutions
+        };
+        solve_nearby(&self.arm, &target, 1.0, neighbour, &mut solved.solutions);
+        if solved.solutions.is_empty() {
+            let task = Task::Pose(target);
+            solve_from_everywhere(&self.arm, &self.arm.slides, &task, 1.0, STARTS, 1, &mut solved.solutions);
+        }
+        for q in solved.solutions.as_mut_slice() {
+            *q = q.map(wrapped);
+        }
+        solved
+    }
+
+    /// Adds the solutions that one elimination finds.
+    pub(super) fn attempt(&self, target: &Pose, choice: Choice, solutions: &mut List<[f64; 6], 16>) -> Attempt {
+        let closure = Closure::new(&self.arm, target, choice);
+        let dialytic = Dialytic::new(&closure, choice);
+        if choice.has_least_degree() {
+            let determinant = Determinant::<8, 17, 20>::new(&dialytic);
+            self.solutions_of(&determinant, &dialytic, &closure, target, choice, solutions)
+        } else {
+            let determinant = Determinant::<12, 25, 28>::new(&dialytic);
+            self.solutions_of(&determinant, &dialytic, &closure, target, choice, solutions)
+        }
+    }
+
+    fn solutions_of<const D: usize, const C: usize, const K: usize>(
+        &self,
+        determinant: &Determinant<D, C, K>,
+        dialytic: &Dialytic,
+        closure: &Closure,
+        target: &Pose,
+        choice: Choice,
+        solutions: &mut List<[f64; 6], 16>,
+    ) -> Attempt {
+        let mut attempt = Attempt { clean: false, work: K };
+        if !(determinant.noise < ALL_NOISE && determinant.regularity > SINGULAR) {
+            return attempt;
+        }
+        let mut clean = true;
+        let (mut roots, mut found, mut work) = (0, 0, 0);
+        let effort = determinant.each_root(dialytic, |root, touches| {
+            let mut try_from = |refined: &Refined| {
+                let mut q = self.joints(closure, choice, target, refined);
+                let done = polish(&self.arm, &mut q, &Task::Pose(*target), 1.0, STEPS);
+                work += 1 + done.steps;
+                let reached = done.reaches(REACHED);
+                if reached {
+                    found += usize::from(self.add(target, solutions, q.map(wrapped)));
+                }
+                reached
+            };
+            let refined = dialytic.refined(root, REFINEMENTS);
+            if refined.settled() && refined.fits() && !touches {
+                roots += 1;
+                clean &= try_from(&refined);
+                return;
+            }
+            let nullity = if refined.settled() { dialytic.nullity(refined.hidden) } else { 1 };
+            if nullity == 2 {
+                // Two solutions may share the hidden angle.
+                let pair = dialytic.pair(refined.hidden);
+                if pair.iter().all(Refined::fits) && !pair.is_empty() {
+                    roots += pair.len();
+                    for refined in &pair {
+                        clean &= try_from(refined);
+                    }
+                    return;
+                }
+            }
+            if nullity >= 2 && nullity == self.usual_nullity(choice, refined.hidden) {
+                // The null vectors are complex, and there at every pose.
+                return;
+            }
+            clean = false;
+            try_from(&refined);
+            for by in NEIGHBOURS {
+                let (s, c) = sin_cos(by);
+                try_from(&dialytic.refined([root[0] * c - root[1] * s, root[0] * s + root[1] * c], REFINEMENTS));
+            }
+        });
+        attempt.work += effort.determinants + work;
+        // Later eliminations may only confirm what is known.
+        attempt.clean = clean && !effort.exhausted && (found == roots || solutions.len() == roots);
+        attempt
+    }
+
+    /// The number of null vectors at a hidden angle for a pose that has nothing to do with the target.
+    fn usual_nullity(&self, choice: Choice, hidden: [f64; 2]) -> usize {
+        let elsewhere = self.arm.forward(&[0.7, -1.1, 1.9, -0.4, 1.3, -2.1]);
+        Dialytic::new(&Closure::new(&self.arm, &elsewhere, choice), choice).nullity(hidden)
+    }
+
+    /// Adds a solution if it is new.
+    fn add(&self, target: &Pose, solutions: &mut List<[f64; 6], 16>, q: [f64; 6]) -> bool {
+        let task = Task::Pose(*target);
+        !solutions.iter().any(|p| same_solution(&self.arm, &task, 1.0, p, &q)) && solutions.push(q)
+    }
+
+    /// All joint angles from the three middle ones.
+    fn joints(&self, closure: &Closure, choice: Choice, target: &Pose, root: &Refined) -> [f64; 6] {
+        let mut middle = [[1.0, 0.0]; 3];
+        let [h, d, s] = choice.middle();
+        (middle[h], middle[d], middle[s]) = (root.hidden, root.others[0], root.others[1]);
+        let linear = closure.linear_angles(&middle);
+        let joints = choice.joints();
+        let mut angles = [[1.0, 0.0]; 6];
+        for (part, &angle) in linear.iter().chain(&middle).enumerate() {
+            angles[joints[part]] = if choice.reversed() { [angle[0], -angle[1]] } else { angle };
+        }
+        // The joint that dropped out: what is missing from the product of the joints before and after it.
+        let drop = joints[5];
+        let mut before = IDENTITY;
+        for j in 0..drop {
+            before = compose(&turn(&before, angles[j]), &self.arm.links[j]);
+        }
+        let mut after = self.arm.links[drop];
+        for j in drop + 1..6 {
+            after = compose(&turn(&after, angles[j]), &self.arm.links[j]);
+        }
+        let rest = compose(&compose(&inverse(&before), target), &inverse(&after));
+        angles[drop] = [rest[0][0] + rest[1][1], rest[1][0] - rest[0][1]];
+        angles.map(|[c, s]| atan2(s, c))
+    }
+}
+
+/// A pose with lengths over `reach`.
+fn shrunk(pose: &Pose, reach: f64) -> Pose {
+    pose.map(|[a, b, c, d]| [a, b, c, d / reach])
+}

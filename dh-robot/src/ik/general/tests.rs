@@ -1,0 +1,159 @@
+//! Whole arms through the general solver: generated poses, published poses, singular poses.
+
+use super::*;
+use crate::ik::pose::{IDENTITY, Pose, compose, turn};
+use crate::ik::testing::{Rng, general_6r, link};
+use crate::ik::tolerance::REACHED;
+use crate::ik::{Chain, Kinematics, Task, polish};
+
+fn arm(links: [Pose; 6]) -> Chain<6> {
+    Chain { links, slides: [false; 6] }
+}
+
+/// A link of the modified convention: Tz(d) of this joint, then Rx(alpha) Tx(a) before the next one.
+fn modified(d: f64, alpha: f64, a: f64) -> Pose {
+    compose(&link(d, 0.0, alpha), &link(0.0, a, 0.0))
+}
+
+/// FANUC CRX-10iA: axes 2 and 3 parallel, neighbours 1-2, 3-4, 4-5, 5-6 meet, no common point in the wrist.
+fn offset_wrist() -> Chain<6> {
+    let minus_quarter_turn = turn(&IDENTITY, [0.0, -1.0]);
+    arm([
+        modified(0.0, -90.0, 0.0),
+        compose(&minus_quarter_turn, &modified(0.0, 0.0, 0.54)),
+        modified(0.0, -90.0, 0.0),
+        modified(0.54, 90.0, 0.0),
+        modified(-0.15, -90.0, 0.0),
+        modified(0.16, 0.0, 0.0),
+    ])
+}
+
+/// The arm of Manseur and Doty (*A robot manipulator with 16 real inverse kinematic solution sets*, 1989).
+fn sixteen_solutions() -> Chain<6> {
+    arm([
+        link(0.0, 0.3, 90.0),
+        link(0.0, 1.0, 1.0),
+        link(0.2, 0.0, 90.0),
+        link(0.0, 1.5, 1.0),
+        link(0.0, 0.0, 90.0),
+        link(0.0, 0.0, 1.0),
+    ])
+}
+
+fn solver(arm: &Chain<6>) -> General6R {
+    let mut rng = Rng::new(70);
+    let samples: [(Chain<6>, [f64; 6]); 4] = [(); 4].map(|()| (*arm, [(); 6].map(|()| rng.angle())));
+    let best = rank::<3>(&samples);
+    let at = |i: usize| best.get(i).or(best.first()).map_or(Choice::default(), |r| r.choice);
+    General6R::new(&arm.links, [at(0), at(1), at(2)])
+}
+
+fn apart(p: &[f64; 6], q: &[f64; 6]) -> f64 {
+    p.iter().zip(q).fold(0.0, |m, (a, b)| f64::max(m, (0.5 * (a - b)).sin().abs()))
+}
+
+/// Every solution reaches the target, and no two are the same.
+fn assert_sound(arm: &Chain<6>, target: &Pose, solved: &Solved) {
+    for (i, q) in solved.solutions.iter().enumerate() {
+        let miss = polish(arm, &mut q.clone(), &Task::Pose(*target), arm.reach(), 0);
+        assert!(miss.reaches(2.0 * REACHED), "{miss:?}");
+        assert!(q.iter().all(|x| x.abs() <= core::f64::consts::PI));
+        assert!(solved.solutions[..i].iter().all(|p| apart(p, q) > 1e-7));
+    }
+}
+
+fn generated_poses_come_back(arm: &Chain<6>, seed: u64, most: usize) {
+    let solver = solver(arm);
+    let mut rng = Rng::new(seed);
+    let mut largest = 0;
+    for _ in 0..40 {
+        let q = [(); 6].map(|()| rng.angle());
+        let target = arm.forward(&q);
+        let solved = solver.solve(&target);
+        assert!(solved.solutions.iter().any(|p| apart(p, &q) < 1e-6), "{q:?}");
+        assert!(solved.solutions.len().is_multiple_of(2), "{q:?}");
+        assert_sound(arm, &target, &solved);
+        largest = largest.max(solved.solutions.len());
+    }
+    assert!(largest >= most, "{largest}");
+}
+
+#[test]
+fn an_arm_without_structure() {
+    generated_poses_come_back(&general_6r(), 71, 6);
+}
+
+#[test]
+fn an_arm_with_parallel_axes_and_an_offset_wrist() {
+    generated_poses_come_back(&offset_wrist(), 72, 12);
+}
+
+#[test]
+fn an_arm_with_many_solutions() {
+    generated_poses_come_back(&sixteen_solutions(), 73, 12);
+}
+
+#[test]
+fn all_sixteen_solutions_of_a_published_pose() {
+    // Problem 6 of Wampler and Morgan (*Solving the 6R inverse position problem using a generic-case solution methodology*, 1991), also
+    // in Manocha and Canny, 1994; its six digits made orthonormal.
+    let target = [
+        [-0.7601170954517629, -0.6416887913189714, 0.10226190051809382, -1.140175],
+        [0.13333303810415512, 1.7448607485795684e-07, 0.9910712895397007, 0.0],
+        [-0.635959355738943, 0.7669651198689326, 0.08555818343409317, 0.0],
+    ];
+    let arm = sixteen_solutions();
+    let solved = solver(&arm).solve(&target);
+    assert_sound(&arm, &target, &solved);
+    assert_eq!((solved.solutions.len(), solved.clean), (16, true));
+}
+
+#[test]
+fn two_solutions_may_share_the_hidden_angle() {
+    // Joint angles of 10, -80, 10, 20, -20, 45 degrees at the controller: 16 solutions, some of which share the angles of joints 2 and 3.
+    let arm = offset_wrist();
+    let q = [10.0, -80.0, 70.0, -20.0, 20.0, -45.0f64].map(f64::to_radians);
+    let target = arm.forward(&q);
+    let solved = solver(&arm).solve(&target);
+    assert_sound(&arm, &target, &solved);
+    assert_eq!(solved.solutions.len(), 16);
+}
+
+#[test]
+fn unreachable_poses_have_no_solution() {
+    for arm in [general_6r(), offset_wrist(), sixteen_solutions()] {
+        let mut target = arm.forward(&[0.3; 6]);
+        target[0][3] += 10.0;
+        let solved = solver(&arm).solve(&target);
+        assert!(solved.solutions.is_empty() && solved.clean);
+    }
+}
+
+#[test]
+fn a_singular_pose_gives_what_there_is() {
+    // Stretched out: a double solution at least, and the elimination degenerates.
+    for arm in [general_6r(), offset_wrist(), sixteen_solutions()] {
+        let target = arm.forward(&[0.0; 6]);
+        let solved = solver(&arm).solve(&target);
+        assert!(!solved.solutions.is_empty());
+        assert_sound(&arm, &target, &solved);
+    }
+}
+
+#[test]
+fn bad_numbers_give_nothing() {
+    let arm = general_6r();
+    for bad in [f64::NAN, f64::INFINITY] {
+        let mut target = arm.forward(&[0.3; 6]);
+        target[1][3] = bad;
+        assert!(solver(&arm).solve(&target).solutions.is_empty());
+    }
+}
+
+#[test]
+fn ranking_refuses_an_arm_that_cannot_move_freely() {
+    // Six parallel axes.
+    let arm = arm([link(0.1, 0.3, 0.0); 6]);
+    let samples = [(arm, [0.1, 0.5, -0.4, 1.0, 2.0, -1.3]); 3];
+    assert!(rank::<3>(&samples).is_empty());
+}
