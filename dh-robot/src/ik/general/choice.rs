@@ -3,9 +3,9 @@
 use super::closure::Closure;
 use super::dialytic::Dialytic;
 use super::solve::General6R;
-use crate::ik::math::sin_cos;
-use crate::ik::pose::Chain;
-use crate::ik::{Blank, Kinematics, List};
+use super::super::math::sin_cos;
+use super::super::pose::Chain;
+use super::super::{Blank, Kinematics, List};
 
 /// How the loop of six joints is cut. There are [`Choice::COUNT`]; structured arms make many of them useless.
 ///

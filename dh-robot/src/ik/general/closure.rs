@@ -2,8 +2,8 @@
 
 use super::choice::Choice;
 use super::conformal::{Axis, EXPRESSIONS};
-use crate::ik::math::sqrt;
-use crate::ik::pose::{Chain, Pose, compose, inverse};
+use super::super::math::sqrt;
+use super::super::pose::{Chain, Pose, compose, inverse};
 
 /// Monomials of the three middle angles: `(1, cos, sin)` of each; the last angle runs fastest.
 pub(super) const MONOMIALS: usize = 27;

@@ -10,7 +10,7 @@
 //! are a representation of the group. A turn about z acts on them linearly in its cosine and sine, so a product of joints and links
 //! is linear in the cosine and sine of every joint. This is why the fourteen equations have so few monomials.
 
-use crate::ik::pose::{Pose, cross, dot};
+use super::super::pose::{Pose, cross, dot};
 
 /// The number of expressions, without the constant.
 pub(super) const EXPRESSIONS: usize = 14;

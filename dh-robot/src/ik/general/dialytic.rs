@@ -11,8 +11,8 @@
 
 use super::choice::Choice;
 use super::closure::{Closure, EQUATIONS, unit};
-use crate::ik::{Blank, List};
-use crate::ik::math::{sin_cos, sqrt};
+use super::super::{Blank, List};
+use super::super::math::{sin_cos, sqrt};
 
 /// Rows and columns of the matrix.
 const SIZE: usize = 2 * EQUATIONS;

@@ -4,10 +4,10 @@ use super::choice::Choice;
 use super::closure::Closure;
 use super::determinant::Determinant;
 use super::dialytic::{Dialytic, Refined};
-use crate::ik::math::{atan2, sin_cos, wrapped};
-use crate::ik::pose::{Chain, IDENTITY, Pose, compose, inverse, turn};
-use crate::ik::tolerance::REACHED;
-use crate::ik::{Kinematics, List, Task, polish, same_solution, solve_from_everywhere, solve_nearby};
+use super::super::math::{atan2, sin_cos, wrapped};
+use super::super::pose::{Chain, IDENTITY, Pose, compose, inverse, turn};
+use super::super::tolerance::REACHED;
+use super::super::{Kinematics, List, Task, polish, same_solution, solve_from_everywhere, solve_nearby};
 
 /// Steps of polishing.
 const STEPS: usize = 12;
