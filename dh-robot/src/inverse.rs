@@ -4,6 +4,8 @@
 //! misses is dropped. Where the closed form degenerates at a pose and nothing is left, nearby poses are solved and their solutions
 //! moved onto the target.
 
+#![allow(clippy::neg_cmp_op_on_partial_ord)] // `!(x <= y)` is how NaN ends on the safe side
+
 use crate::ik::{Kinematics, Outcome, Pose, Task, polish, pose};
 use crate::{Branch, FreeJoints, Joint, Real, Solution, Solutions, Why};
 

@@ -176,10 +176,11 @@ impl Rational {
     /// The nearest `f64` (correctly rounded).
     pub fn to_f64(&self) -> f64 {
         const EXACT: i64 = 1 << 53;
-        if let Repr::Small(n, d) = &self.0 {
-            if n.abs() <= EXACT && *d <= EXACT {
-                return *n as f64 / *d as f64;
-            }
+        if let Repr::Small(n, d) = &self.0
+            && n.abs() <= EXACT
+            && *d <= EXACT
+        {
+            return *n as f64 / *d as f64;
         }
         let (n, d) = self.parts();
         // A quotient of 66 bits or more with a sticky last bit rounds as the exact quotient does.

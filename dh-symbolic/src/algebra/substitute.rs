@@ -12,10 +12,10 @@ impl Poly {
                 let hit = |f: &Factor| matches!(f, Factor::Power(s, _) if value(*s).is_some());
                 let mut p = Poly::term(m.filter(|f| !hit(f)), c.clone());
                 for f in m.factors() {
-                    if let Factor::Power(s, n) = f {
-                        if let Some(v) = value(s) {
-                            p = &p * &v.pow(n);
-                        }
+                    if let Factor::Power(s, n) = f
+                        && let Some(v) = value(s)
+                    {
+                        p = &p * &v.pow(n);
                     }
                 }
                 p

@@ -89,10 +89,12 @@ pub fn blocks(chain: &Chain) -> Vec<Block> {
     }
     for (row, link) in chain.links.iter().enumerate() {
         for e in chain.link_factors(row) {
-            let moving = link.joint.filter(|j| match (&e, chain.joints[*j].coordinate) {
-                (Elementary::Rotate(2, _), Coordinate::Angle(_)) => true,
-                (Elementary::Translate(2, _), Coordinate::Length(_)) => true,
-                _ => false,
+            let moving = link.joint.filter(|j| {
+                matches!(
+                    (&e, chain.joints[*j].coordinate),
+                    (Elementary::Rotate(2, _), Coordinate::Angle(_))
+                        | (Elementary::Translate(2, _), Coordinate::Length(_))
+                )
             });
             cutter.step(&e, moving);
         }
@@ -130,7 +132,8 @@ impl Cutter {
             _ => false,
         };
         let constant_turn = matches!(e, Elementary::Rotate(axis, _) if *axis != 2);
-        if !self.now.exit.is_empty() && !(constant_turn && merges) {
+        let continues = constant_turn && merges;
+        if !self.now.exit.is_empty() && !continues {
             let mut finished = std::mem::take(&mut self.now);
             if self.half_turn {
                 finished.exit.insert(0, half_turn());

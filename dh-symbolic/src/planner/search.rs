@@ -186,10 +186,11 @@ impl Search<'_> {
         let mut rows: Vec<(Equation, Collected)> = Vec::new();
         for e in self.equations(families) {
             let p = exact(&self.axes, &mut self.knowledge, &e);
-            if let Some(c) = self.knowledge.collect(&self.axes, &p, std::slice::from_ref(form)) {
-                if c.keys().any(|k| k[0] != Part::One) && !rows.iter().any(|r| r.1 == c) {
-                    rows.push((e, c));
-                }
+            if let Some(c) = self.knowledge.collect(&self.axes, &p, std::slice::from_ref(form))
+                && c.keys().any(|k| k[0] != Part::One)
+                && !rows.iter().any(|r| r.1 == c)
+            {
+                rows.push((e, c));
             }
         }
         // An equation that follows from what is known already has no slope where it holds.
@@ -352,10 +353,10 @@ impl Search<'_> {
                         continue;
                     }
                     let pair = [forms[i].clone(), forms[j].clone()];
-                    if let Some(option) = self.pair_option(&pair, &polys) {
-                        if best.as_ref().is_none_or(|b| option.rank < b.rank) {
-                            best = Some(option);
-                        }
+                    if let Some(option) = self.pair_option(&pair, &polys)
+                        && best.as_ref().is_none_or(|b| option.rank < b.rank)
+                    {
+                        best = Some(option);
                     }
                 }
             }
@@ -563,7 +564,6 @@ mod tests {
             outline(Convention::Standard, &kuka),
         ]
         .join("\n\n");
-        println!("{text}");
         insta::assert_snapshot!(text);
     }
 }

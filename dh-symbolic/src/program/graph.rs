@@ -155,10 +155,8 @@ impl Graph {
     /// (cosine, sine) of an angle sum. Whole quarter turns are taken out, so that cos(q - 90deg) is sin q.
     pub fn cos_sin(&mut self, angle: &LinearAngle) -> (Value, Value) {
         let known = angle.terms.iter().all(|(v, _)| self.fixed_angles.contains(v));
-        if known {
-            if let Some((c, s)) = angle.cos_sin() {
-                return (self.constant(c), self.constant(s));
-            }
+        if known && let Some((c, s)) = angle.cos_sin() {
+            return (self.constant(c), self.constant(s));
         }
         let mut rest = angle.clone();
         rest.terms.sort_unstable();

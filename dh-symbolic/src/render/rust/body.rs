@@ -179,10 +179,10 @@ impl<'a> Body<'a> {
         let live = self.graph.live(&self.outputs);
         let mut used: Vec<u32> = Vec::new();
         for (node, _) in self.graph.nodes().iter().zip(&live).filter(|(_, l)| **l) {
-            if let Node::Cos(w) | Node::Sin(w) = node {
-                if !used.contains(w) {
-                    used.push(*w);
-                }
+            if let Node::Cos(w) | Node::Sin(w) = node
+                && !used.contains(w)
+            {
+                used.push(*w);
             }
         }
         used.sort_unstable();

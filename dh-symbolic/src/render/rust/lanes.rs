@@ -19,15 +19,10 @@ pub(super) fn fits(chain: &Chain, inverse: &Inverse) -> bool {
     };
     chain.task == Task::Pose
         && chain.redundant.is_none()
+        && chain.is_direct()
         && inverse.plan.axes.count() == chain.dof()
         && inverse.solvers.iter().all(simple)
         && inverse.plan.max_solutions <= MOST
-}
-
-/// What one depth of the plan looks like in lanes.
-struct Depth {
-    /// Number of lanes once this many combinations are known.
-    lanes: usize,
 }
 
 /// The function `lanes`.
@@ -41,24 +36,24 @@ pub(super) fn lanes(chain: &Chain, inverse: &Inverse) -> String {
     let wanted = needed_depths(inverse, &depths, &live);
     let mut body = Body::staged(chain, &inverse.graph, outputs, Scalar::F64, 1.0 / plan.axes.reach, inputs(inverse));
     // Lanes at each depth: the roots of the steps so far.
-    let mut all = vec![Depth { lanes: 1 }];
+    let mut all = vec![1_usize];
     for step in &plan.steps {
-        let last = all[all.len() - 1].lanes;
-        all.push(Depth { lanes: last * step.roots });
+        let last = all[all.len() - 1];
+        all.push(last * step.roots);
     }
-    let total = all[all.len() - 1].lanes;
+    let total = all[all.len() - 1];
     let mut w = Writer { inverse, depths: &depths, live: &live, wanted: &wanted, all: &all, out: String::new() };
     w.out.push_str(&format!(
         "/// The plan for all branches at once; `None` where the robust way has to decide.\n#[inline]\n\
          fn lanes(&self, t: &::dh_robot::ik::Pose) -> Option<::dh_robot::Solutions<{f}, {n}, {m}>> {{\n"
     ));
-    w.depth(&mut body, 0, &[]);
+    w.depth(&mut body, 0);
     let mut valid = Vec::new();
     let mut margins = Vec::new();
     for (i, solver) in inverse.solvers.iter().enumerate() {
         let at = solver.rows.concat().iter().map(|v| depths[v.node as usize]).max().unwrap_or(0);
         w.step(&mut body, i, solver, at, &mut valid, &mut margins);
-        w.depth(&mut body, i + 1, &[]);
+        w.depth(&mut body, i + 1);
     }
     w.finish(&mut body, chain, total, &valid, &margins);
     w.out.push_str("}\n");
@@ -90,7 +85,8 @@ struct Writer<'a> {
     depths: &'a [usize],
     live: &'a [bool],
     wanted: &'a [usize],
-    all: &'a [Depth],
+    /// Lanes once so many combinations are known.
+    all: &'a [usize],
     out: String,
 }
 
@@ -100,7 +96,7 @@ impl Writer<'_> {
     }
 
     /// Nodes of lower depth that the nodes of a depth use, and that differ from lane to lane.
-    fn used_at(&self, depth: usize, extra: &[Value]) -> Vec<usize> {
+    fn used_at(&self, depth: usize) -> Vec<usize> {
         let mut used: Vec<usize> = Vec::new();
         let mut note = |n: u32| {
             let n = n as usize;
@@ -123,17 +119,14 @@ impl Writer<'_> {
                 }
             }
         }
-        for v in extra {
-            note(v.node);
-        }
         used.sort_unstable();
         used.dedup();
         used
     }
 
     /// The statements of one depth, in a loop over its lanes; results that deeper loops or steps need are kept in arrays.
-    fn depth(&mut self, body: &mut Body<'_>, depth: usize, _extra: &[Value]) {
-        let lanes = self.all[depth].lanes;
+    fn depth(&mut self, body: &mut Body<'_>, depth: usize) {
+        let lanes = self.all[depth];
         if depth == 0 {
             body.statements(self.depths, 0, &[]);
             for line in body.take_lines() {
@@ -156,12 +149,12 @@ impl Writer<'_> {
                 self.live[*i] && self.depths[*i] == depth && matches!(self.graph().nodes()[*i], Node::Symbol(_))
             })
             .collect();
-        let mut loads: Vec<usize> = self.used_at(depth, &[]);
+        let mut loads: Vec<usize> = self.used_at(depth);
         loads.extend(symbols);
         let before: Vec<(usize, String)> = loads.iter().map(|i| (*i, self.array(body, *i))).collect();
         let mut inner = String::new();
         for (i, array) in &before {
-            let from = self.all[self.depths[*i]].lanes;
+            let from = self.all[self.depths[*i]];
             let at = if from == lanes { "l".to_string() } else { format!("l % {from}") };
             inner.push_str(&format!("let {array} = {array}_[{at}];\n"));
             body.rename(*i, array);
@@ -210,7 +203,7 @@ impl Writer<'_> {
     ) {
         let known = &self.inverse.plan.knowledge.known[solver.finds[0]];
         let [c, s] = known.symbols.map(|x| identifier(self.inverse.plan.knowledge.ring.symbol_name(x)));
-        let (p, before, roots) = (self.all[at].lanes, self.all[i].lanes, self.inverse.plan.steps[i].roots);
+        let (p, before, roots) = (self.all[at], self.all[i], self.inverse.plan.steps[i].roots);
         // Load what the coefficients need.
         let mut inner = String::new();
         let mut loaded: Vec<usize> = Vec::new();
@@ -219,7 +212,7 @@ impl Writer<'_> {
             if self.depths[node] > 0 && !loaded.contains(&node) {
                 loaded.push(node);
                 let array = self.array(body, node);
-                let from = self.all[self.depths[node]].lanes;
+                let from = self.all[self.depths[node]];
                 let index = if from == p { "l".to_string() } else { format!("l % {from}") };
                 inner.push_str(&format!("let {array} = {array}_[{index}];\n"));
                 body.rename(node, &array);
@@ -293,8 +286,6 @@ impl Writer<'_> {
         margins: &[(String, usize, usize)],
     ) {
         let plan = &self.inverse.plan;
-        let last = self.all.len() - 1;
-        let _ = last;
         self.out.push_str(&format!("let mut error = [0.0; {total}];\nfor l in 0..{total} {{\n"));
         let mut loaded: Vec<usize> = Vec::new();
         for v in &self.inverse.confirmation {
@@ -302,7 +293,7 @@ impl Writer<'_> {
             if self.depths[node] > 0 && !loaded.contains(&node) {
                 loaded.push(node);
                 let array = self.array(body, node);
-                let from = self.all[self.depths[node]].lanes;
+                let from = self.all[self.depths[node]];
                 let index = if from == total { "l".to_string() } else { format!("l % {from}") };
                 self.out.push_str(&format!("let {array} = {array}_[{index}];\n"));
                 body.rename(node, &array);
@@ -330,7 +321,7 @@ impl Writer<'_> {
         let mut angles = Vec::new();
         for (i, solver) in self.inverse.solvers.iter().enumerate() {
             let at = solver.rows.concat().iter().map(|v| self.depths[v.node as usize]).max().unwrap_or(0);
-            let (p, before, roots) = (self.all[at].lanes, self.all[i].lanes, plan.steps[i].roots);
+            let (p, before, roots) = (self.all[at], self.all[i], plan.steps[i].roots);
             angles.push(if roots == 1 {
                 format!("g{i}[l % {p}]")
             } else {
@@ -345,7 +336,7 @@ impl Writer<'_> {
             .enumerate()
             .map(|(k, (q, form))| {
                 let shifted = !chain.joints[k].shift.is_zero();
-                let wraps = plan.axes.turns(k) && chain.is_direct() && !(plain(form) && !shifted);
+                let wraps = plan.axes.turns(k) && (shifted || !plain(form));
                 let value = if wraps { format!("::dh_robot::lanes::wrap({q})") } else { q };
                 format!("::core::array::from_fn(|l| {value})")
             })
@@ -353,7 +344,7 @@ impl Writer<'_> {
         self.out.push_str(&format!("let q: [[f64; {total}]; {}] = [{}];\n", chain.dof(), q.join(",\n")));
         let mut roots = String::new();
         for (i, step) in plan.steps.iter().enumerate().filter(|(_, s)| s.roots > 1) {
-            roots.push_str(&format!("let i{i} = l / {} % {};\n", self.all[i].lanes, step.roots));
+            roots.push_str(&format!("let i{i} = l / {} % {};\n", self.all[i], step.roots));
         }
         self.out.push_str(&format!(
             "::dh_robot::lanes::collect(&Self::JOINTS, &valid, &margin, &error, &q, |l| {{\n{roots}{}\n}})\n",
