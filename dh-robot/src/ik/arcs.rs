@@ -66,13 +66,7 @@ enum Verdict {
 impl<const C: usize> Search<C> {
     /// A search among coefficients of this size, with a relative limit for touching.
     pub(super) fn new(scale: f64, touch: f64) -> Self {
-        let mut search = Self {
-            touch: 0.0,
-            noise: 0.0,
-            nothing: 0.0,
-            brackets: List::new(),
-            touching: List::new(),
-        };
+        let mut search = Self { touch: 0.0, noise: 0.0, nothing: 0.0, brackets: List::new(), touching: List::new() };
         search.rescale(scale, touch);
         search
     }
@@ -262,11 +256,7 @@ fn verdict<const C: usize>(b: &[f64; C], touch: f64) -> Verdict {
     // Worst case: an uncertain coefficient opposes its predecessor.
     let (mut worst, mut sign) = (0, 0.0f64);
     for &x in b.iter() {
-        let s = if x.abs() <= touch {
-            if sign == 0.0 { 0.0 } else { -sign }
-        } else {
-            1f64.copysign(x)
-        };
+        let s = if x.abs() <= touch { if sign == 0.0 { 0.0 } else { -sign } } else { 1f64.copysign(x) };
         if s * sign < 0.0 {
             worst += 1;
         }

@@ -163,7 +163,8 @@ pub fn same_solution<const N: usize>(
     if !polish(arm, &mut middle, task, reach, 4).reaches(REACHED) {
         return false;
     }
-    let distance = |q: &[f64; N]| middle.iter().zip(q).fold(0.0f64, |m, (a, b)| m.max(super::math::sin_cos(a - b).0.abs()));
+    let distance =
+        |q: &[f64; N]| middle.iter().zip(q).fold(0.0f64, |m, (a, b)| m.max(super::math::sin_cos(a - b).0.abs()));
     distance(p).min(distance(q)) > 0.2 * apart
 }
 

@@ -284,6 +284,14 @@ impl Knowledge {
     }
 }
 
+impl Known {
+    /// Cosine and sine, or the length twice, at given coordinates.
+    pub fn value(&self, x: &[f64]) -> [f64; 2] {
+        let u: f64 = self.form.iter().zip(x).map(|(k, x)| f64::from(*k) * x).sum();
+        if self.turns { [u.cos(), u.sin()] } else { [u, u] }
+    }
+}
+
 impl KnownPose {
     /// All its symbols.
     pub fn symbols(&self) -> impl Iterator<Item = Symbol> + '_ {

@@ -2,7 +2,7 @@
 
 use super::axes::{Axes, generic_parameter};
 use super::kernels::pose;
-use super::known::{Knowledge, Known};
+use super::known::Knowledge;
 use crate::algebra::{AngleVar, Point, Poly, Symbol};
 use crate::chain::{Chain, Coordinate, Handle};
 
@@ -13,12 +13,6 @@ pub(super) struct Sample<'a> {
     /// Joint coordinates.
     pub(super) x: Vec<f64>,
     values: Vec<(Symbol, f64)>,
-}
-
-/// Cosine and sine (or length) of a known form.
-pub(super) fn value_of(known: &Known, x: &[f64]) -> [f64; 2] {
-    let u: f64 = known.form.iter().zip(x).map(|(k, x)| f64::from(*k) * x).sum();
-    if known.turns { [u.cos(), u.sin()] } else { [u, u] }
 }
 
 impl<'a> Sample<'a> {
@@ -39,7 +33,7 @@ impl<'a> Sample<'a> {
             values.push((k.square, (0..3).map(|m| t[m][3] * t[m][3]).sum()));
         }
         for known in &knowledge.known {
-            let [c, s] = value_of(known, &x);
+            let [c, s] = known.value(&x);
             values.push((known.symbols[0], c));
             values.push((known.symbols[1], s));
         }

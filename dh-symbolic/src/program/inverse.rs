@@ -36,6 +36,8 @@ pub struct Inverse {
     pub joints: Vec<Vec<i8>>,
     /// The pose that the known combinations give (12 values, columns first, lengths over the reach): what a branch is confirmed by.
     pub confirmation: Vec<Value>,
+    /// For the general elimination: the best ways to cut the loop of joints (`ik::general::Choice`).
+    pub choices: [u8; 3],
 }
 
 /// A pose of values.
@@ -91,7 +93,9 @@ impl Inverse {
             .collect();
         let confirmation = l.confirmation(chain);
         let graph = l.g;
-        Inverse { graph, target, solvers, joints, confirmation, plan }
+        let mut inverse = Inverse { graph, target, solvers, joints, confirmation, choices: [0; 3], plan };
+        inverse.choices = inverse.best_choices(chain);
+        inverse
     }
 
     /// How many known combinations must be there before each node can be computed.

@@ -26,26 +26,38 @@ pub const NOISE: f64 = 1e-11;
 type Pair = [f64; 2];
 
 impl Inverse {
+    /// The best cuts for the general elimination, by trial on samples of the arm; what is given varies from sample to sample.
+    pub(super) fn best_choices(&self, chain: &Chain) -> [u8; 3] {
+        let Some(i) = self.solvers.iter().position(|s| s.kind == StepKind::General) else { return [0; 3] };
+        let (solver, step) = (&self.solvers[i], &self.plan.steps[i]);
+        let samples: Vec<(ik::Chain<6>, [f64; 6])> = crate::planner::joint_vectors(&self.plan.axes, TRIALS, 0)
+            .into_iter()
+            .map(|x| {
+                let mut run = Run::new(self, chain, &ik::pose::IDENTITY);
+                let mut values = vec![0.0; run.depths.len()];
+                run.evaluate(&mut values, 0);
+                for k in 0..step.before {
+                    run.known.push(self.plan.knowledge.known[k].value(&x));
+                    run.evaluate(&mut values, k + 1);
+                }
+                let rows = numbers(solver, &values);
+                let links = std::array::from_fn(|r| pose_of(&rows[r]));
+                let open = step.unknown.iter().map(|f| f.iter().position(|k| *k != 0).map_or(0.0, |k| x[k]));
+                let mut q = [0.0; 6];
+                for (q, x) in q.iter_mut().zip(open) {
+                    *q = x;
+                }
+                (ik::Chain { links, slides: [false; 6] }, q)
+            })
+            .collect();
+        let ranked = ik::general::rank::<3>(&samples);
+        let number = |i: usize| ranked.as_slice().get(i).or(ranked.as_slice().first()).map_or(0, |r| r.choice.number());
+        [number(0), number(1), number(2)]
+    }
+
     /// All candidates for a target (lengths over the reach) and given values of the known combinations.
     pub fn solve(&self, chain: &Chain, target: &Pose, given: &[f64]) -> Vec<Candidate> {
-        let depths = self.depths();
-        let mut live = vec![false; depths.len()];
-        for s in &self.solvers {
-            for (i, l) in self.graph.live(&s.rows.concat()).into_iter().enumerate() {
-                live[i] |= l;
-            }
-        }
-        let mut run = Run {
-            inverse: self,
-            chain,
-            target,
-            depths,
-            live,
-            known: Vec::new(),
-            branch: Vec::new(),
-            free: Vec::new(),
-            found: Vec::new(),
-        };
+        let mut run = Run::new(self, chain, target);
         let mut values = vec![0.0; run.depths.len()];
         run.evaluate(&mut values, 0);
         for (i, x) in given.iter().enumerate() {
@@ -107,7 +119,19 @@ struct Run<'a> {
     found: Vec<Candidate>,
 }
 
-impl Run<'_> {
+impl<'a> Run<'a> {
+    fn new(inverse: &'a Inverse, chain: &'a Chain, target: &'a Pose) -> Run<'a> {
+        let depths = inverse.depths();
+        let mut live = vec![false; depths.len()];
+        for s in &inverse.solvers {
+            for (i, l) in inverse.graph.live(&s.rows.concat()).into_iter().enumerate() {
+                live[i] |= l;
+            }
+        }
+        let (known, branch, free, found) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Run { inverse, chain, target, depths, live, known, branch, free, found }
+    }
+
     /// Computes the nodes of one depth.
     fn evaluate(&self, x: &mut [f64], depth: usize) {
         let reach = self.inverse.plan.axes.reach;
@@ -152,14 +176,8 @@ impl Run<'_> {
             self.finish();
             return;
         };
-        let row = |r: usize| -> Vec<f64> {
-            solver.rows[r]
-                .iter()
-                .map(|v| if v.negative { -values[v.node as usize] } else { values[v.node as usize] })
-                .collect()
-        };
-        let rows: Vec<Vec<f64>> = (0..solver.rows.len()).map(row).collect();
-        let (roots, is_free) = solve_step(solver, &rows);
+        let rows = numbers(solver, values);
+        let (roots, is_free) = solve_step(solver, &rows, inverse.choices);
         for (r, root) in roots.into_iter().enumerate() {
             let mut next = values.to_vec();
             self.branch.push(r);
@@ -193,12 +211,26 @@ impl Run<'_> {
     }
 }
 
+/// Arms on which the cuts of the general elimination are tried.
+const TRIALS: usize = 5;
+
+/// The coefficients of a step.
+fn numbers(solver: &Solver, values: &[f64]) -> Vec<Vec<f64>> {
+    let signed = |v: &super::Value| if v.negative { -values[v.node as usize] } else { values[v.node as usize] };
+    solver.rows.iter().map(|row| row.iter().map(signed).collect()).collect()
+}
+
+/// A pose from its columns.
+fn pose_of(row: &[f64]) -> Pose {
+    std::array::from_fn(|i| std::array::from_fn(|j| row.get(3 * j + i).copied().unwrap_or(0.0)))
+}
+
 fn nine(row: &[f64]) -> [f64; 9] {
     std::array::from_fn(|i| row.get(i).copied().unwrap_or(0.0))
 }
 
 /// The roots of one step, and whether they stand for a continuum.
-fn solve_step(solver: &Solver, rows: &[Vec<f64>]) -> (Vec<Vec<Pair>>, bool) {
+fn solve_step(solver: &Solver, rows: &[Vec<f64>], choices: [u8; 3]) -> (Vec<Vec<Pair>>, bool) {
     let angles = |found: ik::Angles<2>| {
         let free = found.is_free();
         (found.or_if_free([1.0, 0.0]).iter().map(|r| vec![*r]).collect(), free)
@@ -243,6 +275,12 @@ fn solve_step(solver: &Solver, rows: &[Vec<f64>]) -> (Vec<Vec<Pair>>, bool) {
             (found.or_if_free((0.0, [1.0, 0.0])).iter().map(|r| vec![[r.0, r.0], r.1]).collect(), free)
         }
         StepKind::Choose => (vec![vec![[1.0, 0.0]]], true),
-        StepKind::General => (Vec::new(), false),
+        StepKind::General => {
+            let links = std::array::from_fn(|r| pose_of(&rows[r]));
+            let solved =
+                ik::general::General6R::new(&links, choices.map(ik::general::Choice::new)).solve(&pose_of(&rows[6]));
+            let pairs = |q: &[f64; 6]| q.iter().map(|x| [x.cos(), x.sin()]).collect();
+            (solved.solutions.iter().map(pairs).collect(), false)
+        }
     }
 }

@@ -1,11 +1,11 @@
 //! Which joint plays which part in the elimination, and the search for the best cast.
 
-use super::closure::Closure;
-use super::dialytic::Dialytic;
-use super::solve::General6R;
 use super::super::math::sin_cos;
 use super::super::pose::Chain;
 use super::super::{Blank, Kinematics, List};
+use super::closure::Closure;
+use super::dialytic::Dialytic;
+use super::solve::General6R;
 
 /// How the loop of six joints is cut. There are [`Choice::COUNT`]; structured arms make many of them useless.
 ///
@@ -122,7 +122,9 @@ pub fn rank<const K: usize>(samples: &[(Chain<6>, [f64; 6])]) -> List<Ranked, K>
             let arm = General6R::new(&arm.links, [ranked.choice; 3]);
             let mut solutions = List::new();
             let attempt = arm.attempt(&arm.scaled_arm().forward(q), ranked.choice, &mut solutions);
-            let hit = solutions.iter().any(|p: &[f64; 6]| p.iter().zip(q).all(|(a, b)| sin_cos(0.5 * (a - b)).0.abs() < 1e-5));
+            let hit = solutions
+                .iter()
+                .any(|p: &[f64; 6]| p.iter().zip(q).all(|(a, b)| sin_cos(0.5 * (a - b)).0.abs() < 1e-5));
             ranked.misses += usize::from(!hit);
             ranked.unclean += usize::from(!attempt.clean);
             ranked.work += attempt.work;

@@ -1,9 +1,9 @@
 //! The closed loop of six joints as fourteen equations in five angles, and the linear elimination of two of them.
 
-use super::choice::Choice;
-use super::conformal::{Axis, EXPRESSIONS};
 use super::super::math::sqrt;
 use super::super::pose::{Chain, Pose, compose, inverse};
+use super::choice::Choice;
+use super::conformal::{Axis, EXPRESSIONS};
 
 /// Monomials of the three middle angles: `(1, cos, sin)` of each; the last angle runs fastest.
 pub(super) const MONOMIALS: usize = 27;

@@ -48,7 +48,8 @@ impl Axis {
         let tt = dot(t, t);
         let along = dot(t, l);
         let (tl, tm) = (cross(t, l), cross(t, m));
-        let mut out = Self { vectors: [l, m, r, p], scalars: [pp + 2.0 * dot(t, p) + tt * self.one, pl + along], one: self.one };
+        let mut out =
+            Self { vectors: [l, m, r, p], scalars: [pp + 2.0 * dot(t, p) + tt * self.one, pl + along], one: self.one };
         for i in 0..3 {
             out.vectors[1][i] += tl[i];
             out.vectors[2][i] += tt * l[i] - 2.0 * (tm[i] + (along + pl) * t[i]);
@@ -66,7 +67,8 @@ impl Axis {
     /// The axis after a turn about z, as coefficients of 1, `cos` and `sin`.
     #[inline]
     pub(super) fn turned(&self) -> [Self; 3] {
-        let mut out = [Self { scalars: self.scalars, one: self.one, ..Self::default() }, Self::default(), Self::default()];
+        let mut out =
+            [Self { scalars: self.scalars, one: self.one, ..Self::default() }, Self::default(), Self::default()];
         for (i, v) in self.vectors.iter().enumerate() {
             out[0].vectors[i][2] = v[2];
             out[1].vectors[i] = [v[0], v[1], 0.0];

@@ -1,9 +1,9 @@
 //! All real roots of the determinant, from its values.
 
-use super::dialytic::Dialytic;
 use super::super::arcs::{Arc, Bracket, MAX_DEPTH, Search};
 use super::super::bernstein::{Nodes, sin_cos_series};
 use super::super::{List, TrigPoly};
+use super::dialytic::Dialytic;
 
 /// A polynomial known to be smaller than this (relative) all over an arc has lost too many digits there, and is interpolated anew.
 const FLAT: f64 = 1e-6;

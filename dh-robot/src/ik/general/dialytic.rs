@@ -9,10 +9,10 @@
 //!
 //! which have a solution other than zero only where the determinant vanishes.
 
+use super::super::math::{sin_cos, sqrt};
+use super::super::{Blank, List};
 use super::choice::Choice;
 use super::closure::{Closure, EQUATIONS, unit};
-use super::super::{Blank, List};
-use super::super::math::{sin_cos, sqrt};
 
 /// Rows and columns of the matrix.
 const SIZE: usize = 2 * EQUATIONS;

@@ -1,13 +1,15 @@
 //! From the determinant of a loop to the joint vectors of the arm.
 
+use super::super::math::{atan2, sin_cos, wrapped};
+use super::super::pose::{Chain, IDENTITY, Pose, compose, inverse, turn};
+use super::super::tolerance::REACHED;
+use super::super::{
+    Found, Kinematics, List, Outcome, Task, polish, same_solution, solve_from_everywhere, solve_nearby,
+};
 use super::choice::Choice;
 use super::closure::Closure;
 use super::determinant::Determinant;
 use super::dialytic::{Dialytic, Refined};
-use super::super::math::{atan2, sin_cos, wrapped};
-use super::super::pose::{Chain, IDENTITY, Pose, compose, inverse, turn};
-use super::super::tolerance::REACHED;
-use super::super::{Kinematics, List, Task, polish, same_solution, solve_from_everywhere, solve_nearby};
 
 /// Steps of polishing.
 const STEPS: usize = 12;
@@ -93,6 +95,25 @@ impl General6R {
             *q = q.map(wrapped);
         }
         solved
+    }
+
+    /// The same as cosines and sines, the way the other kernels answer; [`Outcome::Free`] where nothing was found at a pose that
+    /// is singular or nearly so, [`Outcome::NoRealRoot`] where there is nothing.
+    pub fn find(&self, target: &Pose) -> Found<[[f64; 2]; 6], 16> {
+        let solved = self.solve(target);
+        let mut roots = List::new();
+        for q in solved.solutions.as_slice() {
+            roots.push(q.map(|x| {
+                let (s, c) = sin_cos(x);
+                [c, s]
+            }));
+        }
+        let outcome = match (roots.as_slice().is_empty(), solved.clean) {
+            (false, _) => Outcome::Regular,
+            (true, true) => Outcome::NoRealRoot,
+            (true, false) => Outcome::Free,
+        };
+        Found { roots, outcome }
     }
 
     /// Adds the solutions that one elimination finds.

@@ -283,7 +283,7 @@ fn candidates(chain: &Chain, inverse: &Inverse) -> String {
     for (i, (solver, step)) in inverse.solvers.iter().zip(&plan.steps).enumerate() {
         let names: Vec<String> = step.unknown.iter().map(|f| plan.knowledge.form_name(&plan.axes, f)).collect();
         out.push_str(&format!("// {}\n", names.join(", ")));
-        let call = call(solver, &body);
+        let call = call(solver, &body, inverse.choices);
         out.push_str(&format!("let r{i} = {};\n", call.text));
         let length = step.equations.iter().any(|e| !matches!(e.scalar, crate::planner::Scalar::Rotation(..)));
         let (scale, what) = if length { (reach.clone(), unit) } else { ("1.0".into(), "") };
@@ -398,7 +398,7 @@ struct Call {
     pattern: fn(&[[String; 2]]) -> String,
 }
 
-fn call(solver: &Solver, body: &Body<'_>) -> Call {
+fn call(solver: &Solver, body: &Body<'_>, choices: [u8; 3]) -> Call {
     let noise = format!("{NOISE:e}");
     let v = |r: usize, i: usize| solver.rows.get(r).and_then(|row| row.get(i)).map_or("0.0".into(), |v| body.value(*v));
     let minus =
@@ -469,8 +469,13 @@ fn call(solver: &Solver, body: &Body<'_>) -> Call {
                     format!("[{}, {}, {}]", row(0), row(1), row(2))
                 })
                 .collect();
+            let cuts = choices.map(|c| format!("::dh_robot::ik::general::Choice::new({c})")).join(", ");
             (
-                format!("::dh_robot::ik::solve_six_turns(&[{}], &{}, {noise})", poses[..6].join(", "), poses[6]),
+                format!(
+                    "::dh_robot::ik::general::General6R::new(&[{}], [{cuts}]).find(&{})",
+                    poses[..6].join(", "),
+                    poses[6]
+                ),
                 "[[1.0, 0.0]; 6]",
                 (|s| format!("[{}]", s.iter().map(|x| format!("[{}, {}]", x[0], x[1])).collect::<Vec<_>>().join(", ")))
                     as fn(&[[String; 2]]) -> String,
