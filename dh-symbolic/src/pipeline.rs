@@ -2,7 +2,7 @@
 
 use crate::chain::table::{Claims, Parsed, Sketch, parse};
 use crate::chain::{Chain, Scalar, Task};
-use crate::diagnostic::{Error, Place};
+use crate::diagnostic::{Error, Errors, Place};
 use crate::kinematics::claims;
 use crate::planner;
 use crate::program::{Forward, Inverse};
@@ -12,16 +12,23 @@ use proc_macro2::{Ident, Span, TokenStream};
 
 /// Expands the body of `dh_robot!`: items, or errors beside a stub of the type.
 pub fn expand(input: TokenStream) -> TokenStream {
+    let (items, errors) = compile(input);
+    let mut out = errors.to_compile_errors();
+    out.extend(items);
+    out
+}
+
+/// The items of a table, and what is wrong with it: then the items are a stub of the type.
+pub fn compile(input: TokenStream) -> (TokenStream, Errors) {
     let mut parsed = parse(input);
     let head = head(&parsed);
     let items =
         parsed.spec.take().filter(|_| parsed.errors.is_empty()).map(|spec| items(&head, Chain::new(spec), &mut parsed));
-    let mut out = parsed.errors.to_compile_errors();
-    out.extend(match items {
+    let items = match items {
         Some(items) if parsed.errors.is_empty() => items,
         _ => stub(&head, &parsed.sketch),
-    });
-    out
+    };
+    (items, parsed.errors)
 }
 
 /// The items of a robot whose table is in order.

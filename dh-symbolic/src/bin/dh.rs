@@ -1,2 +1,192 @@
-//! The `dh` command.
-fn main() {}
+//! The `dh` command: notes, proofs, plans and expanded code of a table, from a file or standard input.
+//!
+//! Exit code 0: done. 1: a claim of a `prove` block is wrong. 2: bad usage or a bad table.
+
+use dh_symbolic::chain::Chain;
+use dh_symbolic::chain::table::{Claims, Parsed, parse};
+use dh_symbolic::diagnostic::lex;
+use dh_symbolic::kinematics::claims;
+use dh_symbolic::pipeline::compile;
+use dh_symbolic::render::notes::{Language, Options, notes};
+use dh_symbolic::render::{Format, rust::pretty, verdict};
+use std::io::{Read, Write};
+use std::process::ExitCode;
+
+const USAGE: &str = "\
+dh: kinematics from a Denavit-Hartenberg table
+
+  dh notes  [FILE] [--to FORMAT] [--lang en|zh]   lecture notes: text, latex, markdown, typst, html
+  dh check  [FILE]                                the table, and the claims of its prove blocks
+  dh expand [FILE]                                the Rust code that dh_robot! leaves behind
+
+FILE holds the body of dh_robot!; without it, or with -, standard input is read.
+Exit code: 0, 1 (a claim is wrong), 2 (bad usage or table).
+";
+
+const WRONG: u8 = 1;
+const BAD: u8 = 2;
+
+/// What to print, and the exit code.
+struct Answer {
+    out: String,
+    err: String,
+    code: u8,
+}
+
+impl Answer {
+    fn good(out: String) -> Answer {
+        Answer { out, err: String::new(), code: 0 }
+    }
+
+    fn bad(err: String) -> Answer {
+        Answer { out: String::new(), err, code: BAD }
+    }
+}
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let answer = run(&arguments);
+    // A reader that has gone away (`dh notes | head`) is no error.
+    let _ = std::io::stderr().write_all(answer.err.as_bytes());
+    let _ = std::io::stdout().write_all(answer.out.as_bytes());
+    ExitCode::from(answer.code)
+}
+
+/// The command line, taken apart.
+struct Request {
+    command: String,
+    file: Option<String>,
+    format: Format,
+    language: Language,
+}
+
+fn run(arguments: &[String]) -> Answer {
+    if arguments.iter().any(|a| a == "--help" || a == "-h") || arguments.first().is_some_and(|a| a == "help") {
+        return Answer::good(USAGE.to_string());
+    }
+    if arguments.iter().any(|a| a == "--version" || a == "-V") {
+        return Answer::good(format!("dh {}\n", env!("CARGO_PKG_VERSION")));
+    }
+    let request = match request(arguments) {
+        Ok(r) => r,
+        Err(message) => return Answer::bad(format!("error: {message}\n\n{USAGE}")),
+    };
+    let source = match read(request.file.as_deref()) {
+        Ok(text) => text,
+        Err(message) => return Answer::bad(format!("error: {message}\n")),
+    };
+    let name = request.file.as_deref().filter(|f| *f != "-").unwrap_or("standard input");
+    match request.command.as_str() {
+        "notes" => with_chain(&source, name, |_, chain| {
+            let options = Options { language: request.language, ..Options::default() };
+            Answer::good(notes(&chain, &options).print(request.format))
+        }),
+        "check" => with_chain(&source, name, check),
+        _ => expand(&source, name),
+    }
+}
+
+fn request(arguments: &[String]) -> Result<Request, String> {
+    let mut r = Request { command: String::new(), file: None, format: Format::Text, language: Language::English };
+    let mut list = arguments.iter();
+    while let Some(a) = list.next() {
+        let (name, attached) = match a.split_once('=') {
+            Some((n, v)) if n.starts_with("--") => (n, Some(v.to_string())),
+            _ => (a.as_str(), None),
+        };
+        let mut value = || attached.clone().or_else(|| list.next().cloned()).ok_or(format!("`{name}` needs a value"));
+        match name {
+            "--to" => {
+                let wanted = value()?;
+                let known = Format::ALL.iter().find(|(n, _)| *n == wanted);
+                r.format = known.map(|(_, f)| *f).ok_or_else(|| {
+                    let names: Vec<&str> = Format::ALL.iter().map(|(n, _)| *n).collect();
+                    format!("no format `{wanted}`: one of {}", names.join(", "))
+                })?;
+            }
+            "--lang" => {
+                r.language = match value()?.as_str() {
+                    "en" => Language::English,
+                    "zh" => Language::Chinese,
+                    other => return Err(format!("no language `{other}`: en or zh")),
+                };
+            }
+            _ if name.starts_with("--") => return Err(format!("no option `{name}`")),
+            _ if r.command.is_empty() => r.command = a.clone(),
+            _ if r.file.is_none() => r.file = Some(a.clone()),
+            _ => return Err(format!("one file at a time: `{a}` is too much")),
+        }
+    }
+    match r.command.as_str() {
+        "notes" | "check" | "expand" => Ok(r),
+        "" => Err("what shall be done?".into()),
+        other => Err(format!("no command `{other}`")),
+    }
+}
+
+fn read(file: Option<&str>) -> Result<String, String> {
+    match file {
+        None | Some("-") => {
+            let mut text = String::new();
+            std::io::stdin().read_to_string(&mut text).map_err(|e| format!("standard input: {e}"))?;
+            Ok(text)
+        }
+        Some(path) => std::fs::read_to_string(path).map_err(|e| format!("{path}: {e}")),
+    }
+}
+
+/// Reads the table; its errors are drawn.
+fn with_chain(source: &str, name: &str, go: impl FnOnce(&Parsed, Chain) -> Answer) -> Answer {
+    let tokens = match lex(source) {
+        Ok(tokens) => tokens,
+        Err(errors) => return Answer::bad(errors.draw(source, name)),
+    };
+    let mut parsed = parse(tokens);
+    match parsed.spec.take().filter(|_| parsed.errors.is_empty()) {
+        Some(spec) => go(&parsed, Chain::new(spec)),
+        None => Answer::bad(parsed.errors.draw(source, name)),
+    }
+}
+
+/// Number of lines of `prove` blocks, how many are not proven, and the report.
+fn derivation(parsed: &Parsed, chain: &Chain) -> (usize, usize, String) {
+    let claims = Claims::read(&parsed.claims);
+    let report = claims::check(chain, &claims.derivation);
+    let proven = |v: &&claims::Verdict| !matches!(v, claims::Verdict::Wrong(_) | claims::Verdict::NotUnderstood(..));
+    let good = report.verdicts.iter().filter(proven).count();
+    let text = verdict::derivation_report(&report, &claims.derivation);
+    (report.verdicts.len(), report.verdicts.len() - good, text)
+}
+
+fn check(parsed: &Parsed, chain: Chain) -> Answer {
+    let mut out = format!("{}: {} rows, {} joints, in order\n", chain.name, chain.links.len(), chain.dof());
+    if parsed.claims.is_empty() {
+        return Answer::good(out);
+    }
+    let (lines, wrong, report) = derivation(parsed, &chain);
+    out.push_str(&report);
+    out.push_str(&match wrong {
+        0 => format!("{lines} lines, none wrong\n"),
+        _ => format!("{lines} lines, {wrong} not proven\n"),
+    });
+    Answer { out, err: String::new(), code: if wrong > 0 { WRONG } else { 0 } }
+}
+
+fn expand(source: &str, name: &str) -> Answer {
+    with_chain(source, name, |parsed, chain| {
+        let tokens = match lex(source) {
+            Ok(tokens) => tokens,
+            Err(errors) => return Answer::bad(errors.draw(source, name)),
+        };
+        let (items, errors) = compile(tokens);
+        if !errors.is_empty() {
+            let wrong = !parsed.claims.is_empty() && derivation(parsed, &chain).1 > 0;
+            let err = errors.draw(source, name);
+            return Answer { out: String::new(), err, code: if wrong { WRONG } else { BAD } };
+        }
+        match pretty(items) {
+            Ok(text) => Answer::good(text),
+            Err(e) => Answer::bad(format!("error: {e}\n")),
+        }
+    })
+}

@@ -1,9 +1,30 @@
 //! Writing it down: code and notes.
 //!
-//! **In:** chains, plans, programs, documents. **Out:** text and tokens.
+//! **In:** chains, plans, programs. **Out:** text and tokens.
+//!
+//! Formulas go from the normal form to an [`expression::Expression`] in the textbook's shape ([`grouping`]), get their names
+//! ([`notation`]) and become typeset [`math`] ([`typeset`](notation::Notation::typeset)), which stands in a [`document`] and
+//! is printed as [`text`], [`latex`], [`markdown`], [`typst`] or [`html`].
 //!
 //! **Never here:** decisions about kinematics.
 
+pub mod document;
 pub mod errata;
+pub mod expression;
+pub mod grouping;
+pub mod html;
+pub mod latex;
+pub mod markdown;
+pub mod math;
+pub mod notation;
+pub mod notes;
 pub mod rust;
+#[cfg(test)]
+mod samples;
+pub mod text;
+mod typeset;
+pub mod typst;
 pub mod verdict;
+
+pub use document::{Document, Format};
+pub use notes::{Language, Options, notes};

@@ -1,0 +1,140 @@
+//! HTML with MathML: a page that needs no script and no network.
+
+use super::document::{Block, Document, Equation, Span, Text};
+use super::math::{Math, Script, Sign};
+
+/// The note as a page.
+pub fn document(d: &Document) -> String {
+    let mut out = format!(
+        "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n<title>{}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<h1>{}</h1>\n",
+        d.language,
+        escape(&d.title),
+        escape(&d.title)
+    );
+    d.blocks.iter().for_each(|b| out.push_str(&block(b)));
+    out.push_str("</body>\n</html>\n");
+    out
+}
+
+const STYLE: &str = "body { max-width: 60rem; margin: 2rem auto; padding: 0 1rem; font-family: serif; line-height: 1.5; }\n\
+table.data { border-collapse: collapse; margin: 1rem auto; border-block: 1px solid; }\n\
+table.data th { border-bottom: 1px solid; }\ntable.data th, table.data td { padding: 0.2rem 0.8rem; text-align: center; }\n\
+div.display { overflow-x: auto; margin: 1rem 0; }\n\
+mtd.left { text-align: right; }\nmtd.right { text-align: left; }\n";
+
+fn block(b: &Block) -> String {
+    match b {
+        Block::Heading(level, t) => format!("<h{0}>{1}</h{0}>\n", level + 1, text(t)),
+        Block::Paragraph(t) => format!("<p>{}</p>\n", text(t)),
+        Block::Equations(list) => equations(list),
+        Block::Table(header, rows) => {
+            let line = |r: &[Text], tag: &str| {
+                let cells: String = r.iter().map(|t| format!("<{tag}>{}</{tag}>", text(t))).collect();
+                format!("<tr>{cells}</tr>\n")
+            };
+            let body: String = rows.iter().map(|r| line(r, "td")).collect();
+            format!("<table class=\"data\">\n{}{body}</table>\n", line(header, "th"))
+        }
+        Block::List(items) => {
+            let items: String = items.iter().map(|t| format!("<li>{}</li>\n", text(t))).collect();
+            format!("<ul>\n{items}</ul>\n")
+        }
+        Block::Code(_, code) => format!("<pre><code>{}</code></pre>\n", escape(code)),
+    }
+}
+
+fn equations(list: &[Equation]) -> String {
+    let mut rows = String::new();
+    for e in list {
+        for (i, line) in e.right.iter().enumerate() {
+            let (left, sign) = match i {
+                0 => (math(&e.left), "<mo>=</mo>"),
+                _ => (String::new(), "<mspace width=\"2em\"/>"),
+            };
+            let number = match e.number {
+                Some(n) if i + 1 == e.right.len() => format!("<mtext>({n})</mtext>"),
+                _ => String::new(),
+            };
+            rows.push_str(&format!(
+                "<mtr><mtd class=\"left\">{left}</mtd><mtd class=\"right\">{sign}{}</mtd><mtd>{number}</mtd></mtr>\n",
+                math(line)
+            ));
+        }
+    }
+    format!(
+        "<div class=\"display\"><math display=\"block\"><mtable displaystyle=\"true\">\n{rows}</mtable></math></div>\n"
+    )
+}
+
+fn text(t: &Text) -> String {
+    t.0.iter()
+        .map(|s| match s {
+            Span::Plain(words) => escape(words),
+            Span::Code(words) => format!("<code>{}</code>", escape(words)),
+            Span::Math(m) => format!("<math>{}</math>", math(m)),
+        })
+        .collect()
+}
+
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// A formula as MathML, without the `math` element.
+pub fn math(m: &Math) -> String {
+    match m {
+        Math::Row(list) => format!("<mrow>{}</mrow>", list.iter().map(math).collect::<String>()),
+        Math::Letter(c) => format!("<mi>{}</mi>", escape(&c.to_string())),
+        // A name of one letter would come out italic.
+        Math::Word(w) => format!("<mi mathvariant=\"normal\">{}</mi>", escape(w)),
+        Math::Number(n) => format!("<mn>{}</mn>", escape(n)),
+        Math::Sign(s) => match s {
+            Sign::Plus => "<mo>+</mo>",
+            Sign::Minus => "<mo>−</mo>",
+            Sign::Negative => "<mo form=\"prefix\">−</mo>",
+            Sign::Equals => "<mo>=</mo>",
+            Sign::Times => "<mspace width=\"0.17em\"/>",
+            Sign::Comma => "<mo separator=\"true\">,</mo>",
+            Sign::Degree => "<mi mathvariant=\"normal\">°</mi>",
+            Sign::PlusMinus => "<mo>±</mo>",
+            Sign::Arrow => "<mo>→</mo>",
+            Sign::Apply => "<mo>&#x2061;</mo><mspace width=\"0.17em\"/>",
+            Sign::Thin => "<mspace width=\"0.17em\"/>",
+            Sign::Wide => "<mspace width=\"2em\"/>",
+            Sign::Dots => "<mo>,</mo><mo>…</mo><mo>,</mo>",
+        }
+        .to_string(),
+        Math::Open(c) => format!("<mo stretchy=\"false\" form=\"prefix\">{c}</mo>"),
+        Math::Close(c) => format!("<mo stretchy=\"false\" form=\"postfix\">{c}</mo>"),
+        Math::Script(s) => script(s),
+        Math::Fraction(n, d) => format!("<mfrac displaystyle=\"false\">{}{}</mfrac>", math(n), math(d)),
+        Math::Root(x) => format!("<msqrt>{}</msqrt>", math(x)),
+        Math::Matrix(rows) => {
+            let rows: String = rows
+                .iter()
+                .map(|r| {
+                    let cells: String = r.iter().map(|c| format!("<mtd>{}</mtd>", math(c))).collect();
+                    format!("<mtr>{cells}</mtr>")
+                })
+                .collect();
+            format!("<mrow><mo>[</mo><mtable>{rows}</mtable><mo>]</mo></mrow>")
+        }
+    }
+}
+
+fn script(s: &Script) -> String {
+    let base = math(&s.base);
+    let corner = |m: &Option<Math>| m.as_ref().map_or("<mrow/>".to_string(), math);
+    match (&s.before_sub, &s.before_sup, &s.sub, &s.sup) {
+        (None, None, Some(sub), None) => format!("<msub>{base}{}</msub>", math(sub)),
+        (None, None, None, Some(sup)) => format!("<msup>{base}{}</msup>", math(sup)),
+        (None, None, _, _) => format!("<msubsup>{base}{}{}</msubsup>", corner(&s.sub), corner(&s.sup)),
+        _ => format!(
+            "<mmultiscripts>{base}{}{}<mprescripts/>{}{}</mmultiscripts>",
+            corner(&s.sub),
+            corner(&s.sup),
+            corner(&s.before_sub),
+            corner(&s.before_sup)
+        ),
+    }
+}

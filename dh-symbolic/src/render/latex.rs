@@ -1,0 +1,212 @@
+//! LaTeX: formulas for any document, and whole notes that compile with amsmath alone.
+
+use super::document::{Block, Document, Equation, Span, Text};
+use super::math::{Math, Script, Sign};
+
+/// The note as a document.
+pub fn document(d: &Document) -> String {
+    let chinese = d.language == "zh";
+    let class = if chinese { "ctexart" } else { "article" };
+    let mut out = format!(
+        "\\documentclass[a4paper,11pt]{{{class}}}\n\\usepackage{{amsmath}}\n\\usepackage[margin=25mm]{{geometry}}\n\
+         \\setcounter{{MaxMatrixCols}}{{20}}\n\\allowdisplaybreaks\n\\title{{{}}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n",
+        escape(&d.title)
+    );
+    for b in &d.blocks {
+        out.push('\n');
+        out.push_str(&block(b));
+    }
+    out.push_str("\n\\end{document}\n");
+    out
+}
+
+fn block(b: &Block) -> String {
+    match b {
+        Block::Heading(1, t) => format!("\\section{{{}}}\n", text(t)),
+        Block::Heading(_, t) => format!("\\subsection{{{}}}\n", text(t)),
+        Block::Paragraph(t) => format!("{}\n", text(t)),
+        Block::Equations(list) => {
+            format!("\\begin{{align*}}\n{}\n\\end{{align*}}\n", aligned(list, true))
+        }
+        Block::Table(header, rows) => {
+            let line = |r: &[Text]| format!("{} \\\\\n", r.iter().map(text).collect::<Vec<_>>().join(" & "));
+            format!(
+                "\\begin{{center}}\n\\begin{{tabular}}{{{}}}\n\\hline\n{}\\hline\n{}\\hline\n\\end{{tabular}}\n\\end{{center}}\n",
+                "c".repeat(header.len()),
+                line(header),
+                rows.iter().map(|r| line(r)).collect::<String>()
+            )
+        }
+        Block::List(items) => {
+            let items: String = items.iter().map(|t| format!("\\item {}\n", text(t))).collect();
+            format!("\\begin{{itemize}}\n{items}\\end{{itemize}}\n")
+        }
+        Block::Code(_, code) => format!("\\begin{{verbatim}}\n{}\n\\end{{verbatim}}\n", code.trim_end()),
+    }
+}
+
+/// Rows of an `aligned` or `align*` environment.
+pub(super) fn aligned(list: &[Equation], tags: bool) -> String {
+    let mut rows = Vec::new();
+    for e in list {
+        for (i, line) in e.right.iter().enumerate() {
+            let tag = match e.number {
+                Some(n) if tags && i + 1 == e.right.len() => format!(" \\tag{{{n}}}"),
+                _ => String::new(),
+            };
+            rows.push(match i {
+                0 => format!("  {} &= {}{tag}", math(&e.left), math(line)),
+                _ => format!("  &\\quad {{}}{}{tag}", math(line)),
+            });
+        }
+    }
+    rows.join(" \\\\\n")
+}
+
+/// Running text.
+pub fn text(t: &Text) -> String {
+    t.0.iter()
+        .map(|s| match s {
+            Span::Plain(words) => escape(words),
+            Span::Code(words) => format!("\\texttt{{{}}}", escape(words)),
+            Span::Math(m) => format!("${}$", math(m)),
+        })
+        .collect()
+}
+
+fn escape(text: &str) -> String {
+    let mut out = String::new();
+    for c in text.chars() {
+        match c {
+            '\\' => out.push_str("\\textbackslash{}"),
+            '{' | '}' | '$' | '&' | '#' | '%' | '_' => {
+                out.push('\\');
+                out.push(c);
+            }
+            '~' => out.push_str("\\textasciitilde{}"),
+            '^' => out.push_str("\\textasciicircum{}"),
+            _ => out.push(c),
+        }
+    }
+    out
+}
+
+/// A formula, without dollar signs.
+pub fn math(m: &Math) -> String {
+    let mut out = String::new();
+    write(m, &mut out);
+    out
+}
+
+/// Appends a command or letter; a space where it would run into the command before.
+fn push(out: &mut String, text: &str) {
+    let command = out.rfind('\\').is_some_and(|i| {
+        let name = &out[i + 1..];
+        !name.is_empty() && name.chars().all(|c| c.is_ascii_alphabetic())
+    });
+    if command && text.starts_with(|c: char| c.is_ascii_alphabetic()) {
+        out.push(' ');
+    }
+    out.push_str(text);
+}
+
+fn write(m: &Math, out: &mut String) {
+    match m {
+        Math::Row(list) => list.iter().for_each(|x| write(x, out)),
+        Math::Letter(c) => match greek(*c) {
+            Some(name) => push(out, name),
+            None => push(out, &c.to_string()),
+        },
+        Math::Word(w) => match w.as_str() {
+            "cos" | "sin" | "det" => push(out, &format!("\\{w}")),
+            "atan2" => push(out, "\\operatorname{atan2}"),
+            _ => push(out, &format!("\\mathrm{{{}}}", escape(w))),
+        },
+        Math::Number(n) => push(out, n),
+        Math::Sign(s) => push(
+            out,
+            match s {
+                Sign::Plus => " + ",
+                Sign::Minus => " - ",
+                Sign::Negative => "-",
+                Sign::Equals => " = ",
+                Sign::Times => "\\,",
+                Sign::Comma => ",",
+                Sign::Degree => "^{\\circ}",
+                Sign::PlusMinus => "\\pm ",
+                Sign::Arrow => " \\to ",
+                Sign::Apply => "",
+                Sign::Thin => "\\,",
+                Sign::Wide => "\\qquad ",
+                Sign::Dots => ",\\dots,",
+            },
+        ),
+        Math::Open(c) => push(out, if *c == '{' { "\\{" } else { bracket(*c) }),
+        Math::Close(c) => push(out, if *c == '}' { "\\}" } else { bracket(*c) }),
+        Math::Script(s) => script(s, out),
+        Math::Fraction(n, d) => push(out, &format!("\\tfrac{{{}}}{{{}}}", math(n), math(d))),
+        Math::Root(x) => push(out, &format!("\\sqrt{{{}}}", math(x))),
+        Math::Matrix(rows) => {
+            let rows: Vec<String> = rows.iter().map(|r| r.iter().map(math).collect::<Vec<_>>().join(" & ")).collect();
+            push(out, &format!("\\begin{{bmatrix}} {} \\end{{bmatrix}}", rows.join(" \\\\ ")));
+        }
+    }
+}
+
+fn bracket(c: char) -> &'static str {
+    match c {
+        '(' => "(",
+        ')' => ")",
+        '[' => "[",
+        ']' => "]",
+        _ => "|",
+    }
+}
+
+fn script(s: &Script, out: &mut String) {
+    let index = |mark: char, m: &Option<Math>, out: &mut String| {
+        if let Some(m) = m {
+            let text = math(m);
+            out.push(mark);
+            if text.len() == 1 { out.push_str(&text) } else { out.push_str(&format!("{{{text}}}")) }
+        }
+    };
+    if s.before_sup.is_some() || s.before_sub.is_some() {
+        push(out, "{}");
+        index('^', &s.before_sup, out);
+        index('_', &s.before_sub, out);
+    }
+    match &s.base {
+        Math::Row(_) => push(out, &format!("{{{}}}", math(&s.base))),
+        base => write(base, out),
+    }
+    index('_', &s.sub, out);
+    index('^', &s.sup, out);
+}
+
+fn greek(c: char) -> Option<&'static str> {
+    Some(match c {
+        'α' => "\\alpha",
+        'β' => "\\beta",
+        'γ' => "\\gamma",
+        'δ' => "\\delta",
+        'ε' => "\\varepsilon",
+        'ζ' => "\\zeta",
+        'η' => "\\eta",
+        'θ' => "\\theta",
+        'κ' => "\\kappa",
+        'λ' => "\\lambda",
+        'μ' => "\\mu",
+        'ν' => "\\nu",
+        'ξ' => "\\xi",
+        'π' => "\\pi",
+        'ρ' => "\\rho",
+        'σ' => "\\sigma",
+        'τ' => "\\tau",
+        'φ' => "\\varphi",
+        'χ' => "\\chi",
+        'ψ' => "\\psi",
+        'ω' => "\\omega",
+        _ => return None,
+    })
+}

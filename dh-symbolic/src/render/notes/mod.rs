@@ -1,0 +1,249 @@
+//! Lecture notes: from a chain to a document, step by step as on a blackboard.
+//!
+//! **In:** a [`Chain`]. **Out:** a [`Document`]. Prose is in `words`, formulas come from the algebra through
+//! [`Order`](super::grouping::Order) and [`Notation`]; nothing here knows a robot.
+
+mod forward;
+mod jacobian;
+mod steps;
+mod table;
+#[cfg(test)]
+mod tests;
+mod words;
+
+pub use words::Language;
+
+use super::document::{Block, Document, Equation, Span, Text};
+use super::expression::{Expression, Wave};
+use super::grouping::Order;
+use super::math::{Math, Sign};
+use super::notation::{Notation, waves};
+use crate::algebra::{Angle, Poly, Transform};
+use crate::chain::{Chain, Coordinate};
+use crate::kinematics::Kinematics;
+use words::Phrase;
+
+/// How notes are written.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Language of the prose.
+    pub language: Language,
+    /// Glyphs that fit on a line: longer formulas are cut, wider matrices become lists of entries.
+    pub width: usize,
+    /// Products with more terms than this, written out, are left as products.
+    pub terms: usize,
+}
+
+impl Default for Options {
+    fn default() -> Options {
+        Options { language: Language::English, width: 64, terms: 1500 }
+    }
+}
+
+/// The notes of a robot: table, link transforms, products step by step, pose, Jacobian.
+pub fn notes(chain: &Chain, options: &Options) -> Document {
+    let chain = &with_named_offsets(chain);
+    let kinematics = Kinematics::new(chain);
+    let mut w = Writer::new(chain, *options);
+    w.table();
+    w.links(&kinematics);
+    w.forward(&kinematics);
+    w.jacobian(&kinematics);
+    let title = Phrase::Title.in_language(options.language).replace("{}", &chain.name);
+    Document { title, language: options.language.tag(), blocks: w.blocks }
+}
+
+/// The same robot with every joint angle that is not a quarter turn away from its variable under a name of its own: c1 is
+/// then the cosine of theta1 = q1 + 30 degrees, and no formula is full of square roots.
+pub(super) fn with_named_offsets(chain: &Chain) -> Chain {
+    let mut chain = chain.clone();
+    for joint in &mut chain.joints {
+        let Some(link) = chain.links.get_mut(joint.row) else { continue };
+        let Coordinate::Angle(_) = joint.coordinate else { continue };
+        let quarter = link.theta.constant.steps_of_15_degrees().is_some_and(|n| n % 6 == 0);
+        if !quarter && joint.shift.is_zero() {
+            joint.shift.half_turns = Some(link.theta.constant.factor().clone());
+            link.theta.constant = Angle::ZERO;
+        }
+    }
+    chain
+}
+
+/// A note while it is being written.
+struct Writer<'a> {
+    chain: &'a Chain,
+    notation: Notation,
+    order: Order,
+    options: Options,
+    blocks: Vec<Block>,
+    /// Abbreviations that the reader knows already.
+    told: Vec<Wave>,
+    /// Entries of the pose that have a name.
+    named: Vec<(Poly, Math)>,
+    /// Number of the last numbered equation.
+    number: usize,
+}
+
+impl<'a> Writer<'a> {
+    fn new(chain: &'a Chain, options: Options) -> Writer<'a> {
+        Writer {
+            chain,
+            notation: Notation::textbook(chain),
+            order: Order::of(chain),
+            options,
+            blocks: Vec::new(),
+            told: Vec::new(),
+            named: Vec::new(),
+            number: 0,
+        }
+    }
+
+    fn words(&self, p: Phrase) -> &'static str {
+        p.in_language(self.options.language)
+    }
+
+    fn heading(&mut self, level: u8, p: Phrase) {
+        let text = self.words(p).into();
+        self.blocks.push(Block::Heading(level, text));
+    }
+
+    fn say(&mut self, p: Phrase, pieces: Vec<Math>) {
+        let text = Text::fill(self.words(p), pieces.into_iter().map(Span::Math).collect());
+        self.blocks.push(Block::Paragraph(text));
+    }
+
+    /// A formula in reading order.
+    fn group(&self, p: &Poly) -> Expression {
+        self.order.group(p)
+    }
+
+    /// `left = formula`, cut into lines.
+    fn equation(&self, left: Math, right: Math) -> Equation {
+        Equation { left, right: right.lines(self.options.width), number: None }
+    }
+
+    /// A displayed equation with a number.
+    fn display(&mut self, left: Math, right: Math) {
+        self.number += 1;
+        self.blocks.push(Block::Equations(vec![Equation { left, right: vec![right], number: Some(self.number) }]));
+    }
+
+    /// Tells the abbreviations in these formulas that were not told before.
+    fn tell_new(&mut self, p: Phrase, expressions: &[Expression]) {
+        let new: Vec<Wave> = waves(expressions).into_iter().filter(|w| !self.told.contains(w)).collect();
+        let legend = self.notation.legend_of(&new);
+        self.told.extend(new);
+        self.tell(p, legend);
+    }
+
+    fn tell(&mut self, p: Phrase, legend: Vec<Math>) {
+        if legend.is_empty() {
+            return;
+        }
+        let mut halves = self.words(p).splitn(2, "{}");
+        let mut text = Text::from(halves.next().unwrap_or_default());
+        let mut between = "";
+        for m in legend {
+            text.0.push(Span::Plain(between.to_string()));
+            // after one that has commas of its own
+            let commas = m.clone().flatten().iter().any(|x| matches!(x, Math::Sign(Sign::Comma | Sign::Dots)));
+            between = self.words(if commas { Phrase::Then } else { Phrase::Between });
+            text.0.push(Span::Math(m));
+        }
+        text.0.extend(halves.next().map(|t| Span::Plain(t.to_string())));
+        text.0.retain(|s| !matches!(s, Span::Plain(t) if t.is_empty()));
+        self.blocks.push(Block::Paragraph(text));
+    }
+
+    /// The upper three rows, grouped.
+    fn entries(&self, t: &Transform) -> Vec<Vec<Expression>> {
+        (0..3).map(|i| (0..4).map(|j| self.group(&t.entry(i, j))).collect()).collect()
+    }
+
+    fn matrix(&self, rows: &[Vec<Expression>]) -> Vec<Vec<Math>> {
+        rows.iter().map(|r| r.iter().map(|e| self.notation.typeset(e)).collect()).collect()
+    }
+
+    /// `left = product = matrix`, or, where the matrix is too wide, a matrix of names and the entries one by one, in columns.
+    fn transform(
+        &mut self,
+        left: Math,
+        product: Option<Math>,
+        t: &Transform,
+        prefix: Option<usize>,
+    ) -> Vec<Expression> {
+        let entries = self.entries(t);
+        let mut cells = self.matrix(&entries);
+        let fits = row_width(&cells) <= self.options.width;
+        let mut list = Vec::new();
+        self.named.clear();
+        if !fits {
+            for j in 0..4 {
+                for i in 0..3 {
+                    let named = name(i, j, prefix);
+                    self.named.push((t.entry(i, j), named.clone()));
+                    if let Some(cell) = cells.get_mut(i).and_then(|r| r.get_mut(j)) {
+                        let right = std::mem::replace(cell, named.clone());
+                        list.push(self.equation(named, right));
+                    }
+                }
+            }
+        }
+        cells.push(["0", "0", "0", "1"].map(Math::number).to_vec());
+        let matrix = Math::Matrix(cells);
+        let right = match product {
+            Some(p) => Math::equation(p, matrix),
+            None => matrix,
+        };
+        self.display(left, right);
+        if !list.is_empty() {
+            self.blocks.push(Block::Equations(list));
+        }
+        entries.into_iter().flatten().collect()
+    }
+}
+
+/// Glyphs of the widest entries of all columns, with some room between.
+fn row_width(cells: &[Vec<Math>]) -> usize {
+    let columns = cells.iter().map(Vec::len).max().unwrap_or(0);
+    (0..columns).map(|j| 1 + cells.iter().filter_map(|r| r.get(j)).map(Math::glyphs).max().unwrap_or(0)).sum()
+}
+
+/// r11, px; with the frame before it, where it is not the base.
+fn name(i: usize, j: usize, prefix: Option<usize>) -> Math {
+    let axes = ['x', 'y', 'z'];
+    let plain = match axes.get(i) {
+        Some(axis) if j == 3 => Math::Letter('p').below(Math::Letter(*axis)),
+        _ => Math::Letter('r').below(Math::number(format!("{}{}", i + 1, j + 1))),
+    };
+    match prefix {
+        Some(frame) => plain.before(Math::number(frame)),
+        None => plain,
+    }
+}
+
+/// The transform from frame i to frame j: T with i above and j below on its left.
+fn frame_transform(i: Math, j: Math) -> Math {
+    Math::Script(Box::new(super::math::Script {
+        base: Math::Letter('T'),
+        sub: None,
+        sup: None,
+        before_sub: Some(j),
+        before_sup: Some(i),
+    }))
+}
+
+fn link_name(i: usize, j: usize) -> Math {
+    frame_transform(Math::number(i), Math::number(j))
+}
+
+fn side_by_side(list: Vec<Math>) -> Math {
+    let mut row = Vec::new();
+    for m in list {
+        if !row.is_empty() {
+            row.push(Math::Sign(Sign::Thin));
+        }
+        row.push(m);
+    }
+    Math::Row(row)
+}

@@ -1,0 +1,152 @@
+//! Typst: notes that compile without packages.
+
+use super::document::{Block, Document, Equation, Span, Text};
+use super::math::{Math, Script, Sign};
+
+/// The note as a document.
+pub fn document(d: &Document) -> String {
+    let mut out = format!(
+        "#set document(title: {})\n#set page(paper: \"a4\", margin: 25mm)\n#set text(lang: \"{}\")\n\
+         #set math.mat(delim: \"[\", row-gap: 0.5em, column-gap: 1em)\n#show math.equation: set block(breakable: true)\n\n#align(center, text(17pt)[{}])\n",
+        string(&d.title),
+        d.language,
+        escape(&d.title)
+    );
+    for b in &d.blocks {
+        out.push('\n');
+        out.push_str(&block(b));
+    }
+    out
+}
+
+fn block(b: &Block) -> String {
+    match b {
+        Block::Heading(level, t) => format!("{} {}\n", "=".repeat(usize::from(*level)), text(t)),
+        Block::Paragraph(t) => format!("{}\n", text(t)),
+        Block::Equations(list) => equations(list),
+        Block::Table(header, rows) => {
+            let cells = |r: &[Text]| r.iter().map(|t| format!("[{}]", text(t))).collect::<Vec<_>>().join(", ");
+            let body: String = rows.iter().map(|r| format!("  {},\n", cells(r))).collect();
+            format!(
+                "#align(center, table(\n  columns: {}, align: center, stroke: none,\n  table.hline(), table.header({}), table.hline(),\n{body}  table.hline(),\n))\n",
+                header.len(),
+                cells(header)
+            )
+        }
+        Block::List(items) => items.iter().map(|t| format!("- {}\n", text(t))).collect(),
+        Block::Code(language, code) => format!("```{language}\n{}\n```\n", code.trim_end()),
+    }
+}
+
+fn equations(list: &[Equation]) -> String {
+    let mut out = String::new();
+    // A run without numbers is one aligned display; a numbered equation stands alone.
+    let mut run: Vec<String> = Vec::new();
+    let flush = |run: &mut Vec<String>, out: &mut String| {
+        if !run.is_empty() {
+            out.push_str(&format!("$ {} $\n", run.join(" \\\n  ")));
+            run.clear();
+        }
+    };
+    for e in list {
+        let mut rows = Vec::new();
+        for (i, line) in e.right.iter().enumerate() {
+            rows.push(match i {
+                0 => format!("{} &= {}", math(&e.left), math(line)),
+                _ => format!("&quad {}", math(line)),
+            });
+        }
+        match e.number {
+            None => run.extend(rows),
+            Some(n) => {
+                flush(&mut run, &mut out);
+                out.push_str(&format!(
+                    "#math.equation(block: true, numbering: _ => [({n})], $ {} $)\n",
+                    rows.join(" \\\n  ")
+                ));
+            }
+        }
+    }
+    flush(&mut run, &mut out);
+    out
+}
+
+fn text(t: &Text) -> String {
+    t.0.iter()
+        .map(|s| match s {
+            Span::Plain(words) => escape(words),
+            Span::Code(words) => format!("#raw({})", string(words)),
+            Span::Math(m) => format!("${}$", math(m).trim()),
+        })
+        .collect()
+}
+
+fn string(text: &str) -> String {
+    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
+}
+
+fn escape(text: &str) -> String {
+    let mut out = String::new();
+    for c in text.chars() {
+        if matches!(c, '\\' | '#' | '$' | '*' | '_' | '`' | '<' | '>' | '@' | '[' | ']' | '~' | '/') {
+            out.push('\\');
+        }
+        out.push(c);
+    }
+    out
+}
+
+/// A formula, without dollar signs. Pieces are separated by spaces: letters that touch would be a word.
+pub fn math(m: &Math) -> String {
+    match m {
+        Math::Row(list) => list.iter().map(math).filter(|t| !t.is_empty()).collect::<Vec<_>>().join(" "),
+        Math::Letter(c) => c.to_string(),
+        Math::Word(w) => match w.as_str() {
+            "cos" | "sin" | "det" => w.clone(),
+            _ => format!("op({})", string(w)),
+        },
+        Math::Number(n) => n.clone(),
+        Math::Sign(s) => match s {
+            Sign::Plus => "+",
+            Sign::Minus => "-",
+            Sign::Negative => "-",
+            Sign::Equals => "=",
+            Sign::Times => "thin",
+            Sign::Comma => "\\,",
+            Sign::Degree => "degree",
+            Sign::PlusMinus => "plus.minus",
+            Sign::Arrow => "->",
+            Sign::Apply => "",
+            Sign::Thin => "thin",
+            Sign::Wide => "wide",
+            Sign::Dots => "\\, dots \\,",
+        }
+        .to_string(),
+        // Escaped: a bracket may close on another line.
+        Math::Open(c) | Math::Close(c) => format!("\\{c}"),
+        Math::Script(s) => script(s),
+        Math::Fraction(n, d) => format!("inline(frac({}, {}))", math(n), math(d)),
+        Math::Root(x) => format!("sqrt({})", math(x)),
+        Math::Matrix(rows) => {
+            let rows: Vec<String> = rows.iter().map(|r| r.iter().map(math).collect::<Vec<_>>().join(", ")).collect();
+            format!("mat({})", rows.join("; "))
+        }
+    }
+}
+
+fn script(s: &Script) -> String {
+    let base = math(&s.base);
+    if s.before_sup.is_none() && s.before_sub.is_none() {
+        let mut out = if matches!(s.base, Math::Row(_)) { format!("({base})") } else { base };
+        for (mark, corner) in [('_', &s.sub), ('^', &s.sup)] {
+            if let Some(m) = corner {
+                out.push_str(&format!("{mark}({})", math(m)));
+            }
+        }
+        return out;
+    }
+    let corners = [("tl", &s.before_sup), ("bl", &s.before_sub), ("br", &s.sub), ("tr", &s.sup)];
+    let list: Vec<String> =
+        corners.iter().filter_map(|(name, corner)| corner.as_ref().map(|m| format!("{name}: {}", math(m)))).collect();
+    format!("attach({base}, {})", list.join(", "))
+}

@@ -1,0 +1,91 @@
+//! The `dh` command from outside: what it prints, what it says, how it exits.
+
+use std::io::Write;
+use std::process::{Command, Stdio};
+
+const PLANAR: &str = "
+pub struct Planar;
+convention = modified;
+let l1: length = 0.4;
+let l2: length = 0.3;
+| alpha | a  | d | theta |
+|-------|----|---|-------|
+| 0     | 0  | 0 | q1    |
+| 0     | l1 | 0 | q2    |
+| 0     | l2 | 0 | 0     |
+";
+
+/// Exit code, standard output, standard error.
+fn dh(arguments: &[&str], input: &str) -> (i32, String, String) {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_dh"))
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the command starts");
+    child.stdin.take().expect("a pipe").write_all(input.as_bytes()).ok();
+    let done = child.wait_with_output().expect("the command ends");
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("text");
+    (done.status.code().expect("an exit code"), text(done.stdout), text(done.stderr))
+}
+
+#[test]
+fn notes_in_every_format() {
+    for (format, part) in [
+        ("text", "s₁₂ = sin(θ₁ + θ₂)"),
+        ("latex", "l_1c_1 + l_2c_{12}"),
+        ("markdown", "\\begin{bmatrix}"),
+        ("typst", "c_(12)"),
+        ("html", "<msub><mi>c</mi><mn>12</mn></msub>"),
+    ] {
+        let (code, out, err) = dh(&["notes", "--to", format], PLANAR);
+        assert_eq!((code, err.as_str()), (0, ""), "{format}");
+        assert!(out.contains(part), "{format}: {out}");
+        assert_eq!(out, dh(&["notes", "-", &format!("--to={format}")], PLANAR).1);
+    }
+    let chinese = dh(&["notes", "--lang", "zh"], PLANAR).1;
+    assert!(chinese.contains("正运动学"), "{chinese}");
+}
+
+#[test]
+fn a_wrong_claim_is_code_1() {
+    let with = |claim: &str| format!("{PLANAR}prove {{ {claim} }}");
+    let right = with("T(0,3).px = l1*c1 + l2*c12;");
+    let wrong = with("T(0,3).px = l1*c1 + l2*s12;");
+    let (code, out, _) = dh(&["check"], &right);
+    assert_eq!(code, 0, "{out}");
+    let (code, out, _) = dh(&["check"], &wrong);
+    assert!(code == 1 && out.contains("`s12` should be `c12`"), "{out}");
+    let (code, out, err) = dh(&["expand"], &wrong);
+    assert!(code == 1 && out.is_empty() && err.contains("^^^"), "{err}");
+}
+
+#[test]
+fn a_bad_table_and_bad_usage_are_code_2() {
+    let bad = PLANAR.replace("| 0     | l1 |", "| 0     | l9 |");
+    for command in ["notes", "check", "expand"] {
+        let (code, out, err) = dh(&[command], &bad);
+        assert!(code == 2 && out.is_empty(), "{out}");
+        assert!(err.contains("standard input:9:11") && err.contains("^^"), "{err}");
+    }
+    for arguments in [
+        &[][..],
+        &["notes", "--to", "word"],
+        &["note"],
+        &["notes", "a", "b"],
+        &["notes", "--to"],
+        &["notes", "/nowhere.dh"],
+    ] {
+        let (code, out, err) = dh(arguments, PLANAR);
+        assert!(code == 2 && out.is_empty() && err.starts_with("error: "), "{arguments:?} {err}");
+    }
+    assert_eq!(dh(&["--help"], "").0, 0);
+}
+
+#[test]
+fn expanded_code_is_rust() {
+    let (code, out, err) = dh(&["expand"], &PLANAR.replace("convention", "task = position; convention"));
+    assert_eq!((code, err.as_str()), (0, ""));
+    assert!(out.contains("pub struct Planar {") && out.contains("pub fn forward("), "{out}");
+}
