@@ -3,10 +3,11 @@
 use crate::chain::table::{Claims, Parsed, Sketch, parse};
 use crate::chain::{Chain, Scalar, Task};
 use crate::diagnostic::{Error, Errors, Place};
-use crate::kinematics::claims;
+use crate::kinematics::{Kinematics, claims};
 use crate::planner;
 use crate::program::{Forward, Inverse};
 use crate::render::rust::{self, Head};
+use crate::render::rustdoc;
 use crate::render::verdict::complaints;
 use proc_macro2::{Ident, Span, TokenStream};
 
@@ -37,7 +38,7 @@ fn items(head: &Head, chain: Chain, parsed: &mut Parsed) -> TokenStream {
     match Forward::derive(&chain) {
         Ok(forward) => {
             let inverse = if chain.ik { inverse(head, &chain, &forward, parsed) } else { String::new() };
-            rust::robot(head, &chain, &forward, &inverse, "")
+            rust::robot(head, &chain, &forward, &inverse, &rustdoc(&chain, &Kinematics::new(&chain)))
         }
         Err(difference) => {
             let text = format!("{difference}; this is a defect of dh-symbolic");
@@ -107,6 +108,8 @@ fn head(parsed: &Parsed) -> Head {
         attributes: parsed.head.attributes.clone(),
         visibility: parsed.head.visibility.clone(),
         ident: parsed.head.name.clone().unwrap_or_else(|| Ident::new("Robot", Span::call_site())),
+        table: parsed.sketch.table.clone(),
+        motions: parsed.sketch.motions.clone(),
         field_docs: parsed.sketch.fields.iter().map(|f| (f.name.to_string(), f.docs.clone())).collect(),
     }
 }

@@ -18,7 +18,9 @@ pub mod markdown;
 pub mod math;
 pub mod notation;
 pub mod notes;
+mod quantities;
 pub mod rust;
+mod rustdoc;
 #[cfg(test)]
 mod samples;
 pub mod text;
@@ -28,3 +30,4 @@ pub mod verdict;
 
 pub use document::{Document, Format};
 pub use notes::{Language, Options, notes};
+pub use rustdoc::rustdoc;

@@ -43,6 +43,11 @@ pub fn math(m: &Math) -> String {
     piece(m).text
 }
 
+/// A formula with its matrices drawn, on several lines.
+pub fn display(m: &Math) -> String {
+    picture(m).lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
+}
+
 /// Columns that a line takes; Chinese and other full-width letters take two.
 fn width(line: &str) -> usize {
     line.chars().map(columns).sum()

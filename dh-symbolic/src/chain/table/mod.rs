@@ -76,6 +76,8 @@ pub struct Sketch {
     pub ik: bool,
     /// The table as text: header and rows, for the documentation of the generated type.
     pub table: Vec<Vec<String>>,
+    /// `base` and `tool` as text.
+    pub motions: Vec<(String, String)>,
 }
 
 /// A field of the struct.
@@ -157,6 +159,7 @@ pub fn parse(input: TokenStream) -> Parsed {
         scalar: settings.scalar,
         ik: settings.ik,
         table: written.grid.as_ref().map_or_else(Vec::new, table_text),
+        motions: motions_text(&written.settings),
     };
     let origins = Origins {
         name: head_place,
@@ -237,6 +240,11 @@ fn fields(lets: &[statements::Let], scope: &Scope) -> Vec<Field> {
         }
     }
     list
+}
+
+fn motions_text(settings: &[statements::Setting]) -> Vec<(String, String)> {
+    let motions = settings.iter().filter(|s| s.name == "base" || s.name == "tool");
+    motions.map(|s| (s.name.to_string(), text::of(&s.value))).collect()
 }
 
 fn table_text(grid: &rows::Grid) -> Vec<Vec<String>> {

@@ -18,8 +18,9 @@ use super::expression::{Expression, Wave};
 use super::grouping::Order;
 use super::math::{Math, Sign};
 use super::notation::{Notation, waves};
-use crate::algebra::{Angle, Poly, Transform};
-use crate::chain::{Chain, Coordinate};
+use super::quantities::named_offsets;
+use crate::algebra::{Poly, Transform};
+use crate::chain::Chain;
 use crate::kinematics::Kinematics;
 use words::Phrase;
 
@@ -42,7 +43,8 @@ impl Default for Options {
 
 /// The notes of a robot: table, link transforms, products step by step, pose, Jacobian.
 pub fn notes(chain: &Chain, options: &Options) -> Document {
-    let chain = &with_named_offsets(chain);
+    let named = named_offsets(chain);
+    let chain = named.as_ref().unwrap_or(chain);
     let kinematics = Kinematics::new(chain);
     let mut w = Writer::new(chain, *options);
     w.table();
@@ -51,22 +53,6 @@ pub fn notes(chain: &Chain, options: &Options) -> Document {
     w.jacobian(&kinematics);
     let title = Phrase::Title.in_language(options.language).replace("{}", &chain.name);
     Document { title, language: options.language.tag(), blocks: w.blocks }
-}
-
-/// The same robot with every joint angle that is not a quarter turn away from its variable under a name of its own: c1 is
-/// then the cosine of theta1 = q1 + 30 degrees, and no formula is full of square roots.
-pub(super) fn with_named_offsets(chain: &Chain) -> Chain {
-    let mut chain = chain.clone();
-    for joint in &mut chain.joints {
-        let Some(link) = chain.links.get_mut(joint.row) else { continue };
-        let Coordinate::Angle(_) = joint.coordinate else { continue };
-        let quarter = link.theta.constant.steps_of_15_degrees().is_some_and(|n| n % 6 == 0);
-        if !quarter && joint.shift.is_zero() {
-            joint.shift.half_turns = Some(link.theta.constant.factor().clone());
-            link.theta.constant = Angle::ZERO;
-        }
-    }
-    chain
 }
 
 /// A note while it is being written.

@@ -1,10 +1,10 @@
 //! The table, the values of its parameters, the coupling of the motors.
 
 use super::{Block, Equation, Math, Phrase, Sign, Span, Text, Writer};
-use crate::algebra::{Angle, LinearAngle, Poly, Rational};
-use crate::chain::{AngleCell, Bound, Convention, Coordinate, Elementary, Handle, Link, Parameter, Role, Value};
-use crate::render::notation::Notation;
-use crate::render::typeset::{decimal, number};
+use crate::algebra::LinearAngle;
+use crate::chain::{Convention, Handle, Link};
+use crate::render::quantities::{bound, is_used, parameter, relations, value};
+use crate::render::typeset::number;
 
 impl Writer<'_> {
     pub(super) fn table(&mut self) {
@@ -89,8 +89,8 @@ impl Writer<'_> {
         let mut lengths = Vec::new();
         let mut angles = Vec::new();
         let mut free = Vec::new();
-        for p in self.chain.parameters.iter().filter(|p| self.is_used(p)) {
-            let name = self.parameter(p);
+        for p in self.chain.parameters.iter().filter(|p| is_used(self.chain, p)) {
+            let name = parameter(&self.notation, p);
             match value(p) {
                 Some(v) => {
                     let list = if matches!(p.handle, Handle::Length(_)) { &mut lengths } else { &mut angles };
@@ -109,132 +109,13 @@ impl Writer<'_> {
         }
     }
 
-    fn parameter(&self, p: &Parameter) -> Math {
-        match p.handle {
-            Handle::Length(s) => self.notation.symbol(s),
-            Handle::Angle(v) => self.notation.angle(v),
-        }
-    }
-
     /// Joint coordinates as functions of the motors, where they are not the same.
     fn coupling(&mut self) {
-        let mut ring = self.chain.ring.clone();
-        let motors: Vec<Poly> = (1..=self.chain.dof()).map(|k| Poly::symbol(ring.symbol(&format!("q{k}")))).collect();
-        let notation = Notation::of_ring(&ring);
-        let mut list = Vec::new();
-        for (k, (joint, line)) in self.chain.joints.iter().zip(&self.chain.drive).enumerate() {
-            let direct = line.iter().enumerate().all(|(j, p)| if j == k { p.is_one() } else { p.is_zero() });
-            if direct && joint.shift.is_zero() {
-                continue;
-            }
-            let left = match joint.coordinate {
-                Coordinate::Angle(v) => self.notation.angle(v),
-                Coordinate::Length(s) => self.notation.symbol(s),
-            };
-            let moving: Poly = line.iter().zip(&motors).map(|(p, q)| p * q).sum();
-            let mut row = vec![notation.typeset(&self.group(&moving))];
-            shift(&joint.shift, self, &mut row);
-            list.push((left, Math::Row(row)));
-        }
-        if !list.is_empty() {
+        let relations = relations(self.chain, &self.notation, &self.order);
+        if !relations.is_empty() {
             self.say(Phrase::Coupled, vec![]);
-            let list: Vec<Equation> = list.into_iter().map(|(left, right)| self.equation(left, right)).collect();
+            let list: Vec<Equation> = relations.into_iter().map(|(left, right)| self.equation(left, right)).collect();
             self.blocks.push(Block::Equations(list));
         }
     }
-
-    /// Does the parameter occur in the robot's formulas?
-    fn is_used(&self, p: &Parameter) -> bool {
-        let chain = self.chain;
-        let moves = || chain.base.iter().chain(&chain.tool).cloned();
-        let mut factors = (0..chain.links.len()).flat_map(|i| chain.link_factors(i)).chain(moves());
-        match p.handle {
-            Handle::Length(s) => {
-                factors.any(|e| matches!(e, Elementary::Translate(_, l) if l.has_symbol(s)))
-                    || chain.drive.iter().flatten().any(|l| l.has_symbol(s))
-            }
-            Handle::Angle(v) => {
-                let place = chain.parameters.iter().position(|x| x.handle == p.handle);
-                factors.any(|e| matches!(e, Elementary::Rotate(_, a) if a.terms.iter().any(|(w, _)| *w == v)))
-                    || chain.joints.iter().any(|j| j.shift.symbols.iter().any(|(i, _)| Some(*i) == place))
-            }
-        }
-    }
-}
-
-fn push_sign(row: &mut Vec<Math>, negative: bool) {
-    match (row.is_empty(), negative) {
-        (true, true) => row.push(Math::Sign(Sign::Negative)),
-        (true, false) => {}
-        (false, true) => row.push(Math::Sign(Sign::Minus)),
-        (false, false) => row.push(Math::Sign(Sign::Plus)),
-    }
-}
-
-/// Appends the constant of a joint angle.
-fn shift(cell: &AngleCell, w: &Writer<'_>, row: &mut Vec<Math>) {
-    for (i, k) in &cell.symbols {
-        if let Some(p) = w.chain.parameters.get(*i) {
-            push_sign(row, *k < 0);
-            if k.unsigned_abs() != 1 {
-                row.push(Math::number(k.unsigned_abs()));
-            }
-            row.push(w.parameter(p));
-        }
-    }
-    let number = AngleCell { symbols: Vec::new(), ..cell.clone() };
-    if !number.is_zero() {
-        let (negative, value) = constant_angle(&number);
-        push_sign(row, negative);
-        row.push(value);
-    }
-}
-
-/// A length or angle with its sign, as typeset.
-fn value(p: &Parameter) -> Option<Math> {
-    let value = match &p.role {
-        Role::Field(v) => v.as_ref()?,
-        Role::Constant(v) => v,
-    };
-    let (negative, m) = match value {
-        Value::Length(x) => (x.is_negative(), length(&x.abs())),
-        Value::Angle(cell) => constant_angle(cell),
-    };
-    Some(if negative { Math::Row(vec![Math::Sign(Sign::Negative), m]) } else { m })
-}
-
-/// Sign and magnitude of an angle without declared angles: degrees where it is exact, else radians.
-fn constant_angle(cell: &AngleCell) -> (bool, Math) {
-    match &cell.approx {
-        None => degrees(&cell.exact()),
-        Some(x) if cell.exact().is_zero() => radians(x),
-        Some(_) => {
-            let x = cell.radians();
-            (x < 0.0, Math::Row(vec![Math::number(x.abs()), Math::Sign(Sign::Thin), Math::word("rad")]))
-        }
-    }
-}
-
-/// Digits, where the number has finitely many.
-fn length(x: &Rational) -> Math {
-    decimal(x).map_or_else(|| number(x), Math::Number)
-}
-
-fn degrees(angle: &Angle) -> (bool, Math) {
-    let x = angle.to_degrees();
-    (x.is_negative(), Math::Row(vec![number(&x.abs()), Math::Sign(Sign::Degree)]))
-}
-
-fn radians(x: &Rational) -> (bool, Math) {
-    let digits = decimal(&x.abs()).map_or_else(|| number(&x.abs()), Math::Number);
-    (x.is_negative(), Math::Row(vec![digits, Math::Sign(Sign::Thin), Math::word("rad")]))
-}
-
-fn bound(b: &Bound) -> Math {
-    let (negative, m) = match b {
-        Bound::HalfTurns(x) => degrees(&Angle::half_turns(x.clone())),
-        Bound::Radians(x) => radians(x),
-        Bound::Length(x) => (x.is_negative(), length(&x.abs())),
-    };
-    if negative { Math::Row(vec![Math::Sign(Sign::Negative), m]) } else { m }
 }

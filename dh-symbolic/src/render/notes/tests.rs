@@ -91,3 +91,16 @@ fn notes_in_other_formats_and_in_chinese() {
         insta::assert_snapshot!("puma_html", chinese.print(Format::Html));
     });
 }
+
+#[test]
+fn closed_forms_for_rustdoc() {
+    let all: String = ALL
+        .iter()
+        .map(|(name, table)| {
+            let chain = chain(table);
+            let kinematics = Kinematics::new(&chain);
+            format!("{name}\n{}\n", crate::render::rustdoc(&chain, &kinematics))
+        })
+        .collect();
+    insta::with_settings!({ omit_expression => true }, { insta::assert_snapshot!("rustdoc", all) });
+}

@@ -1,7 +1,7 @@
-//! Doc comments of generated types: the table as rustdoc draws it, and the closed form.
+//! Doc comments of generated types: fields, the table as it was written.
 
-use super::{bound, literal};
-use crate::chain::{Chain, Convention, Coordinate, Elementary, Handle, Parameter, Scalar};
+use super::Head;
+use crate::chain::{Chain, Convention, Handle, Parameter, Role, Value};
 
 /// Docs of a field.
 pub(super) fn field(chain: &Chain, p: &Parameter) -> String {
@@ -9,67 +9,43 @@ pub(super) fn field(chain: &Chain, p: &Parameter) -> String {
         Handle::Length(_) => chain.unit.name,
         Handle::Angle(_) => "radians",
     };
-    format!(" `{}` in {unit}.", p.name)
+    let nominal = match &p.role {
+        Role::Field(Some(Value::Length(_) | Value::Angle(_))) => format!(", nominally {}", chain.nominal(p.handle)),
+        _ => String::new(),
+    };
+    format!(" `{}` in {unit}{nominal}.", p.name)
 }
 
-/// The Denavit-Hartenberg table in Markdown, followed by further text.
-pub(super) fn table(chain: &Chain, extra: &str) -> String {
-    let (convention, head) = match chain.convention {
-        Convention::Standard => {
-            ("standard (theta, d, a, alpha of one link)", "| joint | theta | d | a | alpha | range |")
-        }
-        Convention::Modified => {
-            ("modified, after Craig (alpha and a of the link before)", "| joint | alpha | a | d | theta | range |")
-        }
+/// The Denavit-Hartenberg table in Markdown, cell by cell as it was written, followed by further text.
+pub(super) fn table(head: &Head, chain: &Chain, extra: &str) -> String {
+    let convention = match chain.convention {
+        Convention::Standard => "standard convention (theta, d, a and alpha of one link)",
+        Convention::Modified => "modified convention (Craig: alpha and a of the link before)",
     };
-    let mut out = format!(
-        "\nDenavit-Hartenberg parameters, {convention}; lengths in {}:\n\n{head}\n|---|---|---|---|---|---|\n",
-        chain.unit.name
-    );
-    for (i, link) in chain.links.iter().enumerate() {
-        let mut cells: Vec<String> = chain.link_factors(i).iter().map(|e| cell(chain, e)).collect();
-        if chain.convention == Convention::Modified {
-            cells.swap(2, 3);
+    let unit = chain.unit.name;
+    let mut out = format!("\nDenavit-Hartenberg table, {convention}; bare lengths in {unit}:\n\n");
+    for (i, row) in head.table.iter().enumerate() {
+        let cells: Vec<String> = row.iter().map(|c| escape(c)).collect();
+        out.push_str(&format!("| {} |\n", cells.join(" | ")));
+        if i == 0 {
+            out.push_str(&format!("|{}\n", "---|".repeat(row.len())));
         }
-        let joint = link.joint.and_then(|j| chain.joints.get(j));
-        let range = match joint {
-            None => "fixed".to_string(),
-            Some(j) => match &j.range {
-                None => "any".to_string(),
-                Some((lo, hi)) => {
-                    let (scale, unit) = match j.coordinate {
-                        Coordinate::Angle(_) => (180.0 / std::f64::consts::PI, " deg"),
-                        Coordinate::Length(_) => (1.0, ""),
-                    };
-                    let show = |b| literal((bound(b) * scale * 1e6).round() / 1e6, Scalar::F64);
-                    format!("{} to {}{unit}", show(lo), show(hi))
-                }
-            },
-        };
-        let label = joint.map_or("-".to_string(), |j| j.name.clone());
-        out.push_str(&format!("| {label} | {} | {range} |\n", cells.join(" | ")));
+    }
+    for (name, value) in &head.motions {
+        out.push_str(&format!("\n`{name} = {value};`\n"));
     }
     out.push_str(extra);
     out
 }
 
-fn cell(chain: &Chain, e: &Elementary) -> String {
-    match e {
-        Elementary::Translate(_, p) => chain.ring.text(p),
-        Elementary::Rotate(_, angle) => {
-            let mut parts: Vec<String> = angle
-                .terms
-                .iter()
-                .map(|(v, k)| match k {
-                    1 => chain.ring.angle_name(*v).to_string(),
-                    -1 => format!("-{}", chain.ring.angle_name(*v)),
-                    _ => format!("{k}*{}", chain.ring.angle_name(*v)),
-                })
-                .collect();
-            if !angle.constant.is_zero() {
-                parts.push(format!("{} deg", angle.constant.to_degrees()));
-            }
-            if parts.is_empty() { "0".into() } else { parts.join(" + ").replace("+ -", "- ") }
+/// Cells are code to Markdown only where they could mean something else to it.
+fn escape(cell: &str) -> String {
+    let mut out = String::new();
+    for c in cell.chars() {
+        if matches!(c, '*' | '_' | '[' | ']' | '<' | '`') {
+            out.push('\\');
         }
+        out.push(c);
     }
+    out
 }

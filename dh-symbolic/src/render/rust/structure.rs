@@ -17,6 +17,10 @@ pub struct Head {
     pub ident: Ident,
     /// Doc comments of the fields: name and lines.
     pub field_docs: Vec<(String, Vec<String>)>,
+    /// The table as written: header and rows.
+    pub table: Vec<Vec<String>>,
+    /// `base` and `tool` as written.
+    pub motions: Vec<(String, String)>,
 }
 
 /// Lexes generated text. Were it ever not to lex, a compile error says so.
@@ -30,7 +34,7 @@ pub(super) fn lex(text: &str) -> TokenStream {
 /// All items of a robot. `inverse` is the text of further functions and traits.
 pub fn robot(head: &Head, chain: &Chain, programs: &Forward, inverse: &str, extra_docs: &str) -> TokenStream {
     let name = head.ident.to_string();
-    let mut out = declaration(head, chain, &docs::table(chain, extra_docs));
+    let mut out = declaration(head, chain, &docs::table(head, chain, extra_docs));
     let joints: Vec<String> = chain.joints.iter().map(|j| joint(chain, j)).collect();
     let (n, f) = (chain.dof(), scalar_name(chain.scalar));
     let text = format!(
