@@ -1,6 +1,7 @@
 //! What a program costs.
 
 use super::{Graph, Node, Value};
+use crate::algebra::LinearAngle;
 use std::fmt;
 
 /// Operation counts. Signs are free, additions include subtractions and the sums of angles.
@@ -28,10 +29,21 @@ impl Cost {
                 _ => {}
             }
         }
-        for (wave, _) in graph.waves().iter().zip(&waves).filter(|(_, l)| **l) {
+        let used: Vec<&LinearAngle> = graph.waves().iter().zip(&waves).filter(|(_, l)| **l).map(|(w, _)| w).collect();
+        for wave in &used {
             cost.sincos += 1;
-            let terms: usize = wave.terms.iter().map(|t| usize::from(t.1.unsigned_abs())).sum();
-            cost.additions += terms.saturating_sub(1) + usize::from(!wave.constant.is_zero());
+            // A sum that continues another one (q2 + q3 + q4 after q2 + q3) begins with it.
+            let begun = used
+                .iter()
+                .filter(|w| {
+                    w.terms.len() < wave.terms.len() && w.constant.is_zero() && wave.terms.starts_with(&w.terms)
+                })
+                .map(|w| w.terms.len())
+                .max()
+                .unwrap_or(1);
+            let terms: usize =
+                wave.terms[begun.min(wave.terms.len())..].iter().map(|t| usize::from(t.1.unsigned_abs())).sum();
+            cost.additions += terms + usize::from(!wave.constant.is_zero());
         }
         cost
     }

@@ -7,6 +7,7 @@
 use super::graph::{Graph, Value};
 use super::vector::{V3, unit};
 use super::{Cost, Program};
+use crate::algebra::Poly;
 use crate::chain::Chain;
 use crate::kinematics::{Block, Piece, Wave};
 
@@ -40,17 +41,24 @@ pub(super) fn lever(g: &mut Graph, block: &Block, first: usize, tip: V3) -> V3 {
     sum
 }
 
-/// Position of the tip in every block's frame: entry b is in the frame of block b.
-pub(super) fn levers(g: &mut Graph, blocks: &[Block]) -> Vec<V3> {
-    let mut tip = [super::graph::ZERO; 3];
-    let mut all = Vec::with_capacity(blocks.len());
-    for block in blocks.iter().rev() {
+/// Position of the tip in the frame of the first block.
+fn tip(g: &mut Graph, blocks: &[Block]) -> V3 {
+    blocks.iter().rev().fold([super::graph::ZERO; 3], |tip, block| {
         let inner = g.turn_by(&block.exit, tip);
-        tip = lever(g, block, 0, inner);
-        all.push(tip);
+        lever(g, block, 0, inner)
+    })
+}
+
+/// The blocks without the shift of the last one along its own axis, and that shift: where the axis is a column of the pose anyway, the
+/// shift is that column times a length.
+fn without_last_shift(blocks: &[Block]) -> Option<(Vec<Block>, Poly)> {
+    let mut rest = blocks.to_vec();
+    let last = rest.last_mut().filter(|b| b.exit.is_empty())?;
+    let shift: Poly = last.pieces.iter().map(|p| p.v[2].clone()).sum();
+    for piece in &mut last.pieces {
+        piece.v[2] = Poly::zero();
     }
-    all.reverse();
-    all
+    (!shift.is_zero()).then_some((rest, shift))
 }
 
 /// Which column comes from the other two; `None`: all three are built from the tip.
@@ -104,12 +112,22 @@ fn outputs(columns: [V3; 3], p: V3) -> Vec<Value> {
 /// The cheapest program for the pose.
 pub(super) fn pose(chain: &Chain, blocks: &[Block]) -> Program {
     let mut best: Option<(usize, Program)> = None;
-    for choice in 0..=COLUMN_CHOICES.len() {
+    let split = without_last_shift(blocks);
+    for choice in 0..2 * (COLUMN_CHOICES.len() + 1) {
         let mut g = Graph::new(chain);
-        let p = levers(&mut g, blocks)[0];
-        let columns = match COLUMN_CHOICES.get(choice) {
+        let columns = match COLUMN_CHOICES.get(choice / 2) {
             Some(crossed) => columns_from_tip(&mut g, blocks, *crossed),
             None => blocks.iter().fold(identity(), |m, b| columns_forward(&mut g, &b.turn, &b.exit, m)),
+        };
+        let p = match (&split, choice % 2) {
+            (Some((rest, shift)), 1) => {
+                let start = tip(&mut g, rest);
+                let length = g.polynomial(shift);
+                let along = g.times(length, columns[2]);
+                g.plus(start, along)
+            }
+            (None, 1) => continue,
+            _ => tip(&mut g, blocks),
         };
         let outputs = outputs(columns, p);
         let weight = Cost::of(&g, &outputs).weight();

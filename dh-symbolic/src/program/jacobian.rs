@@ -30,6 +30,8 @@ struct Known {
     axis: Vec<V3>,
     /// x and y of each block, where known.
     plane: Vec<Option<[V3; 2]>>,
+    /// x and y of each block after its whole turn, where known.
+    turned: Vec<Option<[V3; 2]>>,
 }
 
 fn known(g: &mut Graph, blocks: &[Block], way: Way) -> Option<Known> {
@@ -39,13 +41,16 @@ fn known(g: &mut Graph, blocks: &[Block], way: Way) -> Option<Known> {
             pose: columns_from_tip(g, blocks, crossed),
             axis: (0..n).map(|b| to_base(g, &blocks[..b], unit(2))).collect(),
             plane: vec![None; n],
+            turned: vec![None; n],
         }),
         Way::Base => {
             let mut m = identity();
-            let mut k = Known { pose: m, axis: Vec::new(), plane: Vec::new() };
+            let mut k = Known { pose: m, axis: Vec::new(), plane: Vec::new(), turned: Vec::new() };
             for b in blocks {
                 k.axis.push(m[2]);
                 k.plane.push(Some([m[0], m[1]]));
+                let after = columns_forward(g, &b.turn, &[], m);
+                k.turned.push(Some([after[0], after[1]]));
                 m = columns_forward(g, &b.turn, &b.exit, m);
             }
             k.pose = m;
@@ -68,16 +73,31 @@ fn known(g: &mut Graph, blocks: &[Block], way: Way) -> Option<Known> {
                 18 => (g.cross(last, before), before.map(|v| -v)),
                 _ => return None,
             };
+            let after = columns_forward(g, &blocks[n - 1].turn, &[], [x, y, last]);
             let pose = columns_forward(g, &blocks[n - 1].turn, &blocks[n - 1].exit, [x, y, last]);
-            let mut plane = vec![None; n];
+            let (mut plane, mut turned) = (vec![None; n], vec![None; n]);
             plane[n - 1] = Some([x, y]);
-            Some(Known { pose, axis, plane })
+            turned[n - 1] = Some([after[0], after[1]]);
+            // The frame before the last one, after its turn: x is the same, y follows from the quarter turn.
+            turned[n - 2] = Some([x, if quarter == 6 { last.map(|v| -v) } else { last }]);
+            Some(Known { pose, axis, plane, turned })
         }
     }
 }
 
-/// The ways to bring a vector from block b's frame to the base.
-fn candidates(g: &mut Graph, blocks: &[Block], k: &Known, b: usize, v: V3) -> Vec<(Graph, V3)> {
+/// A linear column before it is brought to the base.
+struct Local {
+    block: usize,
+    joint: usize,
+    /// In the block's frame.
+    v: V3,
+    /// The same in the frame after the block's whole turn, where the lever was one vector there.
+    turned: Option<V3>,
+}
+
+/// The ways to bring a column to the base.
+fn candidates(g: &mut Graph, blocks: &[Block], k: &Known, column: &Local) -> Vec<(Graph, V3)> {
+    let (b, v) = (column.block, column.v);
     let mut all = Vec::new();
     let mut from_tip = g.clone();
     let w = to_base(&mut from_tip, &blocks[..b], v);
@@ -93,7 +113,14 @@ fn candidates(g: &mut Graph, blocks: &[Block], k: &Known, b: usize, v: V3) -> Ve
         };
         let w = scaled.times(v[*i], axis);
         all.push((scaled, w));
-    } else if let Some(plane) = k.plane[b] {
+    }
+    if let (Some(v), Some(plane)) = (column.turned, k.turned[b]) {
+        let mut along = g.clone();
+        let (x, y) = (along.times(v[0], plane[0]), along.times(v[1], plane[1]));
+        let w = along.plus(x, y);
+        all.push((along, w));
+    }
+    if let Some(plane) = k.plane[b].filter(|_| nonzero.len() > 1) {
         let mut along = g.clone();
         let mut w = [ZERO; 3];
         for (i, axis) in [plane[0], plane[1], k.axis[b]].into_iter().enumerate() {
@@ -105,20 +132,35 @@ fn candidates(g: &mut Graph, blocks: &[Block], k: &Known, b: usize, v: V3) -> Ve
     all
 }
 
+/// The lever of a joint in the frame after the block's whole turn; `None` where some of its shifts are turned by less.
+fn lever_after_turn(g: &mut Graph, block: &Block, first: usize, tip: V3) -> Option<V3> {
+    let pieces = block.pieces.get(first..)?;
+    let along_axis = |p: &crate::kinematics::Piece| p.v[0].is_zero() && p.v[1].is_zero();
+    if !pieces.iter().all(|p| p.turn == block.turn || along_axis(p)) {
+        return None;
+    }
+    Some(pieces.iter().fold(tip, |sum, p| {
+        let v = g.vector(&p.v);
+        g.plus(sum, v)
+    }))
+}
+
 fn build(chain: &Chain, blocks: &[Block], way: Way) -> Option<Program> {
     let mut g = Graph::new(chain);
     let k = known(&mut g, blocks, way)?;
     let mut columns: Vec<[V3; 2]> = vec![[[ZERO; 3]; 2]; chain.dof()];
     // Tip in the frame of each block, from the last block on; columns per joint in the block's frame.
     let mut tip = [ZERO; 3];
-    let mut local: Vec<(usize, usize, V3)> = Vec::new();
+    let mut local: Vec<Local> = Vec::new();
     for (b, block) in blocks.iter().enumerate().rev() {
         let inner = g.turn_by(&block.exit, tip);
         for joint in block.joints.iter().rev() {
             let signed = |v: Value| if joint.opposite { -v } else { v };
             if joint.turns {
                 let r = lever(&mut g, block, joint.pieces, inner);
-                local.push((b, joint.joint, [signed(-r[1]), signed(r[0]), ZERO]));
+                let turned =
+                    lever_after_turn(&mut g, block, joint.pieces, inner).map(|w| [signed(-w[1]), signed(w[0]), ZERO]);
+                local.push(Local { block: b, joint: joint.joint, v: [signed(-r[1]), signed(r[0]), ZERO], turned });
                 columns[joint.joint][1] = k.axis[b].map(signed);
             } else {
                 columns[joint.joint][0] = k.axis[b].map(signed);
@@ -128,9 +170,9 @@ fn build(chain: &Chain, blocks: &[Block], way: Way) -> Option<Program> {
     }
     let mut outputs: Vec<Value> = [k.pose[0], k.pose[1], k.pose[2], tip].concat();
     outputs.extend(columns.iter().flat_map(|c| c[1]));
-    for (b, joint, v) in local {
+    for column in local {
         let mut best: Option<(usize, Graph, V3)> = None;
-        for (candidate, w) in candidates(&mut g, blocks, &k, b, v) {
+        for (candidate, w) in candidates(&mut g, blocks, &k, &column) {
             let mut all = outputs.clone();
             all.extend(w);
             let weight = Cost::of(&candidate, &all).weight();
@@ -141,7 +183,7 @@ fn build(chain: &Chain, blocks: &[Block], way: Way) -> Option<Program> {
         if let Some((_, graph, w)) = best {
             g = graph;
             outputs.extend(w);
-            columns[joint][0] = w;
+            columns[column.joint][0] = w;
         }
     }
     let mut outputs: Vec<Value> = outputs[..12].to_vec();
