@@ -33,12 +33,12 @@ impl Cobra600 {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
     ///
-    /// Cost: 4 multiplications, 6 additions, 3 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 4 multiplications, 5 additions, 3 sine-cosine pairs. Proven equal to the product of the link transforms.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 4]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
-        let angles = [q[0] + q[1], q[0], q[0] + q[1] - q[3]];
-        let ([s12, s1, s12m4], [c12, c1, c12m4]) = ::dh_robot::sincos::sincos_batch(
+        let angles = [q[0] + q[1] - q[3], q[0] + q[1], q[0]];
+        let ([s12m4, s12, s1], [c12m4, c12, c1]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
         ::dh_robot::pose::from_entries(
@@ -48,7 +48,7 @@ impl Cobra600 {
     }
     /// Pose of every moving link's frame in the base, without the tool.
     ///
-    /// Cost: 4 multiplications, 6 additions, 3 sine-cosine pairs.
+    /// Cost: 4 multiplications, 5 additions, 3 sine-cosine pairs.
     #[must_use]
     pub fn frames(
         &self,
@@ -104,7 +104,7 @@ impl Cobra600 {
     }
     /// [`forward`](Self::forward) and [`jacobian`](Self::jacobian) together, for little more than one of them.
     ///
-    /// Cost: 4 multiplications, 6 additions, 3 sine-cosine pairs.
+    /// Cost: 4 multiplications, 5 additions, 3 sine-cosine pairs.
     #[inline]
     #[must_use]
     pub fn forward_and_jacobian(
@@ -179,6 +179,9 @@ impl Cobra600 {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
+        if let Some(solutions) = self.lanes(&frame) {
+            return solutions;
+        }
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 0.987,
@@ -297,13 +300,169 @@ impl Cobra600 {
         }
         attempt
     }
+    /// The plan for all branches at once; `None` where the robust way has to decide.
+    #[inline]
+    fn lanes(
+        &self,
+        t: &::dh_robot::ik::Pose,
+    ) -> Option<::dh_robot::Solutions<f64, 4, 2>> {
+        let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
+        let t_3 = t_2 - 0.3397962776479236;
+        let mut m0 = [0.0; 1];
+        let mut f0 = [[0.0; 1]; 2];
+        for l in 0..1 {
+            let (x, m) = ::dh_robot::lanes::linear(-1.0, -(t[2][3] - 0.39209726443769));
+            f0[0][l] = x;
+            f0[1][l] = x;
+            m0[l] = m;
+        }
+        let q3_ = f0[0];
+        let g0: [f64; 1] = f0[0].map(|d| d * 0.987);
+        let mut v43_ = [0.0; 1];
+        let mut v67_ = [0.0; 1];
+        for l in 0..1 {
+            let q3 = q3_[l];
+            v43_[l] = q3 * (0.78419452887538 - q3) + t_3;
+            v67_[l] = 0.39209726443769 - q3;
+        }
+        let mut m1 = [0.0; 1];
+        let mut f1 = [[0.0; 1]; 2];
+        for l in 0..1 {
+            let ([x, y], m) = ::dh_robot::lanes::pair(
+                1.0,
+                0.0,
+                t[0][0],
+                0.0,
+                1.0,
+                t[0][1],
+            );
+            f1[0][l] = x;
+            f1[1][l] = y;
+            m1[l] = m;
+        }
+        let c12m4_ = f1[0];
+        let s12m4_ = f1[1];
+        let g1: [f64; 1] = ::dh_robot::atan2_batch(&f1[1], &f1[0]);
+        let mut m2 = [0.0; 1];
+        let mut f2 = [[0.0; 2]; 2];
+        let mut e2 = [0.0; 1];
+        for l in 0..1 {
+            let v43 = v43_[l];
+            let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
+                0.18348972303573616,
+                0.0,
+                v43,
+            );
+            f2[0][l] = x;
+            f2[1][l] = y;
+            f2[0][l + 1] = z;
+            f2[1][l + 1] = w;
+            m2[l] = m;
+            e2[l] = e;
+        }
+        let c2_ = f2[0];
+        let s2_ = f2[1];
+        let g2: [f64; 2] = ::dh_robot::atan2_batch(&f2[1], &f2[0]);
+        let mut v48_ = [0.0; 2];
+        let mut v50_ = [0.0; 2];
+        for l in 0..2 {
+            let c2 = c2_[l];
+            let s2 = s2_[l];
+            let t_4 = 0.32928064842958465 + 0.27862208713272546 * c2;
+            let t_5 = 0.27862208713272546 * s2;
+            v48_[l] = t_4;
+            v50_[l] = t_5;
+        }
+        let mut m3 = [0.0; 2];
+        let mut f3 = [[0.0; 2]; 2];
+        for l in 0..2 {
+            let v48 = v48_[l];
+            let v50 = v50_[l];
+            let ([x, y], m) = ::dh_robot::lanes::pair(
+                v48,
+                -v50,
+                t[0][3],
+                v50,
+                v48,
+                t[1][3],
+            );
+            f3[0][l] = x;
+            f3[1][l] = y;
+            m3[l] = m;
+        }
+        let c1_ = f3[0];
+        let s1_ = f3[1];
+        let g3: [f64; 2] = ::dh_robot::atan2_batch(&f3[1], &f3[0]);
+        let mut v65_ = [0.0; 2];
+        let mut v66_ = [0.0; 2];
+        for l in 0..2 {
+            let c2 = c2_[l];
+            let s2 = s2_[l];
+            let c1 = c1_[l];
+            let s1 = s1_[l];
+            let t_6 = 0.27862208713272546 * (c2 * c1 - s2 * s1)
+                + 0.32928064842958465 * c1;
+            let t_7 = 0.27862208713272546 * (c2 * s1 + s2 * c1)
+                + 0.32928064842958465 * s1;
+            v65_[l] = t_6;
+            v66_[l] = t_7;
+        }
+        let mut error = [0.0; 2];
+        for l in 0..2 {
+            let c12m4 = c12m4_[l % 1];
+            let s12m4 = s12m4_[l % 1];
+            let v65 = v65_[l];
+            let v66 = v66_[l];
+            let v67 = v67_[l % 1];
+            error[l] = (c12m4 - t[0][0]).abs() + (s12m4 - t[1][0]).abs()
+                + (0.0 - t[2][0]).abs() + (s12m4 - t[0][1]).abs()
+                + (-c12m4 - t[1][1]).abs() + (0.0 - t[2][1]).abs()
+                + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs() + (-1.0 - t[2][2]).abs()
+                + (v65 - t[0][3]).abs() + (v66 - t[1][3]).abs() + (v67 - t[2][3]).abs();
+        }
+        let valid: [f64; 2] = ::core::array::from_fn(|l| 1.0 * e2[l % 1 % 1]);
+        let margin: [f64; 2] = ::core::array::from_fn(|l| {
+            1.0_f64
+                .min(m0[l % 1 % 1])
+                .min(m1[l % 1 % 1])
+                .min(m2[l % 1 % 1])
+                .min(m3[l % 2 % 2])
+        });
+        let q: [[f64; 2]; 4] = [
+            ::core::array::from_fn(|l| g3[l % 2]),
+            ::core::array::from_fn(|l| g2[l / 1 % 2 * 1 + l % 1]),
+            ::core::array::from_fn(|l| g0[l % 1]),
+            ::core::array::from_fn(|l| ::dh_robot::lanes::wrap(
+                -g1[l % 1] + g2[l / 1 % 2 * 1 + l % 1] + g3[l % 2],
+            )),
+        ];
+        ::dh_robot::lanes::collect(
+            &Self::JOINTS,
+            &valid,
+            &margin,
+            &error,
+            &q,
+            |l| {
+                let i2 = l / 1 % 2;
+                ::dh_robot::Branch::ANY
+                    .with_step(0, i2)
+                    .with_elbow(
+                        if i2 == 0 {
+                            ::dh_robot::Elbow::Up
+                        } else {
+                            ::dh_robot::Elbow::Down
+                        },
+                    )
+            },
+        )
+    }
 }
 #[allow(clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<4> for Cobra600 {
     #[inline]
     fn forward(&self, q: &[f64; 4]) -> ::dh_robot::ik::Pose {
-        let angles = [q[0] + q[1], q[0], q[0] + q[1] - q[3]];
-        let ([s12, s1, s12m4], [c12, c1, c12m4]) = ::dh_robot::sincos::sincos_batch(
+        let angles = [q[0] + q[1] - q[3], q[0] + q[1], q[0]];
+        let ([s12m4, s12, s1], [c12m4, c12, c1]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
         [

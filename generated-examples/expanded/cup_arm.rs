@@ -34,44 +34,37 @@ impl CupArm {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in mm.
     ///
-    /// Cost: 44 multiplications, 24 additions, 6 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 41 multiplications, 23 additions, 6 sine-cosine pairs. Proven equal to the product of the link transforms.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
-        let angles = [q[5], q[4], q[3], q[1] + q[2], q[1], q[0]];
-        let ([s6, s5, s4, s23, s2, s1], [c6, c5, c4, c23, c2, c1]) = ::dh_robot::sincos::sincos_batch(
+        let angles = [q[5], q[4], q[3], q[1] + q[2], q[0], q[1]];
+        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t_2 = 206.0 * s5;
-        let t_3 = 206.0 * c5 + 338.0;
-        let t_4 = t_2 * s4;
-        let t_5 = 40.0 + t_2 * c4;
-        let t_6 = 30.0 + t_5 * c23 + t_3 * s23 - 340.0 * c2;
         let c6c5 = c6 * c5;
         let c6s5 = c6 * s5;
-        let t_7 = c4 * c6c5 - s6 * s4;
-        let t_8 = s4 * c6c5 + s6 * c4;
-        let t_9 = c23 * t_7 - s23 * c6s5;
-        let t_10 = s23 * t_7 + c23 * c6s5;
-        let t_11 = c1 * t_9 + s1 * t_8;
-        let t_12 = s1 * t_9 - c1 * t_8;
+        let t_2 = c6c5 * c4 - s6 * s4;
+        let t_3 = c6c5 * s4 + s6 * c4;
+        let t_4 = t_2 * c23 - c6s5 * s23;
+        let t_5 = t_2 * s23 + c6s5 * c23;
+        let t_6 = t_4 * c1 + t_3 * s1;
+        let t_7 = t_4 * s1 - t_3 * c1;
         let s5c4 = s5 * c4;
         let s5s4 = s5 * s4;
-        let t_13 = c23 * s5c4 + c5 * s23;
-        let t_14 = s23 * s5c4 - c5 * c23;
-        let t_15 = c1 * t_13 + s1 * s5s4;
-        let t_16 = s1 * t_13 - c1 * s5s4;
+        let t_8 = c23 * s5c4 + c5 * s23;
+        let t_9 = s23 * s5c4 - c5 * c23;
+        let t_10 = c1 * t_8 + s1 * s5s4;
+        let t_11 = s1 * t_8 - c1 * s5s4;
+        let t_12 = 30.0 + c23 * 40.0 + s23 * 338.0 - 340.0 * c2;
+        let t_13 = s23 * 40.0 - c23 * 338.0 - 340.0 * s2 + 373.0 + t_9 * 206.0;
         ::dh_robot::pose::from_entries(
             [
-                [t_11, t_10 * t_16 - t_12 * t_14, -t_15],
-                [t_12, t_11 * t_14 - t_10 * t_15, -t_16],
-                [-t_10, -(t_12 * t_15 - t_11 * t_16), t_14],
+                [t_6, t_5 * t_11 - t_7 * t_9, -t_10],
+                [t_7, t_6 * t_9 - t_5 * t_10, -t_11],
+                [-t_5, -(t_7 * t_10 - t_6 * t_11), t_9],
             ],
-            [
-                -(t_6 * c1 + t_4 * s1),
-                -(t_6 * s1 - t_4 * c1),
-                t_5 * s23 - t_3 * c23 - 340.0 * s2 + 373.0,
-            ],
+            [-(c1 * t_12 + t_10 * 206.0), -(s1 * t_12 + t_11 * 206.0), t_13],
         )
     }
     /// Pose of every moving link's frame in the base, without the tool.
@@ -145,7 +138,7 @@ impl CupArm {
     /// Geometric Jacobian: rows 0..3 linear (mm per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the
     /// origin of the last frame (or tool).
     ///
-    /// Cost: 49 multiplications, 22 additions, 5 sine-cosine pairs.
+    /// Cost: 50 multiplications, 20 additions, 5 sine-cosine pairs.
     #[inline]
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
@@ -160,14 +153,15 @@ impl CupArm {
         let s23c4 = s23 * c4;
         let t_2 = c1c23 * c4 + s1 * s4;
         let t_3 = s1c23 * c4 - c1 * s4;
-        let t_4 = s5 * 206.0;
-        let t_5 = c5 * 206.0;
-        let t_6 = t_5 + 338.0;
-        let t_7 = c4 * t_4;
-        let t_8 = s4 * t_4;
-        let t_9 = t_7 + 40.0;
-        let t_10 = c23 * t_9 + s23 * t_6;
-        let t_11 = s23 * t_9 - c23 * t_6;
+        let s23s4 = s23 * s4;
+        let t_4 = s1 * c4 - c1c23 * s4;
+        let t_5 = c1 * c4 + s1c23 * s4;
+        let t_6 = s5 * 206.0;
+        let t_7 = c5 * 206.0 + 338.0;
+        let t_8 = s4 * t_6;
+        let t_9 = c4 * t_6 + 40.0;
+        let t_10 = c23 * t_9 + s23 * t_7;
+        let t_11 = s23 * t_9 - c23 * t_7;
         let t_12 = t_10 - 340.0 * c2;
         let t_13 = t_11 - 340.0 * s2;
         let t_14 = t_12 + 30.0;
@@ -176,21 +170,14 @@ impl CupArm {
                 [s1 * t_14 - c1 * t_8, -(c1 * t_14 + s1 * t_8), 0.0, 0.0, 0.0, 1.0],
                 [c1 * t_13, s1 * t_13, t_12, -s1, c1, 0.0],
                 [c1 * t_11, s1 * t_11, t_10, -s1, c1, 0.0],
+                [-t_4 * t_6, t_5 * t_6, -s23s4 * t_6, -c1s23, -s1s23, -c23],
                 [
-                    c1c23 * t_8 - s1 * t_7,
-                    s1c23 * t_8 + c1 * t_7,
-                    -s23 * t_8,
-                    -c1s23,
-                    -s1s23,
-                    -c23,
-                ],
-                [
-                    -(t_2 * t_5 - c1s23 * t_4),
-                    -(t_3 * t_5 - s1s23 * t_4),
-                    s23c4 * t_5 + c23 * t_4,
-                    -(s1 * c4 - c1c23 * s4),
-                    c1 * c4 + s1c23 * s4,
-                    -s23 * s4,
+                    -(t_2 * c5 - c1s23 * s5) * 206.0,
+                    -(t_3 * c5 - s1s23 * s5) * 206.0,
+                    (s23c4 * c5 + c23 * s5) * 206.0,
+                    -t_4,
+                    t_5,
+                    -s23s4,
                 ],
                 [
                     0.0,
@@ -205,7 +192,7 @@ impl CupArm {
     }
     /// [`forward`](Self::forward) and [`jacobian`](Self::jacobian) together, for little more than one of them.
     ///
-    /// Cost: 67 multiplications, 32 additions, 6 sine-cosine pairs.
+    /// Cost: 62 multiplications, 27 additions, 6 sine-cosine pairs.
     #[inline]
     #[must_use]
     pub fn forward_and_jacobian(
@@ -236,18 +223,16 @@ impl CupArm {
         let t_10 = s1s23 * c5 + t_3 * s5;
         let t_11 = c23 * c5 - s23c4 * s5;
         let t_12 = s5 * 206.0;
-        let t_13 = c5 * 206.0;
-        let t_14 = t_13 + 338.0;
-        let t_15 = c4 * t_12;
-        let t_16 = s4 * t_12;
-        let t_17 = t_15 + 40.0;
-        let t_18 = c23 * t_17 + s23 * t_14;
-        let t_19 = s23 * t_17 - c23 * t_14;
-        let t_20 = t_18 - 340.0 * c2;
-        let t_21 = t_19 - 340.0 * s2;
-        let t_22 = t_20 + 30.0;
-        let t_23 = c1 * t_22 + s1 * t_16;
-        let t_24 = s1 * t_22 - c1 * t_16;
+        let t_13 = c5 * 206.0 + 338.0;
+        let t_14 = s4 * t_12;
+        let t_15 = c4 * t_12 + 40.0;
+        let t_16 = c23 * t_15 + s23 * t_13;
+        let t_17 = s23 * t_15 - c23 * t_13;
+        let t_18 = t_16 - 340.0 * c2;
+        let t_19 = t_17 - 340.0 * s2;
+        let t_20 = t_18 + 30.0;
+        let t_21 = c1 * t_20 + s1 * t_14;
+        let t_22 = s1 * t_20 - c1 * t_14;
         (
             ::dh_robot::pose::from_entries(
                 [
@@ -255,29 +240,15 @@ impl CupArm {
                     [t_7 * c6 - t_5 * s6, -(t_5 * c6 + t_7 * s6), -t_10],
                     [-(t_8 * c6 - s23s4 * s6), s23s4 * c6 + t_8 * s6, -t_11],
                 ],
-                [-t_23, -t_24, t_21 + 373.0],
+                [-t_21, -t_22, t_19 + 373.0],
             ),
             ::dh_robot::nalgebra::SMatrix::from_data(
                 ::dh_robot::nalgebra::ArrayStorage([
-                    [t_24, -t_23, 0.0, 0.0, 0.0, 1.0],
-                    [c1 * t_21, s1 * t_21, t_20, -s1, c1, 0.0],
+                    [t_22, -t_21, 0.0, 0.0, 0.0, 1.0],
                     [c1 * t_19, s1 * t_19, t_18, -s1, c1, 0.0],
-                    [
-                        c1c23 * t_16 - s1 * t_15,
-                        s1c23 * t_16 + c1 * t_15,
-                        -s23 * t_16,
-                        -c1s23,
-                        -s1s23,
-                        -c23,
-                    ],
-                    [
-                        -(t_2 * t_13 - c1s23 * t_12),
-                        -(t_3 * t_13 - s1s23 * t_12),
-                        s23c4 * t_13 + c23 * t_12,
-                        -t_4,
-                        t_5,
-                        -s23s4,
-                    ],
+                    [c1 * t_17, s1 * t_17, t_16, -s1, c1, 0.0],
+                    [-t_4 * t_12, t_5 * t_12, -s23s4 * t_12, -c1s23, -s1s23, -c23],
+                    [-t_6 * 206.0, -t_7 * 206.0, t_8 * 206.0, -t_4, t_5, -s23s4],
                     [0.0, 0.0, 0.0, -t_9, -t_10, -t_11],
                 ]),
             ),
@@ -327,6 +298,9 @@ impl CupArm {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
+        if let Some(solutions) = self.lanes(&frame) {
+            return solutions;
+        }
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 954.0,
@@ -515,43 +489,409 @@ impl CupArm {
         }
         attempt
     }
+    /// The plan for all branches at once; `None` where the robust way has to decide.
+    #[inline]
+    fn lanes(
+        &self,
+        t: &::dh_robot::ik::Pose,
+    ) -> Option<::dh_robot::Solutions<f64, 6, 8>> {
+        let t_2 = t[0][3] - t[0][2] * 0.2159329140461216;
+        let t_3 = t[1][3] - t[1][2] * 0.2159329140461216;
+        let t_4 = t[2][3] - t[2][2] * 0.2159329140461216 - 0.39098532494758914;
+        let t_5 = t_4 * t_4;
+        let mut m0 = [0.0; 1];
+        let mut f0 = [[0.0; 2]; 2];
+        for l in 0..1 {
+            let ([x, y], m) = ::dh_robot::lanes::half_turn(-t_3, t_2);
+            f0[0][l] = x;
+            f0[1][l] = y;
+            f0[0][l + 1] = -x;
+            f0[1][l + 1] = -y;
+            m0[l] = m;
+        }
+        let c1_ = f0[0];
+        let s1_ = f0[1];
+        let half: [f64; 1] = ::dh_robot::atan2_batch(
+            &::core::array::from_fn(|l| f0[1][l]),
+            &::core::array::from_fn(|l| f0[0][l]),
+        );
+        let g0: [f64; 2] = ::core::array::from_fn(|k| {
+            if k < 1 {
+                half[k]
+            } else if half[k - 1] > 0.0 {
+                half[k - 1] - ::core::f64::consts::PI
+            } else {
+                half[k - 1] + ::core::f64::consts::PI
+            }
+        });
+        let mut v53_ = [0.0; 2];
+        let mut v59_ = [0.0; 2];
+        let mut v65_ = [0.0; 2];
+        let mut v94_ = [0.0; 2];
+        let mut v95_ = [0.0; 2];
+        for l in 0..2 {
+            let c1 = c1_[l];
+            let s1 = s1_[l];
+            let t_6 = t_2 * c1 + t_3 * s1;
+            let t_7 = t_2 * s1 - t_3 * c1;
+            let t_8 = t[0][0] * c1 + t[1][0] * s1;
+            let t_9 = t[0][1] * c1 + t[1][1] * s1;
+            let t_10 = t[0][2] * c1 + t[1][2] * s1;
+            let t_11 = 0.031446540880503145 * (0.031446540880503145 + t_6 * 2.0);
+            let t_12 = t_6 + 0.031446540880503145;
+            v53_[l] = t_8;
+            v59_[l] = t_9;
+            v65_[l] = t_10;
+            v94_[l] = t_11 + t_5 + t_6 * t_6 + t_7 * t_7 - 0.25430164946006883;
+            v95_[l] = t_12;
+        }
+        let mut m1 = [0.0; 2];
+        let mut f1 = [[0.0; 4]; 2];
+        let mut e1 = [0.0; 2];
+        for l in 0..2 {
+            let v94 = v94_[l];
+            let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
+                -0.02988630020788559,
+                -0.2525392367566332,
+                v94,
+            );
+            f1[0][l] = x;
+            f1[1][l] = y;
+            f1[0][l + 2] = z;
+            f1[1][l + 2] = w;
+            m1[l] = m;
+            e1[l] = e;
+        }
+        let c3_ = f1[0];
+        let s3_ = f1[1];
+        let g1: [f64; 4] = ::dh_robot::atan2_batch(&f1[1], &f1[0]);
+        let mut v104_ = [0.0; 4];
+        let mut v107_ = [0.0; 4];
+        for l in 0..4 {
+            let c3 = c3_[l];
+            let s3 = s3_[l];
+            let t_13 = 0.35639412997903563 - 0.041928721174004195 * c3
+                - 0.35429769392033544 * s3;
+            v104_[l] = t_13;
+            v107_[l] = c3 * 0.35429769392033544 - 0.041928721174004195 * s3;
+        }
+        let mut m2 = [0.0; 4];
+        let mut f2 = [[0.0; 4]; 2];
+        for l in 0..4 {
+            let v95 = v95_[l % 2];
+            let v104 = v104_[l];
+            let v107 = v107_[l];
+            let ([x, y], m) = ::dh_robot::lanes::pair(-v95, t_4, -v104, t_4, v95, -v107);
+            f2[0][l] = x;
+            f2[1][l] = y;
+            m2[l] = m;
+        }
+        let c2_ = f2[0];
+        let s2_ = f2[1];
+        let g2: [f64; 4] = ::dh_robot::atan2_batch(&f2[1], &f2[0]);
+        let mut v125_ = [0.0; 4];
+        let mut v128_ = [0.0; 4];
+        let mut v131_ = [0.0; 4];
+        let mut v134_ = [0.0; 4];
+        let mut v137_ = [0.0; 4];
+        let mut v140_ = [0.0; 4];
+        let mut v143_ = [0.0; 4];
+        let mut v146_ = [0.0; 4];
+        let mut v295_ = [0.0; 4];
+        let mut v296_ = [0.0; 4];
+        let mut v297_ = [0.0; 4];
+        for l in 0..4 {
+            let c1 = c1_[l % 2];
+            let s1 = s1_[l % 2];
+            let v53 = v53_[l % 2];
+            let v59 = v59_[l % 2];
+            let v65 = v65_[l % 2];
+            let c3 = c3_[l];
+            let s3 = s3_[l];
+            let c2 = c2_[l];
+            let s2 = s2_[l];
+            let t_14 = c3 * c2 - s3 * s2;
+            let t_15 = c3 * s2 + s3 * c2;
+            let t_16 = v53 * t_14 - t[2][0] * t_15;
+            let t_17 = v53 * t_15 + t[2][0] * t_14;
+            let t_18 = v59 * t_14 - t[2][1] * t_15;
+            let t_19 = v59 * t_15 + t[2][1] * t_14;
+            let t_20 = v65 * t_14 - t[2][2] * t_15;
+            let t_21 = 0.041928721174004195 * t_14 + 0.35429769392033544 * t_15
+                - 0.35639412997903563 * c2;
+            let t_22 = 0.041928721174004195 * t_15 - 0.35429769392033544 * t_14
+                - 0.35639412997903563 * s2;
+            let t_23 = 0.031446540880503145 + t_21;
+            let t_24 = c1 * t_23;
+            let t_25 = s1 * t_23;
+            let t_26 = 0.39098532494758914 + t_22;
+            v125_[l] = t_14;
+            v128_[l] = t_15;
+            v131_[l] = t_16;
+            v134_[l] = t_17;
+            v137_[l] = t_18;
+            v140_[l] = t_19;
+            v143_[l] = t_20;
+            v146_[l] = v65 * t_15 + t[2][2] * t_14;
+            v295_[l] = t_24;
+            v296_[l] = t_25;
+            v297_[l] = t_26;
+        }
+        let mut m3 = [0.0; 4];
+        let mut f3 = [[0.0; 8]; 2];
+        for l in 0..4 {
+            let v140 = v140_[l];
+            let v134 = v134_[l];
+            let ([x, y], m) = ::dh_robot::lanes::half_turn(-v140, -v134);
+            f3[0][l] = x;
+            f3[1][l] = y;
+            f3[0][l + 4] = -x;
+            f3[1][l + 4] = -y;
+            m3[l] = m;
+        }
+        let c6_ = f3[0];
+        let s6_ = f3[1];
+        let half: [f64; 4] = ::dh_robot::atan2_batch(
+            &::core::array::from_fn(|l| f3[1][l]),
+            &::core::array::from_fn(|l| f3[0][l]),
+        );
+        let g3: [f64; 8] = ::core::array::from_fn(|k| {
+            if k < 4 {
+                half[k]
+            } else if half[k - 4] > 0.0 {
+                half[k - 4] - ::core::f64::consts::PI
+            } else {
+                half[k - 4] + ::core::f64::consts::PI
+            }
+        });
+        let mut v171_ = [0.0; 8];
+        let mut v172_ = [0.0; 8];
+        let mut v180_ = [0.0; 8];
+        for l in 0..8 {
+            let v131 = v131_[l % 4];
+            let v134 = v134_[l % 4];
+            let v137 = v137_[l % 4];
+            let v140 = v140_[l % 4];
+            let c6 = c6_[l];
+            let s6 = s6_[l];
+            let t_27 = v131 * c6 - v137 * s6;
+            v171_[l] = t_27;
+            v172_[l] = v134 * c6 - v140 * s6;
+            v180_[l] = v131 * s6 + v137 * c6;
+        }
+        let mut m4 = [0.0; 8];
+        let mut f4 = [[0.0; 8]; 2];
+        for l in 0..8 {
+            let v172 = v172_[l];
+            let v146 = v146_[l % 4];
+            let ([x, y], m) = ::dh_robot::lanes::pair(0.0, 1.0, -v172, 1.0, 0.0, -v146);
+            f4[0][l] = x;
+            f4[1][l] = y;
+            m4[l] = m;
+        }
+        let c5_ = f4[0];
+        let s5_ = f4[1];
+        let g4: [f64; 8] = ::dh_robot::atan2_batch(&f4[1], &f4[0]);
+        let mut v201_ = [0.0; 8];
+        let mut v239_ = [0.0; 8];
+        let mut v250_ = [0.0; 8];
+        let mut v253_ = [0.0; 8];
+        let mut v264_ = [0.0; 8];
+        let mut v267_ = [0.0; 8];
+        for l in 0..8 {
+            let v125 = v125_[l % 4];
+            let v128 = v128_[l % 4];
+            let v143 = v143_[l % 4];
+            let c6 = c6_[l];
+            let v171 = v171_[l];
+            let c5 = c5_[l];
+            let s5 = s5_[l];
+            let c6c5 = c6 * c5;
+            let c6s5 = c6 * s5;
+            let t_28 = v128 * c6s5;
+            let t_29 = v125 * c6s5;
+            let t_30 = v128 * c5;
+            let t_31 = v125 * c5;
+            v201_[l] = v171 * c5 - v143 * s5;
+            v239_[l] = c6c5;
+            v250_[l] = t_28;
+            v253_[l] = t_29;
+            v264_[l] = t_30;
+            v267_[l] = t_31;
+        }
+        let mut m5 = [0.0; 8];
+        let mut f5 = [[0.0; 8]; 2];
+        for l in 0..8 {
+            let v201 = v201_[l];
+            let v180 = v180_[l];
+            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v201, 0.0, -1.0, v180);
+            f5[0][l] = x;
+            f5[1][l] = y;
+            m5[l] = m;
+        }
+        let c4_ = f5[0];
+        let s4_ = f5[1];
+        let g5: [f64; 8] = ::dh_robot::atan2_batch(&f5[1], &f5[0]);
+        let mut v254_ = [0.0; 8];
+        let mut v257_ = [0.0; 8];
+        let mut v260_ = [0.0; 8];
+        let mut v268_ = [0.0; 8];
+        let mut v271_ = [0.0; 8];
+        let mut v274_ = [0.0; 8];
+        let mut v277_ = [0.0; 8];
+        let mut v280_ = [0.0; 8];
+        let mut v283_ = [0.0; 8];
+        let mut v301_ = [0.0; 8];
+        let mut v302_ = [0.0; 8];
+        let mut v303_ = [0.0; 8];
+        for l in 0..8 {
+            let c1 = c1_[l % 2];
+            let s1 = s1_[l % 2];
+            let v125 = v125_[l % 4];
+            let v128 = v128_[l % 4];
+            let s6 = s6_[l];
+            let s5 = s5_[l];
+            let v239 = v239_[l];
+            let v250 = v250_[l];
+            let v253 = v253_[l];
+            let v264 = v264_[l];
+            let v267 = v267_[l];
+            let v295 = v295_[l % 4];
+            let v296 = v296_[l % 4];
+            let v297 = v297_[l % 4];
+            let c4 = c4_[l];
+            let s4 = s4_[l];
+            let t_32 = v239 * c4 - s6 * s4;
+            let t_33 = v239 * s4 + s6 * c4;
+            let t_34 = v125 * t_32 - v250;
+            let t_35 = v128 * t_32 + v253;
+            let t_36 = c1 * t_34 + s1 * t_33;
+            let t_37 = s1 * t_34 - c1 * t_33;
+            let s5c4 = s5 * c4;
+            let s5s4 = s5 * s4;
+            let t_38 = v125 * s5c4 + v264;
+            let t_39 = v128 * s5c4 - v267;
+            let t_40 = c1 * t_38 + s1 * s5s4;
+            let t_41 = s1 * t_38 - c1 * s5s4;
+            v254_[l] = t_35;
+            v257_[l] = t_36;
+            v260_[l] = t_37;
+            v268_[l] = t_39;
+            v271_[l] = t_40;
+            v274_[l] = t_41;
+            v277_[l] = t_35 * t_41 - t_37 * t_39;
+            v280_[l] = t_36 * t_39 - t_35 * t_40;
+            v283_[l] = t_37 * t_40 - t_36 * t_41;
+            v301_[l] = v295 + 0.2159329140461216 * t_40;
+            v302_[l] = v296 + 0.2159329140461216 * t_41;
+            v303_[l] = v297 + 0.2159329140461216 * t_39;
+        }
+        let mut error = [0.0; 8];
+        for l in 0..8 {
+            let v257 = v257_[l];
+            let v260 = v260_[l];
+            let v254 = v254_[l];
+            let v277 = v277_[l];
+            let v280 = v280_[l];
+            let v283 = v283_[l];
+            let v271 = v271_[l];
+            let v274 = v274_[l];
+            let v268 = v268_[l];
+            let v301 = v301_[l];
+            let v302 = v302_[l];
+            let v303 = v303_[l];
+            error[l] = (v257 - t[0][0]).abs() + (v260 - t[1][0]).abs()
+                + (-v254 - t[2][0]).abs() + (v277 - t[0][1]).abs()
+                + (v280 - t[1][1]).abs() + (-v283 - t[2][1]).abs()
+                + (-v271 - t[0][2]).abs() + (-v274 - t[1][2]).abs()
+                + (v268 - t[2][2]).abs() + (-v301 - t[0][3]).abs()
+                + (-v302 - t[1][3]).abs() + (v303 - t[2][3]).abs();
+        }
+        let valid: [f64; 8] = ::core::array::from_fn(|l| 1.0 * e1[l % 2 % 2]);
+        let margin: [f64; 8] = ::core::array::from_fn(|l| {
+            1.0_f64
+                .min(m0[l % 1 % 1])
+                .min(m1[l % 2 % 2])
+                .min(m2[l % 4 % 4])
+                .min(m3[l % 4 % 4])
+                .min(m4[l % 8 % 8])
+                .min(m5[l % 8 % 8])
+        });
+        let q: [[f64; 8]; 6] = [
+            ::core::array::from_fn(|l| g0[l / 1 % 2 * 1 + l % 1]),
+            ::core::array::from_fn(|l| g2[l % 4]),
+            ::core::array::from_fn(|l| g1[l / 2 % 2 * 2 + l % 2]),
+            ::core::array::from_fn(|l| g5[l % 8]),
+            ::core::array::from_fn(|l| g4[l % 8]),
+            ::core::array::from_fn(|l| g3[l / 4 % 2 * 4 + l % 4]),
+        ];
+        ::dh_robot::lanes::collect(
+            &Self::JOINTS,
+            &valid,
+            &margin,
+            &error,
+            &q,
+            |l| {
+                let i0 = l / 1 % 2;
+                let i1 = l / 2 % 2;
+                let i3 = l / 4 % 2;
+                ::dh_robot::Branch::ANY
+                    .with_step(0, i0)
+                    .with_shoulder(
+                        if i0 == 0 {
+                            ::dh_robot::Shoulder::Left
+                        } else {
+                            ::dh_robot::Shoulder::Right
+                        },
+                    )
+                    .with_step(1, i1)
+                    .with_elbow(
+                        if i1 == 0 {
+                            ::dh_robot::Elbow::Up
+                        } else {
+                            ::dh_robot::Elbow::Down
+                        },
+                    )
+                    .with_step(2, i3)
+                    .with_wrist(
+                        if i3 == 0 {
+                            ::dh_robot::Wrist::NoFlip
+                        } else {
+                            ::dh_robot::Wrist::Flip
+                        },
+                    )
+            },
+        )
+    }
 }
 #[allow(clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<6> for CupArm {
     #[inline]
     fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {
-        let angles = [q[5], q[4], q[3], q[1] + q[2], q[1], q[0]];
-        let ([s6, s5, s4, s23, s2, s1], [c6, c5, c4, c23, c2, c1]) = ::dh_robot::sincos::sincos_batch(
+        let angles = [q[5], q[4], q[3], q[1] + q[2], q[0], q[1]];
+        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t_2 = 206.0 * s5;
-        let t_3 = 206.0 * c5 + 338.0;
-        let t_4 = t_2 * s4;
-        let t_5 = 40.0 + t_2 * c4;
-        let t_6 = 30.0 + t_5 * c23 + t_3 * s23 - 340.0 * c2;
         let c6c5 = c6 * c5;
         let c6s5 = c6 * s5;
-        let t_7 = c4 * c6c5 - s6 * s4;
-        let t_8 = s4 * c6c5 + s6 * c4;
-        let t_9 = c23 * t_7 - s23 * c6s5;
-        let t_10 = s23 * t_7 + c23 * c6s5;
-        let t_11 = c1 * t_9 + s1 * t_8;
-        let t_12 = s1 * t_9 - c1 * t_8;
+        let t_2 = c6c5 * c4 - s6 * s4;
+        let t_3 = c6c5 * s4 + s6 * c4;
+        let t_4 = t_2 * c23 - c6s5 * s23;
+        let t_5 = t_2 * s23 + c6s5 * c23;
+        let t_6 = t_4 * c1 + t_3 * s1;
+        let t_7 = t_4 * s1 - t_3 * c1;
         let s5c4 = s5 * c4;
         let s5s4 = s5 * s4;
-        let t_13 = c23 * s5c4 + c5 * s23;
-        let t_14 = s23 * s5c4 - c5 * c23;
-        let t_15 = c1 * t_13 + s1 * s5s4;
-        let t_16 = s1 * t_13 - c1 * s5s4;
+        let t_8 = c23 * s5c4 + c5 * s23;
+        let t_9 = s23 * s5c4 - c5 * c23;
+        let t_10 = c1 * t_8 + s1 * s5s4;
+        let t_11 = s1 * t_8 - c1 * s5s4;
+        let t_12 = 30.0 + c23 * 40.0 + s23 * 338.0 - 340.0 * c2;
+        let t_13 = s23 * 40.0 - c23 * 338.0 - 340.0 * s2 + 373.0 + t_9 * 206.0;
         [
-            [t_11, t_10 * t_16 - t_12 * t_14, -t_15, -(t_6 * c1 + t_4 * s1)],
-            [t_12, t_11 * t_14 - t_10 * t_15, -t_16, -(t_6 * s1 - t_4 * c1)],
-            [
-                -t_10,
-                -(t_12 * t_15 - t_11 * t_16),
-                t_14,
-                t_5 * s23 - t_3 * c23 - 340.0 * s2 + 373.0,
-            ],
+            [t_6, t_5 * t_11 - t_7 * t_9, -t_10, -(c1 * t_12 + t_10 * 206.0)],
+            [t_7, t_6 * t_9 - t_5 * t_10, -t_11, -(s1 * t_12 + t_11 * 206.0)],
+            [-t_5, -(t_7 * t_10 - t_6 * t_11), t_9, t_13],
         ]
     }
     fn forward_and_jacobian(
@@ -579,42 +919,26 @@ impl ::dh_robot::ik::Kinematics<6> for CupArm {
         let t_10 = s1s23 * c5 + t_3 * s5;
         let t_11 = c23 * c5 - s23c4 * s5;
         let t_12 = s5 * 206.0;
-        let t_13 = c5 * 206.0;
-        let t_14 = t_13 + 338.0;
-        let t_15 = c4 * t_12;
-        let t_16 = s4 * t_12;
-        let t_17 = t_15 + 40.0;
-        let t_18 = c23 * t_17 + s23 * t_14;
-        let t_19 = s23 * t_17 - c23 * t_14;
-        let t_20 = t_18 - 340.0 * c2;
-        let t_21 = t_19 - 340.0 * s2;
-        let t_22 = t_20 + 30.0;
-        let t_23 = c1 * t_22 + s1 * t_16;
-        let t_24 = s1 * t_22 - c1 * t_16;
+        let t_13 = c5 * 206.0 + 338.0;
+        let t_14 = s4 * t_12;
+        let t_15 = c4 * t_12 + 40.0;
+        let t_16 = c23 * t_15 + s23 * t_13;
+        let t_17 = s23 * t_15 - c23 * t_13;
+        let t_18 = t_16 - 340.0 * c2;
+        let t_19 = t_17 - 340.0 * s2;
+        let t_20 = t_18 + 30.0;
+        let t_21 = c1 * t_20 + s1 * t_14;
+        let t_22 = s1 * t_20 - c1 * t_14;
         (
             [
-                [t_6 * c6 + t_4 * s6, t_4 * c6 - t_6 * s6, -t_9, -t_23],
-                [t_7 * c6 - t_5 * s6, -(t_5 * c6 + t_7 * s6), -t_10, -t_24],
-                [-(t_8 * c6 - s23s4 * s6), s23s4 * c6 + t_8 * s6, -t_11, t_21 + 373.0],
+                [t_6 * c6 + t_4 * s6, t_4 * c6 - t_6 * s6, -t_9, -t_21],
+                [t_7 * c6 - t_5 * s6, -(t_5 * c6 + t_7 * s6), -t_10, -t_22],
+                [-(t_8 * c6 - s23s4 * s6), s23s4 * c6 + t_8 * s6, -t_11, t_19 + 373.0],
             ],
             [
-                [
-                    t_24,
-                    c1 * t_21,
-                    c1 * t_19,
-                    c1c23 * t_16 - s1 * t_15,
-                    -(t_2 * t_13 - c1s23 * t_12),
-                    0.0,
-                ],
-                [
-                    -t_23,
-                    s1 * t_21,
-                    s1 * t_19,
-                    s1c23 * t_16 + c1 * t_15,
-                    -(t_3 * t_13 - s1s23 * t_12),
-                    0.0,
-                ],
-                [0.0, t_20, t_18, -s23 * t_16, s23c4 * t_13 + c23 * t_12, 0.0],
+                [t_22, c1 * t_19, c1 * t_17, -t_4 * t_12, -t_6 * 206.0, 0.0],
+                [-t_21, s1 * t_19, s1 * t_17, t_5 * t_12, -t_7 * 206.0, 0.0],
+                [0.0, t_18, t_16, -s23s4 * t_12, t_8 * 206.0, 0.0],
                 [0.0, -s1, -s1, -c1s23, -t_4, -t_9],
                 [0.0, c1, c1, -s1s23, t_5, -t_10],
                 [1.0, 0.0, 0.0, -c23, -s23s4, -t_11],

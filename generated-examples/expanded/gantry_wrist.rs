@@ -34,7 +34,7 @@ impl GantryWrist {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
     ///
-    /// Cost: 18 multiplications, 9 additions, 3 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 17 multiplications, 9 additions, 3 sine-cosine pairs. Proven equal to the product of the link transforms.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
@@ -42,16 +42,17 @@ impl GantryWrist {
         let ([s6_30, s5, s4], [c6_30, c5, c4]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t_2 = 0.2 * s5;
-        let t_3 = c6_30 * c5;
-        let t_4 = s6_30 * c5;
+        let t_2 = c6_30 * c5;
+        let t_3 = s6_30 * c5;
+        let s5c4 = s5 * c4;
+        let s5s4 = s5 * s4;
         ::dh_robot::pose::from_entries(
             [
-                [s4 * t_3 + s6_30 * c4, -(s4 * t_4 - c6_30 * c4), -s5 * s4],
+                [t_2 * s4 + s6_30 * c4, -(s4 * t_3 - c6_30 * c4), -s5s4],
                 [c6_30 * s5, -s6_30 * s5, c5],
-                [c4 * t_3 - s6_30 * s4, -(c4 * t_4 + c6_30 * s4), -s5 * c4],
+                [t_2 * c4 - s6_30 * s4, -(c4 * t_3 + c6_30 * s4), -s5c4],
             ],
-            [-(t_2 * s4 - q[1]), 0.2 * c5 + 0.1 + q[2], -(t_2 * c4 - q[0])],
+            [q[1] - s5s4 * 0.2, 0.1 + q[2] + c5 * 0.2, q[0] - s5c4 * 0.2],
         )
     }
     /// Pose of every moving link's frame in the base, without the tool.
@@ -213,6 +214,9 @@ impl GantryWrist {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
+        if let Some(solutions) = self.lanes(&frame) {
+            return solutions;
+        }
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 0.30000000000000004,
@@ -367,6 +371,236 @@ impl GantryWrist {
         }
         attempt
     }
+    /// The plan for all branches at once; `None` where the robust way has to decide.
+    #[inline]
+    fn lanes(
+        &self,
+        t: &::dh_robot::ik::Pose,
+    ) -> Option<::dh_robot::Solutions<f64, 6, 2>> {
+        let t_2 = t[1][0] * 0.8660254037844386 - t[1][1] * 0.5;
+        let t_3 = t[2][0] * 0.8660254037844386 - t[2][1] * 0.5;
+        let t_4 = t[1][0] * 0.5 + t[1][1] * 0.8660254037844386;
+        let t_5 = t[2][0] * 0.5 + t[2][1] * 0.8660254037844386;
+        let t_6 = t[1][3] - t[1][2] * 0.6666666666666666 - 0.3333333333333333;
+        let mut m0 = [0.0; 1];
+        let mut f0 = [[0.0; 1]; 2];
+        for l in 0..1 {
+            let (x, m) = ::dh_robot::lanes::linear(
+                -1.0,
+                t[0][3] - t[0][2] * 0.6666666666666666,
+            );
+            f0[0][l] = x;
+            f0[1][l] = x;
+            m0[l] = m;
+        }
+        let q2_ = f0[0];
+        let g0: [f64; 1] = f0[0].map(|d| d * 0.30000000000000004);
+        let mut m1 = [0.0; 1];
+        let mut f1 = [[0.0; 1]; 2];
+        for l in 0..1 {
+            let (x, m) = ::dh_robot::lanes::linear(
+                1.0,
+                -(t[2][3] - t[2][2] * 0.6666666666666666),
+            );
+            f1[0][l] = x;
+            f1[1][l] = x;
+            m1[l] = m;
+        }
+        let q1_ = f1[0];
+        let g1: [f64; 1] = f1[0].map(|d| d * 0.30000000000000004);
+        let mut m2 = [0.0; 1];
+        let mut f2 = [[0.0; 1]; 2];
+        for l in 0..1 {
+            let (x, m) = ::dh_robot::lanes::linear(-1.0, t_6);
+            f2[0][l] = x;
+            f2[1][l] = x;
+            m2[l] = m;
+        }
+        let q3_ = f2[0];
+        let g2: [f64; 1] = f2[0].map(|d| d * 0.30000000000000004);
+        let mut v193_ = [0.0; 1];
+        for l in 0..1 {
+            let q3 = q3_[l];
+            let t_7 = 0.3333333333333333 + q3;
+            v193_[l] = t_7;
+        }
+        let mut m3 = [0.0; 1];
+        let mut f3 = [[0.0; 2]; 2];
+        for l in 0..1 {
+            let ([x, y], m) = ::dh_robot::lanes::half_turn(-t_4, -t_2);
+            f3[0][l] = x;
+            f3[1][l] = y;
+            f3[0][l + 1] = -x;
+            f3[1][l + 1] = -y;
+            m3[l] = m;
+        }
+        let c6_ = f3[0];
+        let s6_ = f3[1];
+        let half: [f64; 1] = ::dh_robot::atan2_batch(
+            &::core::array::from_fn(|l| f3[1][l]),
+            &::core::array::from_fn(|l| f3[0][l]),
+        );
+        let g3: [f64; 2] = ::core::array::from_fn(|k| {
+            if k < 1 {
+                half[k]
+            } else if half[k - 1] > 0.0 {
+                half[k - 1] - ::core::f64::consts::PI
+            } else {
+                half[k - 1] + ::core::f64::consts::PI
+            }
+        });
+        let mut v93_ = [0.0; 2];
+        let mut v95_ = [0.0; 2];
+        let mut v102_ = [0.0; 2];
+        let mut v169_ = [0.0; 2];
+        let mut v172_ = [0.0; 2];
+        for l in 0..2 {
+            let c6 = c6_[l];
+            let s6 = s6_[l];
+            let t_8 = t_3 * c6 - t_5 * s6;
+            let t_9 = 0.8660254037844386 * c6 - 0.5 * s6;
+            let t_10 = 0.5 * c6 + 0.8660254037844386 * s6;
+            v93_[l] = t_8;
+            v95_[l] = t_2 * c6 - t_4 * s6;
+            v102_[l] = t_3 * s6 + t_5 * c6;
+            v169_[l] = t_9;
+            v172_[l] = t_10;
+        }
+        let mut m4 = [0.0; 2];
+        let mut f4 = [[0.0; 2]; 2];
+        for l in 0..2 {
+            let v95 = v95_[l];
+            let ([x, y], m) = ::dh_robot::lanes::pair(0.0, 1.0, v95, 1.0, 0.0, t[1][2]);
+            f4[0][l] = x;
+            f4[1][l] = y;
+            m4[l] = m;
+        }
+        let c5_ = f4[0];
+        let s5_ = f4[1];
+        let g4: [f64; 2] = ::dh_robot::atan2_batch(&f4[1], &f4[0]);
+        let mut v129_ = [0.0; 2];
+        let mut v173_ = [0.0; 2];
+        let mut v174_ = [0.0; 2];
+        let mut v183_ = [0.0; 2];
+        let mut v184_ = [0.0; 2];
+        let mut v198_ = [0.0; 2];
+        for l in 0..2 {
+            let v93 = v93_[l];
+            let v169 = v169_[l];
+            let v172 = v172_[l];
+            let v193 = v193_[l % 1];
+            let c5 = c5_[l];
+            let s5 = s5_[l];
+            let t_11 = c5 * v169;
+            let t_12 = c5 * v172;
+            v129_[l] = v93 * c5 - t[2][2] * s5;
+            v173_[l] = t_11;
+            v174_[l] = s5 * v169;
+            v183_[l] = t_12;
+            v184_[l] = s5 * v172;
+            v198_[l] = v193 + 0.6666666666666666 * c5;
+        }
+        let mut m5 = [0.0; 2];
+        let mut f5 = [[0.0; 2]; 2];
+        for l in 0..2 {
+            let v129 = v129_[l];
+            let v102 = v102_[l];
+            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v129, 0.0, -1.0, v102);
+            f5[0][l] = x;
+            f5[1][l] = y;
+            m5[l] = m;
+        }
+        let c4_ = f5[0];
+        let s4_ = f5[1];
+        let g5: [f64; 2] = ::dh_robot::atan2_batch(&f5[1], &f5[0]);
+        let mut v179_ = [0.0; 2];
+        let mut v182_ = [0.0; 2];
+        let mut v187_ = [0.0; 2];
+        let mut v190_ = [0.0; 2];
+        let mut v191_ = [0.0; 2];
+        let mut v192_ = [0.0; 2];
+        let mut v197_ = [0.0; 2];
+        let mut v199_ = [0.0; 2];
+        for l in 0..2 {
+            let q1 = q1_[l % 1];
+            let q2 = q2_[l % 1];
+            let s5 = s5_[l];
+            let v169 = v169_[l];
+            let v172 = v172_[l];
+            let v173 = v173_[l];
+            let v183 = v183_[l];
+            let c4 = c4_[l];
+            let s4 = s4_[l];
+            let s5c4 = s5 * c4;
+            let s5s4 = s5 * s4;
+            v179_[l] = v173 * c4 - v172 * s4;
+            v182_[l] = v173 * s4 + v172 * c4;
+            v187_[l] = c4 * v183 + v169 * s4;
+            v190_[l] = s4 * v183 - v169 * c4;
+            v191_[l] = s5c4;
+            v192_[l] = s5s4;
+            v197_[l] = q2 - 0.6666666666666666 * s5s4;
+            v199_[l] = q1 - 0.6666666666666666 * s5c4;
+        }
+        let mut error = [0.0; 2];
+        for l in 0..2 {
+            let v182 = v182_[l];
+            let v174 = v174_[l];
+            let v179 = v179_[l];
+            let v190 = v190_[l];
+            let v184 = v184_[l];
+            let v187 = v187_[l];
+            let v192 = v192_[l];
+            let c5 = c5_[l];
+            let v191 = v191_[l];
+            let v197 = v197_[l];
+            let v198 = v198_[l];
+            let v199 = v199_[l];
+            error[l] = (v182 - t[0][0]).abs() + (v174 - t[1][0]).abs()
+                + (v179 - t[2][0]).abs() + (-v190 - t[0][1]).abs()
+                + (-v184 - t[1][1]).abs() + (-v187 - t[2][1]).abs()
+                + (-v192 - t[0][2]).abs() + (c5 - t[1][2]).abs()
+                + (-v191 - t[2][2]).abs() + (v197 - t[0][3]).abs()
+                + (v198 - t[1][3]).abs() + (v199 - t[2][3]).abs();
+        }
+        let valid: [f64; 2] = ::core::array::from_fn(|l| 1.0);
+        let margin: [f64; 2] = ::core::array::from_fn(|l| {
+            1.0_f64
+                .min(m0[l % 1 % 1])
+                .min(m1[l % 1 % 1])
+                .min(m2[l % 1 % 1])
+                .min(m3[l % 1 % 1])
+                .min(m4[l % 2 % 2])
+                .min(m5[l % 2 % 2])
+        });
+        let q: [[f64; 2]; 6] = [
+            ::core::array::from_fn(|l| g1[l % 1]),
+            ::core::array::from_fn(|l| g0[l % 1]),
+            ::core::array::from_fn(|l| g2[l % 1]),
+            ::core::array::from_fn(|l| g5[l % 2]),
+            ::core::array::from_fn(|l| g4[l % 2]),
+            ::core::array::from_fn(|l| g3[l / 1 % 2 * 1 + l % 1]),
+        ];
+        ::dh_robot::lanes::collect(
+            &Self::JOINTS,
+            &valid,
+            &margin,
+            &error,
+            &q,
+            |l| {
+                let i3 = l / 1 % 2;
+                ::dh_robot::Branch::ANY
+                    .with_step(0, i3)
+                    .with_wrist(
+                        if i3 == 0 {
+                            ::dh_robot::Wrist::NoFlip
+                        } else {
+                            ::dh_robot::Wrist::Flip
+                        },
+                    )
+            },
+        )
+    }
 }
 #[allow(clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<6> for GantryWrist {
@@ -376,23 +610,14 @@ impl ::dh_robot::ik::Kinematics<6> for GantryWrist {
         let ([s6_30, s5, s4], [c6_30, c5, c4]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t_2 = 0.2 * s5;
-        let t_3 = c6_30 * c5;
-        let t_4 = s6_30 * c5;
+        let t_2 = c6_30 * c5;
+        let t_3 = s6_30 * c5;
+        let s5c4 = s5 * c4;
+        let s5s4 = s5 * s4;
         [
-            [
-                s4 * t_3 + s6_30 * c4,
-                -(s4 * t_4 - c6_30 * c4),
-                -s5 * s4,
-                -(t_2 * s4 - q[1]),
-            ],
-            [c6_30 * s5, -s6_30 * s5, c5, 0.2 * c5 + 0.1 + q[2]],
-            [
-                c4 * t_3 - s6_30 * s4,
-                -(c4 * t_4 + c6_30 * s4),
-                -s5 * c4,
-                -(t_2 * c4 - q[0]),
-            ],
+            [t_2 * s4 + s6_30 * c4, -(s4 * t_3 - c6_30 * c4), -s5s4, q[1] - s5s4 * 0.2],
+            [c6_30 * s5, -s6_30 * s5, c5, 0.1 + q[2] + c5 * 0.2],
+            [t_2 * c4 - s6_30 * s4, -(c4 * t_3 + c6_30 * s4), -s5c4, q[0] - s5c4 * 0.2],
         ]
     }
     fn forward_and_jacobian(

@@ -40,44 +40,37 @@ impl KukaKr6R700 {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
     ///
-    /// Cost: 44 multiplications, 24 additions, 6 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 41 multiplications, 23 additions, 6 sine-cosine pairs. Proven equal to the product of the link transforms.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
-        let angles = [q[5], q[4], q[3], q[1] + q[2], q[1], q[0]];
-        let ([s6, s5, s4, s23, s2, s1], [c6, c5, c4, c23, c2, c1]) = ::dh_robot::sincos::sincos_batch(
+        let angles = [q[5], q[4], q[3], q[1] + q[2], q[0], q[1]];
+        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t_2 = 0.08 * s5;
-        let t_3 = 0.08 * c5 + 0.365;
-        let t_4 = t_2 * s4;
-        let t_5 = t_2 * c4 - 0.035;
-        let t_6 = t_5 * s23 - t_3 * c23 - 0.315 * s2 - 0.025;
         let c6c5 = c6 * c5;
         let c6s5 = c6 * s5;
-        let t_7 = c4 * c6c5 - s6 * s4;
-        let t_8 = s4 * c6c5 + s6 * c4;
-        let t_9 = s23 * t_7 + c23 * c6s5;
-        let t_10 = c23 * t_7 - s23 * c6s5;
-        let t_11 = c1 * t_9 + s1 * t_8;
-        let t_12 = s1 * t_9 - c1 * t_8;
+        let t_2 = c6c5 * c4 - s6 * s4;
+        let t_3 = c6c5 * s4 + s6 * c4;
+        let t_4 = t_2 * s23 + c6s5 * c23;
+        let t_5 = t_2 * c23 - c6s5 * s23;
+        let t_6 = t_4 * c1 + t_3 * s1;
+        let t_7 = t_4 * s1 - t_3 * c1;
         let s5c4 = s5 * c4;
         let s5s4 = s5 * s4;
-        let t_13 = s23 * s5c4 - c5 * c23;
-        let t_14 = c23 * s5c4 + c5 * s23;
-        let t_15 = c1 * t_13 + s1 * s5s4;
-        let t_16 = s1 * t_13 - c1 * s5s4;
+        let t_8 = s23 * s5c4 - c5 * c23;
+        let t_9 = c23 * s5c4 + c5 * s23;
+        let t_10 = c1 * t_8 + s1 * s5s4;
+        let t_11 = s1 * t_8 - c1 * s5s4;
+        let t_12 = s23 * 0.035 + c23 * 0.365 + 0.315 * s2 + 0.025;
+        let t_13 = c23 * 0.035 - s23 * 0.365 + 0.315 * c2 + 0.4 - t_9 * 0.08;
         ::dh_robot::pose::from_entries(
             [
-                [t_11, -(t_10 * t_16 - t_12 * t_14), -t_15],
-                [t_12, -(t_11 * t_14 - t_10 * t_15), -t_16],
-                [t_10, -(t_12 * t_15 - t_11 * t_16), -t_14],
+                [t_6, -(t_5 * t_11 - t_7 * t_9), -t_10],
+                [t_7, -(t_6 * t_9 - t_5 * t_10), -t_11],
+                [t_5, -(t_7 * t_10 - t_6 * t_11), -t_9],
             ],
-            [
-                -(t_6 * c1 + t_4 * s1),
-                -(t_6 * s1 - t_4 * c1),
-                -(t_5 * c23 + t_3 * s23 - 0.315 * c2 - 0.4),
-            ],
+            [c1 * t_12 - t_10 * 0.08, s1 * t_12 - t_11 * 0.08, t_13],
         )
     }
     /// Pose of every moving link's frame in the base, without the tool.
@@ -155,7 +148,7 @@ impl KukaKr6R700 {
     /// Geometric Jacobian: rows 0..3 linear (m per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the
     /// origin of the last frame (or tool).
     ///
-    /// Cost: 49 multiplications, 22 additions, 5 sine-cosine pairs.
+    /// Cost: 50 multiplications, 20 additions, 5 sine-cosine pairs.
     #[inline]
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
@@ -170,14 +163,15 @@ impl KukaKr6R700 {
         let c23c4 = c23 * c4;
         let t_2 = c1s23 * c4 + s1 * s4;
         let t_3 = s1s23 * c4 - c1 * s4;
-        let t_4 = s5 * 0.08;
-        let t_5 = c5 * 0.08;
-        let t_6 = t_5 + 0.365;
-        let t_7 = c4 * t_4;
-        let t_8 = s4 * t_4;
-        let t_9 = t_7 - 0.035;
-        let t_10 = s23 * t_9 - c23 * t_6;
-        let t_11 = c23 * t_9 + s23 * t_6;
+        let c23s4 = c23 * s4;
+        let t_4 = s1 * c4 - c1s23 * s4;
+        let t_5 = c1 * c4 + s1s23 * s4;
+        let t_6 = s5 * 0.08;
+        let t_7 = c5 * 0.08 + 0.365;
+        let t_8 = s4 * t_6;
+        let t_9 = c4 * t_6 - 0.035;
+        let t_10 = s23 * t_9 - c23 * t_7;
+        let t_11 = c23 * t_9 + s23 * t_7;
         let t_12 = t_10 - 0.315 * s2;
         let t_13 = t_11 - 0.315 * c2;
         let t_14 = t_12 - 0.025;
@@ -186,21 +180,14 @@ impl KukaKr6R700 {
                 [s1 * t_14 - c1 * t_8, -(c1 * t_14 + s1 * t_8), 0.0, 0.0, 0.0, 1.0],
                 [-c1 * t_13, -s1 * t_13, t_12, -s1, c1, 0.0],
                 [-c1 * t_11, -s1 * t_11, t_10, -s1, c1, 0.0],
+                [-t_4 * t_6, t_5 * t_6, c23s4 * t_6, c1c23, s1c23, -s23],
                 [
-                    c1s23 * t_8 - s1 * t_7,
-                    s1s23 * t_8 + c1 * t_7,
-                    c23 * t_8,
-                    c1c23,
-                    s1c23,
-                    -s23,
-                ],
-                [
-                    -(t_2 * t_5 + c1c23 * t_4),
-                    -(t_3 * t_5 + s1c23 * t_4),
-                    -(c23c4 * t_5 - s23 * t_4),
-                    -(s1 * c4 - c1s23 * s4),
-                    c1 * c4 + s1s23 * s4,
-                    c23 * s4,
+                    -(t_2 * c5 + c1c23 * s5) * 0.08,
+                    -(t_3 * c5 + s1c23 * s5) * 0.08,
+                    -(c23c4 * c5 - s23 * s5) * 0.08,
+                    -t_4,
+                    t_5,
+                    c23s4,
                 ],
                 [
                     0.0,
@@ -215,7 +202,7 @@ impl KukaKr6R700 {
     }
     /// [`forward`](Self::forward) and [`jacobian`](Self::jacobian) together, for little more than one of them.
     ///
-    /// Cost: 67 multiplications, 32 additions, 6 sine-cosine pairs.
+    /// Cost: 62 multiplications, 27 additions, 6 sine-cosine pairs.
     #[inline]
     #[must_use]
     pub fn forward_and_jacobian(
@@ -246,18 +233,16 @@ impl KukaKr6R700 {
         let t_10 = s1c23 * c5 - t_3 * s5;
         let t_11 = s23 * c5 + c23c4 * s5;
         let t_12 = s5 * 0.08;
-        let t_13 = c5 * 0.08;
-        let t_14 = t_13 + 0.365;
-        let t_15 = c4 * t_12;
-        let t_16 = s4 * t_12;
-        let t_17 = t_15 - 0.035;
-        let t_18 = s23 * t_17 - c23 * t_14;
-        let t_19 = c23 * t_17 + s23 * t_14;
-        let t_20 = t_18 - 0.315 * s2;
-        let t_21 = t_19 - 0.315 * c2;
-        let t_22 = t_20 - 0.025;
-        let t_23 = c1 * t_22 + s1 * t_16;
-        let t_24 = s1 * t_22 - c1 * t_16;
+        let t_13 = c5 * 0.08 + 0.365;
+        let t_14 = s4 * t_12;
+        let t_15 = c4 * t_12 - 0.035;
+        let t_16 = s23 * t_15 - c23 * t_13;
+        let t_17 = c23 * t_15 + s23 * t_13;
+        let t_18 = t_16 - 0.315 * s2;
+        let t_19 = t_17 - 0.315 * c2;
+        let t_20 = t_18 - 0.025;
+        let t_21 = c1 * t_20 + s1 * t_14;
+        let t_22 = s1 * t_20 - c1 * t_14;
         (
             ::dh_robot::pose::from_entries(
                 [
@@ -265,29 +250,15 @@ impl KukaKr6R700 {
                     [t_7 * c6 - t_5 * s6, -(t_5 * c6 + t_7 * s6), t_10],
                     [t_8 * c6 - c23s4 * s6, -(c23s4 * c6 + t_8 * s6), -t_11],
                 ],
-                [-t_23, -t_24, -(t_21 - 0.4)],
+                [-t_21, -t_22, -(t_19 - 0.4)],
             ),
             ::dh_robot::nalgebra::SMatrix::from_data(
                 ::dh_robot::nalgebra::ArrayStorage([
-                    [t_24, -t_23, 0.0, 0.0, 0.0, 1.0],
-                    [-c1 * t_21, -s1 * t_21, t_20, -s1, c1, 0.0],
+                    [t_22, -t_21, 0.0, 0.0, 0.0, 1.0],
                     [-c1 * t_19, -s1 * t_19, t_18, -s1, c1, 0.0],
-                    [
-                        c1s23 * t_16 - s1 * t_15,
-                        s1s23 * t_16 + c1 * t_15,
-                        c23 * t_16,
-                        c1c23,
-                        s1c23,
-                        -s23,
-                    ],
-                    [
-                        -(t_2 * t_13 + c1c23 * t_12),
-                        -(t_3 * t_13 + s1c23 * t_12),
-                        -(c23c4 * t_13 - s23 * t_12),
-                        -t_4,
-                        t_5,
-                        c23s4,
-                    ],
+                    [-c1 * t_17, -s1 * t_17, t_16, -s1, c1, 0.0],
+                    [-t_4 * t_12, t_5 * t_12, c23s4 * t_12, c1c23, s1c23, -s23],
+                    [-t_6 * 0.08, -t_7 * 0.08, -t_8 * 0.08, -t_4, t_5, c23s4],
                     [0.0, 0.0, 0.0, t_9, t_10, -t_11],
                 ]),
             ),
@@ -337,6 +308,9 @@ impl KukaKr6R700 {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
+        if let Some(solutions) = self.lanes(&frame) {
+            return solutions;
+        }
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 1.2200000000000002,
@@ -529,43 +503,415 @@ impl KukaKr6R700 {
         }
         attempt
     }
+    /// The plan for all branches at once; `None` where the robust way has to decide.
+    #[inline]
+    fn lanes(
+        &self,
+        t: &::dh_robot::ik::Pose,
+    ) -> Option<::dh_robot::Solutions<f64, 6, 8>> {
+        let t_2 = t[0][3] - t[0][2] * 0.06557377049180327;
+        let t_3 = t[1][3] - t[1][2] * 0.06557377049180327;
+        let t_4 = t[2][3] - t[2][2] * 0.06557377049180327 - 0.32786885245901637;
+        let t_5 = t_4 * t_4;
+        let mut m0 = [0.0; 1];
+        let mut f0 = [[0.0; 2]; 2];
+        for l in 0..1 {
+            let ([x, y], m) = ::dh_robot::lanes::half_turn(-t_3, t_2);
+            f0[0][l] = x;
+            f0[1][l] = y;
+            f0[0][l + 1] = -x;
+            f0[1][l + 1] = -y;
+            m0[l] = m;
+        }
+        let c1_ = f0[0];
+        let s1_ = f0[1];
+        let half: [f64; 1] = ::dh_robot::atan2_batch(
+            &::core::array::from_fn(|l| f0[1][l]),
+            &::core::array::from_fn(|l| f0[0][l]),
+        );
+        let g0: [f64; 2] = ::core::array::from_fn(|k| {
+            if k < 1 {
+                half[k]
+            } else if half[k - 1] > 0.0 {
+                half[k - 1] - ::core::f64::consts::PI
+            } else {
+                half[k - 1] + ::core::f64::consts::PI
+            }
+        });
+        let mut v53_ = [0.0; 2];
+        let mut v59_ = [0.0; 2];
+        let mut v65_ = [0.0; 2];
+        let mut v98_ = [0.0; 2];
+        let mut v99_ = [0.0; 2];
+        for l in 0..2 {
+            let c1 = c1_[l];
+            let s1 = s1_[l];
+            let t_6 = t_2 * c1 + t_3 * s1;
+            let t_7 = t_2 * s1 - t_3 * c1;
+            let t_8 = t[0][0] * c1 + t[1][0] * s1;
+            let t_9 = t[0][1] * c1 + t[1][1] * s1;
+            let t_10 = t[0][2] * c1 + t[1][2] * s1;
+            let t_11 = 0.020491803278688523 * (0.020491803278688523 - t_6 * 2.0);
+            let t_12 = t_6 - 0.020491803278688523;
+            v53_[l] = t_8;
+            v59_[l] = t_9;
+            v65_[l] = t_10;
+            v98_[l] = t_11 + t_6 * t_6 + t_7 * t_7 + t_5 - 0.15699744692287015;
+            v99_[l] = t_12;
+        }
+        let mut m1 = [0.0; 2];
+        let mut f1 = [[0.0; 4]; 2];
+        let mut e1 = [0.0; 2];
+        for l in 0..2 {
+            let v98 = v98_[l];
+            let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
+                0.014814565976887932,
+                -0.15449475947325983,
+                v98,
+            );
+            f1[0][l] = x;
+            f1[1][l] = y;
+            f1[0][l + 2] = z;
+            f1[1][l + 2] = w;
+            m1[l] = m;
+            e1[l] = e;
+        }
+        let c3_ = f1[0];
+        let s3_ = f1[1];
+        let g1: [f64; 4] = ::dh_robot::atan2_batch(&f1[1], &f1[0]);
+        let mut v106_ = [0.0; 4];
+        let mut v111_ = [0.0; 4];
+        for l in 0..4 {
+            let c3 = c3_[l];
+            let s3 = s3_[l];
+            let t_13 = 0.25819672131147536 + c3 * 0.028688524590163935
+                - 0.2991803278688524 * s3;
+            v106_[l] = 0.2991803278688524 * c3 + 0.028688524590163935 * s3;
+            v111_[l] = t_13;
+        }
+        let mut m2 = [0.0; 4];
+        let mut f2 = [[0.0; 4]; 2];
+        for l in 0..4 {
+            let v99 = v99_[l % 2];
+            let v106 = v106_[l];
+            let v111 = v111_[l];
+            let ([x, y], m) = ::dh_robot::lanes::pair(-v99, t_4, -v106, t_4, v99, v111);
+            f2[0][l] = x;
+            f2[1][l] = y;
+            m2[l] = m;
+        }
+        let c2_ = f2[0];
+        let s2_ = f2[1];
+        let g2: [f64; 4] = ::dh_robot::atan2_batch(&f2[1], &f2[0]);
+        let mut v147_ = [0.0; 4];
+        let mut v150_ = [0.0; 4];
+        let mut v153_ = [0.0; 4];
+        let mut v156_ = [0.0; 4];
+        let mut v159_ = [0.0; 4];
+        let mut v162_ = [0.0; 4];
+        let mut v267_ = [0.0; 4];
+        let mut v270_ = [0.0; 4];
+        let mut v317_ = [0.0; 4];
+        let mut v318_ = [0.0; 4];
+        let mut v319_ = [0.0; 4];
+        for l in 0..4 {
+            let c1 = c1_[l % 2];
+            let s1 = s1_[l % 2];
+            let v53 = v53_[l % 2];
+            let v59 = v59_[l % 2];
+            let v65 = v65_[l % 2];
+            let c3 = c3_[l];
+            let s3 = s3_[l];
+            let c2 = c2_[l];
+            let s2 = s2_[l];
+            let t_14 = v53 * c2 - t[2][0] * s2;
+            let t_15 = v53 * s2 + t[2][0] * c2;
+            let t_16 = v59 * c2 - t[2][1] * s2;
+            let t_17 = v59 * s2 + t[2][1] * c2;
+            let t_18 = v65 * c2 - t[2][2] * s2;
+            let t_19 = v65 * s2 + t[2][2] * c2;
+            let t_20 = c3 * t_15 + s3 * t_14;
+            let t_21 = s3 * t_15 - c3 * t_14;
+            let t_22 = c3 * t_17 + s3 * t_16;
+            let t_23 = s3 * t_17 - c3 * t_16;
+            let t_24 = c3 * t_19 + s3 * t_18;
+            let t_25 = c3 * c2 - s3 * s2;
+            let t_26 = c3 * s2 + s3 * c2;
+            let t_27 = 0.028688524590163935 * t_26 + 0.2991803278688524 * t_25
+                + 0.25819672131147536 * s2;
+            let t_28 = 0.028688524590163935 * t_25 - 0.2991803278688524 * t_26
+                + 0.25819672131147536 * c2;
+            let t_29 = 0.020491803278688523 + t_27;
+            let t_30 = 0.32786885245901637 + t_28;
+            let t_31 = c1 * t_29;
+            let t_32 = s1 * t_29;
+            v147_[l] = t_20;
+            v150_[l] = t_21;
+            v153_[l] = t_22;
+            v156_[l] = t_23;
+            v159_[l] = t_24;
+            v162_[l] = s3 * t_19 - c3 * t_18;
+            v267_[l] = t_25;
+            v270_[l] = t_26;
+            v317_[l] = t_30;
+            v318_[l] = t_31;
+            v319_[l] = t_32;
+        }
+        let mut m3 = [0.0; 4];
+        let mut f3 = [[0.0; 8]; 2];
+        for l in 0..4 {
+            let v156 = v156_[l];
+            let v150 = v150_[l];
+            let ([x, y], m) = ::dh_robot::lanes::half_turn(-v156, -v150);
+            f3[0][l] = x;
+            f3[1][l] = y;
+            f3[0][l + 4] = -x;
+            f3[1][l + 4] = -y;
+            m3[l] = m;
+        }
+        let c6_ = f3[0];
+        let s6_ = f3[1];
+        let half: [f64; 4] = ::dh_robot::atan2_batch(
+            &::core::array::from_fn(|l| f3[1][l]),
+            &::core::array::from_fn(|l| f3[0][l]),
+        );
+        let g3: [f64; 8] = ::core::array::from_fn(|k| {
+            if k < 4 {
+                half[k]
+            } else if half[k - 4] > 0.0 {
+                half[k - 4] - ::core::f64::consts::PI
+            } else {
+                half[k - 4] + ::core::f64::consts::PI
+            }
+        });
+        let mut v187_ = [0.0; 8];
+        let mut v188_ = [0.0; 8];
+        let mut v196_ = [0.0; 8];
+        for l in 0..8 {
+            let v147 = v147_[l % 4];
+            let v150 = v150_[l % 4];
+            let v153 = v153_[l % 4];
+            let v156 = v156_[l % 4];
+            let c6 = c6_[l];
+            let s6 = s6_[l];
+            let t_33 = v147 * c6 - v153 * s6;
+            v187_[l] = t_33;
+            v188_[l] = v150 * c6 - v156 * s6;
+            v196_[l] = v147 * s6 + v153 * c6;
+        }
+        let mut m4 = [0.0; 8];
+        let mut f4 = [[0.0; 8]; 2];
+        for l in 0..8 {
+            let v188 = v188_[l];
+            let v162 = v162_[l % 4];
+            let ([x, y], m) = ::dh_robot::lanes::pair(0.0, 1.0, -v188, 1.0, 0.0, -v162);
+            f4[0][l] = x;
+            f4[1][l] = y;
+            m4[l] = m;
+        }
+        let c5_ = f4[0];
+        let s5_ = f4[1];
+        let g4: [f64; 8] = ::dh_robot::atan2_batch(&f4[1], &f4[0]);
+        let mut v217_ = [0.0; 8];
+        let mut v255_ = [0.0; 8];
+        let mut v272_ = [0.0; 8];
+        let mut v275_ = [0.0; 8];
+        let mut v286_ = [0.0; 8];
+        let mut v289_ = [0.0; 8];
+        for l in 0..8 {
+            let v159 = v159_[l % 4];
+            let c6 = c6_[l];
+            let v187 = v187_[l];
+            let v267 = v267_[l % 4];
+            let v270 = v270_[l % 4];
+            let c5 = c5_[l];
+            let s5 = s5_[l];
+            let c6c5 = c6 * c5;
+            let c6s5 = c6 * s5;
+            let t_34 = c6s5 * v267;
+            let t_35 = c6s5 * v270;
+            let t_36 = c5 * v267;
+            let t_37 = c5 * v270;
+            v217_[l] = v187 * c5 - v159 * s5;
+            v255_[l] = c6c5;
+            v272_[l] = t_34;
+            v275_[l] = t_35;
+            v286_[l] = t_36;
+            v289_[l] = t_37;
+        }
+        let mut m5 = [0.0; 8];
+        let mut f5 = [[0.0; 8]; 2];
+        for l in 0..8 {
+            let v217 = v217_[l];
+            let v196 = v196_[l];
+            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v217, 0.0, -1.0, v196);
+            f5[0][l] = x;
+            f5[1][l] = y;
+            m5[l] = m;
+        }
+        let c4_ = f5[0];
+        let s4_ = f5[1];
+        let g5: [f64; 8] = ::dh_robot::atan2_batch(&f5[1], &f5[0]);
+        let mut v276_ = [0.0; 8];
+        let mut v279_ = [0.0; 8];
+        let mut v282_ = [0.0; 8];
+        let mut v290_ = [0.0; 8];
+        let mut v293_ = [0.0; 8];
+        let mut v296_ = [0.0; 8];
+        let mut v299_ = [0.0; 8];
+        let mut v302_ = [0.0; 8];
+        let mut v305_ = [0.0; 8];
+        let mut v323_ = [0.0; 8];
+        let mut v324_ = [0.0; 8];
+        let mut v325_ = [0.0; 8];
+        for l in 0..8 {
+            let c1 = c1_[l % 2];
+            let s1 = s1_[l % 2];
+            let s6 = s6_[l];
+            let s5 = s5_[l];
+            let v255 = v255_[l];
+            let v267 = v267_[l % 4];
+            let v270 = v270_[l % 4];
+            let v272 = v272_[l];
+            let v275 = v275_[l];
+            let v286 = v286_[l];
+            let v289 = v289_[l];
+            let v317 = v317_[l % 4];
+            let v318 = v318_[l % 4];
+            let v319 = v319_[l % 4];
+            let c4 = c4_[l];
+            let s4 = s4_[l];
+            let t_38 = v255 * c4 - s6 * s4;
+            let t_39 = v255 * s4 + s6 * c4;
+            let t_40 = t_38 * v270 + v272;
+            let t_41 = t_38 * v267 - v275;
+            let t_42 = c1 * t_40 + s1 * t_39;
+            let t_43 = s1 * t_40 - c1 * t_39;
+            let s5c4 = s5 * c4;
+            let s5s4 = s5 * s4;
+            let t_44 = v270 * s5c4 - v286;
+            let t_45 = v267 * s5c4 + v289;
+            let t_46 = c1 * t_44 + s1 * s5s4;
+            let t_47 = s1 * t_44 - c1 * s5s4;
+            v276_[l] = t_41;
+            v279_[l] = t_42;
+            v282_[l] = t_43;
+            v290_[l] = t_45;
+            v293_[l] = t_46;
+            v296_[l] = t_47;
+            v299_[l] = t_41 * t_47 - t_43 * t_45;
+            v302_[l] = t_42 * t_45 - t_41 * t_46;
+            v305_[l] = t_43 * t_46 - t_42 * t_47;
+            v323_[l] = v318 - 0.06557377049180327 * t_46;
+            v324_[l] = v319 - 0.06557377049180327 * t_47;
+            v325_[l] = v317 - 0.06557377049180327 * t_45;
+        }
+        let mut error = [0.0; 8];
+        for l in 0..8 {
+            let v279 = v279_[l];
+            let v282 = v282_[l];
+            let v276 = v276_[l];
+            let v299 = v299_[l];
+            let v302 = v302_[l];
+            let v305 = v305_[l];
+            let v293 = v293_[l];
+            let v296 = v296_[l];
+            let v290 = v290_[l];
+            let v323 = v323_[l];
+            let v324 = v324_[l];
+            let v325 = v325_[l];
+            error[l] = (v279 - t[0][0]).abs() + (v282 - t[1][0]).abs()
+                + (v276 - t[2][0]).abs() + (-v299 - t[0][1]).abs()
+                + (-v302 - t[1][1]).abs() + (-v305 - t[2][1]).abs()
+                + (-v293 - t[0][2]).abs() + (-v296 - t[1][2]).abs()
+                + (-v290 - t[2][2]).abs() + (v323 - t[0][3]).abs()
+                + (v324 - t[1][3]).abs() + (v325 - t[2][3]).abs();
+        }
+        let valid: [f64; 8] = ::core::array::from_fn(|l| 1.0 * e1[l % 2 % 2]);
+        let margin: [f64; 8] = ::core::array::from_fn(|l| {
+            1.0_f64
+                .min(m0[l % 1 % 1])
+                .min(m1[l % 2 % 2])
+                .min(m2[l % 4 % 4])
+                .min(m3[l % 4 % 4])
+                .min(m4[l % 8 % 8])
+                .min(m5[l % 8 % 8])
+        });
+        let q: [[f64; 8]; 6] = [
+            ::core::array::from_fn(|l| g0[l / 1 % 2 * 1 + l % 1]),
+            ::core::array::from_fn(|l| g2[l % 4]),
+            ::core::array::from_fn(|l| g1[l / 2 % 2 * 2 + l % 2]),
+            ::core::array::from_fn(|l| g5[l % 8]),
+            ::core::array::from_fn(|l| g4[l % 8]),
+            ::core::array::from_fn(|l| g3[l / 4 % 2 * 4 + l % 4]),
+        ];
+        ::dh_robot::lanes::collect(
+            &Self::JOINTS,
+            &valid,
+            &margin,
+            &error,
+            &q,
+            |l| {
+                let i0 = l / 1 % 2;
+                let i1 = l / 2 % 2;
+                let i3 = l / 4 % 2;
+                ::dh_robot::Branch::ANY
+                    .with_step(0, i0)
+                    .with_shoulder(
+                        if i0 == 0 {
+                            ::dh_robot::Shoulder::Left
+                        } else {
+                            ::dh_robot::Shoulder::Right
+                        },
+                    )
+                    .with_step(1, i1)
+                    .with_elbow(
+                        if i1 == 0 {
+                            ::dh_robot::Elbow::Up
+                        } else {
+                            ::dh_robot::Elbow::Down
+                        },
+                    )
+                    .with_step(2, i3)
+                    .with_wrist(
+                        if i3 == 0 {
+                            ::dh_robot::Wrist::NoFlip
+                        } else {
+                            ::dh_robot::Wrist::Flip
+                        },
+                    )
+            },
+        )
+    }
 }
 #[allow(clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<6> for KukaKr6R700 {
     #[inline]
     fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {
-        let angles = [q[5], q[4], q[3], q[1] + q[2], q[1], q[0]];
-        let ([s6, s5, s4, s23, s2, s1], [c6, c5, c4, c23, c2, c1]) = ::dh_robot::sincos::sincos_batch(
+        let angles = [q[5], q[4], q[3], q[1] + q[2], q[0], q[1]];
+        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t_2 = 0.08 * s5;
-        let t_3 = 0.08 * c5 + 0.365;
-        let t_4 = t_2 * s4;
-        let t_5 = t_2 * c4 - 0.035;
-        let t_6 = t_5 * s23 - t_3 * c23 - 0.315 * s2 - 0.025;
         let c6c5 = c6 * c5;
         let c6s5 = c6 * s5;
-        let t_7 = c4 * c6c5 - s6 * s4;
-        let t_8 = s4 * c6c5 + s6 * c4;
-        let t_9 = s23 * t_7 + c23 * c6s5;
-        let t_10 = c23 * t_7 - s23 * c6s5;
-        let t_11 = c1 * t_9 + s1 * t_8;
-        let t_12 = s1 * t_9 - c1 * t_8;
+        let t_2 = c6c5 * c4 - s6 * s4;
+        let t_3 = c6c5 * s4 + s6 * c4;
+        let t_4 = t_2 * s23 + c6s5 * c23;
+        let t_5 = t_2 * c23 - c6s5 * s23;
+        let t_6 = t_4 * c1 + t_3 * s1;
+        let t_7 = t_4 * s1 - t_3 * c1;
         let s5c4 = s5 * c4;
         let s5s4 = s5 * s4;
-        let t_13 = s23 * s5c4 - c5 * c23;
-        let t_14 = c23 * s5c4 + c5 * s23;
-        let t_15 = c1 * t_13 + s1 * s5s4;
-        let t_16 = s1 * t_13 - c1 * s5s4;
+        let t_8 = s23 * s5c4 - c5 * c23;
+        let t_9 = c23 * s5c4 + c5 * s23;
+        let t_10 = c1 * t_8 + s1 * s5s4;
+        let t_11 = s1 * t_8 - c1 * s5s4;
+        let t_12 = s23 * 0.035 + c23 * 0.365 + 0.315 * s2 + 0.025;
+        let t_13 = c23 * 0.035 - s23 * 0.365 + 0.315 * c2 + 0.4 - t_9 * 0.08;
         [
-            [t_11, -(t_10 * t_16 - t_12 * t_14), -t_15, -(t_6 * c1 + t_4 * s1)],
-            [t_12, -(t_11 * t_14 - t_10 * t_15), -t_16, -(t_6 * s1 - t_4 * c1)],
-            [
-                t_10,
-                -(t_12 * t_15 - t_11 * t_16),
-                -t_14,
-                -(t_5 * c23 + t_3 * s23 - 0.315 * c2 - 0.4),
-            ],
+            [t_6, -(t_5 * t_11 - t_7 * t_9), -t_10, c1 * t_12 - t_10 * 0.08],
+            [t_7, -(t_6 * t_9 - t_5 * t_10), -t_11, s1 * t_12 - t_11 * 0.08],
+            [t_5, -(t_7 * t_10 - t_6 * t_11), -t_9, t_13],
         ]
     }
     fn forward_and_jacobian(
@@ -593,42 +939,26 @@ impl ::dh_robot::ik::Kinematics<6> for KukaKr6R700 {
         let t_10 = s1c23 * c5 - t_3 * s5;
         let t_11 = s23 * c5 + c23c4 * s5;
         let t_12 = s5 * 0.08;
-        let t_13 = c5 * 0.08;
-        let t_14 = t_13 + 0.365;
-        let t_15 = c4 * t_12;
-        let t_16 = s4 * t_12;
-        let t_17 = t_15 - 0.035;
-        let t_18 = s23 * t_17 - c23 * t_14;
-        let t_19 = c23 * t_17 + s23 * t_14;
-        let t_20 = t_18 - 0.315 * s2;
-        let t_21 = t_19 - 0.315 * c2;
-        let t_22 = t_20 - 0.025;
-        let t_23 = c1 * t_22 + s1 * t_16;
-        let t_24 = s1 * t_22 - c1 * t_16;
+        let t_13 = c5 * 0.08 + 0.365;
+        let t_14 = s4 * t_12;
+        let t_15 = c4 * t_12 - 0.035;
+        let t_16 = s23 * t_15 - c23 * t_13;
+        let t_17 = c23 * t_15 + s23 * t_13;
+        let t_18 = t_16 - 0.315 * s2;
+        let t_19 = t_17 - 0.315 * c2;
+        let t_20 = t_18 - 0.025;
+        let t_21 = c1 * t_20 + s1 * t_14;
+        let t_22 = s1 * t_20 - c1 * t_14;
         (
             [
-                [t_6 * c6 + t_4 * s6, t_4 * c6 - t_6 * s6, t_9, -t_23],
-                [t_7 * c6 - t_5 * s6, -(t_5 * c6 + t_7 * s6), t_10, -t_24],
-                [t_8 * c6 - c23s4 * s6, -(c23s4 * c6 + t_8 * s6), -t_11, -(t_21 - 0.4)],
+                [t_6 * c6 + t_4 * s6, t_4 * c6 - t_6 * s6, t_9, -t_21],
+                [t_7 * c6 - t_5 * s6, -(t_5 * c6 + t_7 * s6), t_10, -t_22],
+                [t_8 * c6 - c23s4 * s6, -(c23s4 * c6 + t_8 * s6), -t_11, -(t_19 - 0.4)],
             ],
             [
-                [
-                    t_24,
-                    -c1 * t_21,
-                    -c1 * t_19,
-                    c1s23 * t_16 - s1 * t_15,
-                    -(t_2 * t_13 + c1c23 * t_12),
-                    0.0,
-                ],
-                [
-                    -t_23,
-                    -s1 * t_21,
-                    -s1 * t_19,
-                    s1s23 * t_16 + c1 * t_15,
-                    -(t_3 * t_13 + s1c23 * t_12),
-                    0.0,
-                ],
-                [0.0, t_20, t_18, c23 * t_16, -(c23c4 * t_13 - s23 * t_12), 0.0],
+                [t_22, -c1 * t_19, -c1 * t_17, -t_4 * t_12, -t_6 * 0.08, 0.0],
+                [-t_21, -s1 * t_19, -s1 * t_17, t_5 * t_12, -t_7 * 0.08, 0.0],
+                [0.0, t_18, t_16, c23s4 * t_12, -t_8 * 0.08, 0.0],
                 [0.0, -s1, -s1, c1c23, -t_4, t_9],
                 [0.0, c1, c1, s1c23, t_5, t_10],
                 [1.0, 0.0, 0.0, -s23, c23s4, -t_11],

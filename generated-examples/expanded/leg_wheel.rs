@@ -38,7 +38,7 @@ impl LegWheel {
         let t_2 = (-1.0 * self.p) * q[0] + self.p * q[1];
         ::dh_robot::pose::from_entries(
             [[c1, 0.0, -s1], [s1, 0.0, c1], [0.0, -1.0, 0.0]],
-            [-t_2 * s1, t_2 * c1, 0.0],
+            [-s1 * t_2, c1 * t_2, 0.0],
         )
     }
     /// Pose of every moving link's frame in the base, without the tool.
@@ -232,7 +232,7 @@ impl ::dh_robot::ik::Kinematics<2> for LegWheel {
         let angles = [q[0]];
         let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
         let t_2 = (-1.0 * self.p) * q[0] + self.p * q[1];
-        [[c1, 0.0, -s1, -t_2 * s1], [s1, 0.0, c1, t_2 * c1], [0.0, -1.0, 0.0, 0.0]]
+        [[c1, 0.0, -s1, -s1 * t_2], [s1, 0.0, c1, c1 * t_2], [0.0, -1.0, 0.0, 0.0]]
     }
     fn forward_and_jacobian(
         &self,

@@ -51,44 +51,48 @@ impl Panda {
         let ([s7, s6, s5, s4, s3, s2, s1], [c7, c6, c5, c4, c3, c2, c1]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t_2 = 0.088 * c6 + 0.107 * s6;
-        let t_3 = 0.088 * s6 - 0.107 * c6 + 0.384;
-        let t_4 = t_2 * s5;
-        let t_5 = 0.0825 - t_2 * c5;
-        let t_6 = 0.0825 - (t_5 * c4 + t_3 * s4);
-        let t_7 = t_5 * s4 - t_3 * c4 - 0.316;
-        let t_8 = t_6 * c3 - t_4 * s3;
-        let t_9 = t_6 * s3 + t_4 * c3;
-        let t_10 = t_8 * c2 - t_7 * s2;
         let c7c6 = c7 * c6;
         let c7s6 = c7 * s6;
-        let t_11 = c5 * c7c6 + s7 * s5;
-        let t_12 = s5 * c7c6 - s7 * c5;
-        let t_13 = c4 * t_11 - s4 * c7s6;
-        let t_14 = s4 * t_11 + c4 * c7s6;
-        let t_15 = c3 * t_13 - s3 * t_12;
-        let t_16 = s3 * t_13 + c3 * t_12;
-        let t_17 = c2 * t_15 + s2 * t_14;
-        let t_18 = s2 * t_15 - c2 * t_14;
-        let t_19 = c1 * t_17 - s1 * t_16;
-        let t_20 = s1 * t_17 + c1 * t_16;
+        let t_2 = c7c6 * c5 + s7 * s5;
+        let t_3 = c7c6 * s5 - s7 * c5;
+        let t_4 = t_2 * c4 - c7s6 * s4;
+        let t_5 = t_2 * s4 + c7s6 * c4;
+        let t_6 = t_4 * c3 - t_3 * s3;
+        let t_7 = t_4 * s3 + t_3 * c3;
+        let t_8 = t_6 * c2 + t_5 * s2;
+        let t_9 = t_6 * s2 - t_5 * c2;
+        let t_10 = t_8 * c1 - t_7 * s1;
+        let t_11 = t_8 * s1 + t_7 * c1;
         let s6c5 = s6 * c5;
         let s6s5 = s6 * s5;
-        let t_21 = c4 * s6c5 + c6 * s4;
-        let t_22 = s4 * s6c5 - c6 * c4;
-        let t_23 = c3 * t_21 - s3 * s6s5;
-        let t_24 = s3 * t_21 + c3 * s6s5;
-        let t_25 = c2 * t_23 + s2 * t_22;
-        let t_26 = s2 * t_23 - c2 * t_22;
-        let t_27 = c1 * t_25 - s1 * t_24;
-        let t_28 = s1 * t_25 + c1 * t_24;
+        let t_12 = c4 * s6c5 + c6 * s4;
+        let t_13 = s4 * s6c5 - c6 * c4;
+        let t_14 = c3 * t_12 - s3 * s6s5;
+        let t_15 = s3 * t_12 + c3 * s6s5;
+        let t_16 = c2 * t_14 + s2 * t_13;
+        let t_17 = s2 * t_14 - c2 * t_13;
+        let t_18 = c1 * t_16 - s1 * t_15;
+        let t_19 = s1 * t_16 + c1 * t_15;
+        let t_20 = c6 * 0.088 + s6 * 0.107;
+        let t_21 = s6 * 0.088 - c6 * 0.107 + 0.384;
+        let t_22 = s5 * t_20;
+        let t_23 = 0.0825 - c5 * t_20;
+        let t_24 = 0.0825 - (c4 * t_23 + s4 * t_21);
+        let t_25 = s4 * t_23 - c4 * t_21 - 0.316;
+        let t_26 = c3 * t_24 - s3 * t_22;
+        let t_27 = s3 * t_24 + c3 * t_22;
+        let t_28 = c2 * t_26 - s2 * t_25;
         ::dh_robot::pose::from_entries(
             [
-                [t_19, -(t_18 * t_28 - t_20 * t_26), t_27],
-                [t_20, -(t_19 * t_26 - t_18 * t_27), t_28],
-                [-t_18, t_20 * t_27 - t_19 * t_28, -t_26],
+                [t_10, -(t_9 * t_19 - t_11 * t_17), t_18],
+                [t_11, -(t_10 * t_17 - t_9 * t_18), t_19],
+                [-t_9, t_11 * t_18 - t_10 * t_19, -t_17],
             ],
-            [t_10 * c1 - t_9 * s1, t_10 * s1 + t_9 * c1, -(t_8 * s2 + t_7 * c2 - 0.333)],
+            [
+                c1 * t_28 - s1 * t_27,
+                s1 * t_28 + c1 * t_27,
+                -(s2 * t_26 + c2 * t_25 - 0.333),
+            ],
         )
     }
     /// Pose of every moving link's frame in the base, without the tool.
@@ -182,7 +186,7 @@ impl Panda {
     /// Geometric Jacobian: rows 0..3 linear (m per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the
     /// origin of the last frame (or tool).
     ///
-    /// Cost: 91 multiplications, 44 additions, 6 sine-cosine pairs.
+    /// Cost: 94 multiplications, 44 additions, 6 sine-cosine pairs.
     #[inline]
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 7]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 7> {
@@ -209,70 +213,58 @@ impl Panda {
         let t_12 = t_6 * c5 - t_4 * s5;
         let t_13 = t_7 * c5 + t_5 * s5;
         let t_14 = t_8 * c5 - s2s3 * s5;
-        let t_15 = c6 * 0.088 + s6 * 0.107;
-        let t_16 = s6 * 0.088 - c6 * 0.107;
-        let t_17 = t_16 + 0.384;
-        let t_18 = c5 * t_15;
-        let t_19 = s5 * t_15;
-        let t_20 = t_18 - 0.0825;
-        let t_21 = c4 * t_20 - s4 * t_17;
-        let t_22 = s4 * t_20 + c4 * t_17;
-        let t_23 = 0.0825 + t_21;
-        let t_24 = t_22 + 0.316;
-        let t_25 = c3 * t_23 - s3 * t_19;
-        let t_26 = s3 * t_23 + c3 * t_19;
-        let t_27 = c2 * t_25 + s2 * t_24;
-        let t_28 = s2 * t_25 - c2 * t_24;
+        let t_15 = t_4 * c5 + t_6 * s5;
+        let t_16 = t_5 * c5 - t_7 * s5;
+        let t_17 = s2s3 * c5 + t_8 * s5;
+        let t_18 = t_9 * c6 - t_12 * s6;
+        let t_19 = t_10 * c6 - t_13 * s6;
+        let t_20 = t_11 * c6 + t_14 * s6;
+        let t_21 = c6 * 0.088 + s6 * 0.107;
+        let t_22 = s6 * 0.088 - c6 * 0.107 + 0.384;
+        let t_23 = s5 * t_21;
+        let t_24 = c5 * t_21 - 0.0825;
+        let t_25 = 0.0825 + c4 * t_24 - s4 * t_22;
+        let t_26 = s4 * t_24 + c4 * t_22 + 0.316;
+        let t_27 = c3 * t_25 - s3 * t_23;
+        let t_28 = s3 * t_25 + c3 * t_23;
+        let t_29 = c2 * t_27 + s2 * t_26;
+        let t_30 = s2 * t_27 - c2 * t_26;
         ::dh_robot::nalgebra::SMatrix::from_data(
             ::dh_robot::nalgebra::ArrayStorage([
-                [-(s1 * t_27 + c1 * t_26), c1 * t_27 - s1 * t_26, 0.0, 0.0, 0.0, 1.0],
-                [-c1 * t_28, -s1 * t_28, -t_27, -s1, c1, 0.0],
+                [-(s1 * t_29 + c1 * t_28), c1 * t_29 - s1 * t_28, 0.0, 0.0, 0.0, 1.0],
+                [-c1 * t_30, -s1 * t_30, -t_29, -s1, c1, 0.0],
                 [
-                    -(c1c2 * t_26 + s1 * t_25),
-                    -(s1c2 * t_26 - c1 * t_25),
-                    s2 * t_26,
+                    -(c1c2 * t_28 + s1 * t_27),
+                    -(s1c2 * t_28 - c1 * t_27),
+                    s2 * t_28,
                     c1s2,
                     s1s2,
                     c2,
                 ],
                 [
-                    -(t_2 * t_22 - c1s2 * t_21),
-                    -(t_3 * t_22 - s1s2 * t_21),
-                    s2c3 * t_22 + c2 * t_21,
+                    -(t_6 * t_22 - t_9 * t_24),
+                    -(t_7 * t_22 - t_10 * t_24),
+                    t_8 * t_22 + t_11 * t_24,
                     t_4,
                     -t_5,
                     -s2s3,
                 ],
+                [-t_15 * t_21, t_16 * t_21, t_17 * t_21, t_9, t_10, t_11],
                 [
-                    -(t_6 * t_19 + t_4 * t_18),
-                    -(t_7 * t_19 - t_5 * t_18),
-                    t_8 * t_19 + s2s3 * t_18,
-                    t_9,
-                    t_10,
-                    t_11,
+                    (t_12 * c6 + t_9 * s6) * 0.107 + t_18 * 0.088,
+                    (t_13 * c6 + t_10 * s6) * 0.107 + t_19 * 0.088,
+                    -((t_14 * c6 - t_11 * s6) * 0.107 - t_20 * 0.088),
+                    t_15,
+                    -t_16,
+                    -t_17,
                 ],
-                [
-                    -(t_12 * t_16 - t_9 * t_15),
-                    -(t_13 * t_16 - t_10 * t_15),
-                    t_14 * t_16 + t_11 * t_15,
-                    t_4 * c5 + t_6 * s5,
-                    -(t_5 * c5 - t_7 * s5),
-                    -(s2s3 * c5 + t_8 * s5),
-                ],
-                [
-                    0.0,
-                    0.0,
-                    0.0,
-                    -(t_9 * c6 - t_12 * s6),
-                    -(t_10 * c6 - t_13 * s6),
-                    -(t_11 * c6 + t_14 * s6),
-                ],
+                [0.0, 0.0, 0.0, -t_18, -t_19, -t_20],
             ]),
         )
     }
     /// [`forward`](Self::forward) and [`jacobian`](Self::jacobian) together, for little more than one of them.
     ///
-    /// Cost: 109 multiplications, 54 additions, 7 sine-cosine pairs.
+    /// Cost: 106 multiplications, 51 additions, 7 sine-cosine pairs.
     #[inline]
     #[must_use]
     pub fn forward_and_jacobian(
@@ -315,21 +307,17 @@ impl Panda {
         let t_22 = t_10 * c6 - t_13 * s6;
         let t_23 = t_11 * c6 + t_14 * s6;
         let t_24 = c6 * 0.088 + s6 * 0.107;
-        let t_25 = s6 * 0.088 - c6 * 0.107;
-        let t_26 = t_25 + 0.384;
-        let t_27 = c5 * t_24;
-        let t_28 = s5 * t_24;
-        let t_29 = t_27 - 0.0825;
-        let t_30 = c4 * t_29 - s4 * t_26;
-        let t_31 = s4 * t_29 + c4 * t_26;
-        let t_32 = 0.0825 + t_30;
-        let t_33 = t_31 + 0.316;
-        let t_34 = c3 * t_32 - s3 * t_28;
-        let t_35 = s3 * t_32 + c3 * t_28;
-        let t_36 = c2 * t_34 + s2 * t_33;
-        let t_37 = s2 * t_34 - c2 * t_33;
-        let t_38 = c1 * t_36 - s1 * t_35;
-        let t_39 = s1 * t_36 + c1 * t_35;
+        let t_25 = s6 * 0.088 - c6 * 0.107 + 0.384;
+        let t_26 = s5 * t_24;
+        let t_27 = c5 * t_24 - 0.0825;
+        let t_28 = 0.0825 + c4 * t_27 - s4 * t_25;
+        let t_29 = s4 * t_27 + c4 * t_25 + 0.316;
+        let t_30 = c3 * t_28 - s3 * t_26;
+        let t_31 = s3 * t_28 + c3 * t_26;
+        let t_32 = c2 * t_30 + s2 * t_29;
+        let t_33 = s2 * t_30 - c2 * t_29;
+        let t_34 = c1 * t_32 - s1 * t_31;
+        let t_35 = s1 * t_32 + c1 * t_31;
         (
             ::dh_robot::pose::from_entries(
                 [
@@ -337,40 +325,33 @@ impl Panda {
                     [t_19 * c7 - t_16 * s7, -(t_16 * c7 + t_19 * s7), -t_22],
                     [-(t_20 * c7 + t_17 * s7), -(t_17 * c7 - t_20 * s7), -t_23],
                 ],
-                [t_38, t_39, -(t_37 - 0.333)],
+                [t_34, t_35, -(t_33 - 0.333)],
             ),
             ::dh_robot::nalgebra::SMatrix::from_data(
                 ::dh_robot::nalgebra::ArrayStorage([
-                    [-t_39, t_38, 0.0, 0.0, 0.0, 1.0],
-                    [-c1 * t_37, -s1 * t_37, -t_36, -s1, c1, 0.0],
+                    [-t_35, t_34, 0.0, 0.0, 0.0, 1.0],
+                    [-c1 * t_33, -s1 * t_33, -t_32, -s1, c1, 0.0],
                     [
-                        -(c1c2 * t_35 + s1 * t_34),
-                        -(s1c2 * t_35 - c1 * t_34),
-                        s2 * t_35,
+                        -(c1c2 * t_31 + s1 * t_30),
+                        -(s1c2 * t_31 - c1 * t_30),
+                        s2 * t_31,
                         c1s2,
                         s1s2,
                         c2,
                     ],
                     [
-                        -(t_2 * t_31 - c1s2 * t_30),
-                        -(t_3 * t_31 - s1s2 * t_30),
-                        s2c3 * t_31 + c2 * t_30,
+                        -(t_6 * t_25 - t_9 * t_27),
+                        -(t_7 * t_25 - t_10 * t_27),
+                        t_8 * t_25 + t_11 * t_27,
                         t_4,
                         -t_5,
                         -s2s3,
                     ],
+                    [-t_15 * t_24, t_16 * t_24, t_17 * t_24, t_9, t_10, t_11],
                     [
-                        -(t_6 * t_28 + t_4 * t_27),
-                        -(t_7 * t_28 - t_5 * t_27),
-                        t_8 * t_28 + s2s3 * t_27,
-                        t_9,
-                        t_10,
-                        t_11,
-                    ],
-                    [
-                        -(t_12 * t_25 - t_9 * t_24),
-                        -(t_13 * t_25 - t_10 * t_24),
-                        t_14 * t_25 + t_11 * t_24,
+                        t_18 * 0.107 + t_21 * 0.088,
+                        t_19 * 0.107 + t_22 * 0.088,
+                        -(t_20 * 0.107 - t_23 * 0.088),
                         t_15,
                         -t_16,
                         -t_17,
@@ -646,41 +627,41 @@ impl ::dh_robot::ik::Kinematics<7> for Panda {
         let ([s7, s6, s5, s4, s3, s2, s1], [c7, c6, c5, c4, c3, c2, c1]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t_2 = 0.088 * c6 + 0.107 * s6;
-        let t_3 = 0.088 * s6 - 0.107 * c6 + 0.384;
-        let t_4 = t_2 * s5;
-        let t_5 = 0.0825 - t_2 * c5;
-        let t_6 = 0.0825 - (t_5 * c4 + t_3 * s4);
-        let t_7 = t_5 * s4 - t_3 * c4 - 0.316;
-        let t_8 = t_6 * c3 - t_4 * s3;
-        let t_9 = t_6 * s3 + t_4 * c3;
-        let t_10 = t_8 * c2 - t_7 * s2;
         let c7c6 = c7 * c6;
         let c7s6 = c7 * s6;
-        let t_11 = c5 * c7c6 + s7 * s5;
-        let t_12 = s5 * c7c6 - s7 * c5;
-        let t_13 = c4 * t_11 - s4 * c7s6;
-        let t_14 = s4 * t_11 + c4 * c7s6;
-        let t_15 = c3 * t_13 - s3 * t_12;
-        let t_16 = s3 * t_13 + c3 * t_12;
-        let t_17 = c2 * t_15 + s2 * t_14;
-        let t_18 = s2 * t_15 - c2 * t_14;
-        let t_19 = c1 * t_17 - s1 * t_16;
-        let t_20 = s1 * t_17 + c1 * t_16;
+        let t_2 = c7c6 * c5 + s7 * s5;
+        let t_3 = c7c6 * s5 - s7 * c5;
+        let t_4 = t_2 * c4 - c7s6 * s4;
+        let t_5 = t_2 * s4 + c7s6 * c4;
+        let t_6 = t_4 * c3 - t_3 * s3;
+        let t_7 = t_4 * s3 + t_3 * c3;
+        let t_8 = t_6 * c2 + t_5 * s2;
+        let t_9 = t_6 * s2 - t_5 * c2;
+        let t_10 = t_8 * c1 - t_7 * s1;
+        let t_11 = t_8 * s1 + t_7 * c1;
         let s6c5 = s6 * c5;
         let s6s5 = s6 * s5;
-        let t_21 = c4 * s6c5 + c6 * s4;
-        let t_22 = s4 * s6c5 - c6 * c4;
-        let t_23 = c3 * t_21 - s3 * s6s5;
-        let t_24 = s3 * t_21 + c3 * s6s5;
-        let t_25 = c2 * t_23 + s2 * t_22;
-        let t_26 = s2 * t_23 - c2 * t_22;
-        let t_27 = c1 * t_25 - s1 * t_24;
-        let t_28 = s1 * t_25 + c1 * t_24;
+        let t_12 = c4 * s6c5 + c6 * s4;
+        let t_13 = s4 * s6c5 - c6 * c4;
+        let t_14 = c3 * t_12 - s3 * s6s5;
+        let t_15 = s3 * t_12 + c3 * s6s5;
+        let t_16 = c2 * t_14 + s2 * t_13;
+        let t_17 = s2 * t_14 - c2 * t_13;
+        let t_18 = c1 * t_16 - s1 * t_15;
+        let t_19 = s1 * t_16 + c1 * t_15;
+        let t_20 = c6 * 0.088 + s6 * 0.107;
+        let t_21 = s6 * 0.088 - c6 * 0.107 + 0.384;
+        let t_22 = s5 * t_20;
+        let t_23 = 0.0825 - c5 * t_20;
+        let t_24 = 0.0825 - (c4 * t_23 + s4 * t_21);
+        let t_25 = s4 * t_23 - c4 * t_21 - 0.316;
+        let t_26 = c3 * t_24 - s3 * t_22;
+        let t_27 = s3 * t_24 + c3 * t_22;
+        let t_28 = c2 * t_26 - s2 * t_25;
         [
-            [t_19, -(t_18 * t_28 - t_20 * t_26), t_27, t_10 * c1 - t_9 * s1],
-            [t_20, -(t_19 * t_26 - t_18 * t_27), t_28, t_10 * s1 + t_9 * c1],
-            [-t_18, t_20 * t_27 - t_19 * t_28, -t_26, -(t_8 * s2 + t_7 * c2 - 0.333)],
+            [t_10, -(t_9 * t_19 - t_11 * t_17), t_18, c1 * t_28 - s1 * t_27],
+            [t_11, -(t_10 * t_17 - t_9 * t_18), t_19, s1 * t_28 + c1 * t_27],
+            [-t_9, t_11 * t_18 - t_10 * t_19, -t_17, -(s2 * t_26 + c2 * t_25 - 0.333)],
         ]
     }
     fn forward_and_jacobian(
@@ -720,58 +701,54 @@ impl ::dh_robot::ik::Kinematics<7> for Panda {
         let t_22 = t_10 * c6 - t_13 * s6;
         let t_23 = t_11 * c6 + t_14 * s6;
         let t_24 = c6 * 0.088 + s6 * 0.107;
-        let t_25 = s6 * 0.088 - c6 * 0.107;
-        let t_26 = t_25 + 0.384;
-        let t_27 = c5 * t_24;
-        let t_28 = s5 * t_24;
-        let t_29 = t_27 - 0.0825;
-        let t_30 = c4 * t_29 - s4 * t_26;
-        let t_31 = s4 * t_29 + c4 * t_26;
-        let t_32 = 0.0825 + t_30;
-        let t_33 = t_31 + 0.316;
-        let t_34 = c3 * t_32 - s3 * t_28;
-        let t_35 = s3 * t_32 + c3 * t_28;
-        let t_36 = c2 * t_34 + s2 * t_33;
-        let t_37 = s2 * t_34 - c2 * t_33;
-        let t_38 = c1 * t_36 - s1 * t_35;
-        let t_39 = s1 * t_36 + c1 * t_35;
+        let t_25 = s6 * 0.088 - c6 * 0.107 + 0.384;
+        let t_26 = s5 * t_24;
+        let t_27 = c5 * t_24 - 0.0825;
+        let t_28 = 0.0825 + c4 * t_27 - s4 * t_25;
+        let t_29 = s4 * t_27 + c4 * t_25 + 0.316;
+        let t_30 = c3 * t_28 - s3 * t_26;
+        let t_31 = s3 * t_28 + c3 * t_26;
+        let t_32 = c2 * t_30 + s2 * t_29;
+        let t_33 = s2 * t_30 - c2 * t_29;
+        let t_34 = c1 * t_32 - s1 * t_31;
+        let t_35 = s1 * t_32 + c1 * t_31;
         (
             [
-                [t_18 * c7 + t_15 * s7, t_15 * c7 - t_18 * s7, -t_21, t_38],
-                [t_19 * c7 - t_16 * s7, -(t_16 * c7 + t_19 * s7), -t_22, t_39],
+                [t_18 * c7 + t_15 * s7, t_15 * c7 - t_18 * s7, -t_21, t_34],
+                [t_19 * c7 - t_16 * s7, -(t_16 * c7 + t_19 * s7), -t_22, t_35],
                 [
                     -(t_20 * c7 + t_17 * s7),
                     -(t_17 * c7 - t_20 * s7),
                     -t_23,
-                    -(t_37 - 0.333),
+                    -(t_33 - 0.333),
                 ],
             ],
             [
                 [
-                    -t_39,
-                    -c1 * t_37,
-                    -(c1c2 * t_35 + s1 * t_34),
-                    -(t_2 * t_31 - c1s2 * t_30),
-                    -(t_6 * t_28 + t_4 * t_27),
-                    -(t_12 * t_25 - t_9 * t_24),
+                    -t_35,
+                    -c1 * t_33,
+                    -(c1c2 * t_31 + s1 * t_30),
+                    -(t_6 * t_25 - t_9 * t_27),
+                    -t_15 * t_24,
+                    t_18 * 0.107 + t_21 * 0.088,
                     0.0,
                 ],
                 [
-                    t_38,
-                    -s1 * t_37,
-                    -(s1c2 * t_35 - c1 * t_34),
-                    -(t_3 * t_31 - s1s2 * t_30),
-                    -(t_7 * t_28 - t_5 * t_27),
-                    -(t_13 * t_25 - t_10 * t_24),
+                    t_34,
+                    -s1 * t_33,
+                    -(s1c2 * t_31 - c1 * t_30),
+                    -(t_7 * t_25 - t_10 * t_27),
+                    t_16 * t_24,
+                    t_19 * 0.107 + t_22 * 0.088,
                     0.0,
                 ],
                 [
                     0.0,
-                    -t_36,
-                    s2 * t_35,
-                    s2c3 * t_31 + c2 * t_30,
-                    t_8 * t_28 + s2s3 * t_27,
-                    t_14 * t_25 + t_11 * t_24,
+                    -t_32,
+                    s2 * t_31,
+                    t_8 * t_25 + t_11 * t_27,
+                    t_17 * t_24,
+                    -(t_20 * 0.107 - t_23 * 0.088),
                     0.0,
                 ],
                 [0.0, -s1, c1s2, t_4, t_9, t_15, 0.0],

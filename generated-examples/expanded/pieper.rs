@@ -57,7 +57,9 @@ impl Pieper {
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [
+            q[5],
             self.alpha5,
+            q[4],
             self.alpha4,
             q[3],
             self.alpha3,
@@ -66,11 +68,11 @@ impl Pieper {
             q[1],
             self.alpha1,
             q[0],
-            q[5],
-            q[4],
         ];
         let (
-            [s_alpha5,
+            [s6,
+            s_alpha5,
+            s5,
             s_alpha4,
             s4,
             s_alpha3,
@@ -79,10 +81,10 @@ impl Pieper {
             s2,
             s_alpha1,
             s1,
-            s6,
-            s5,
             ],
-            [c_alpha5,
+            [c6,
+            c_alpha5,
+            c5,
             c_alpha4,
             c4,
             c_alpha3,
@@ -91,64 +93,66 @@ impl Pieper {
             c2,
             c_alpha1,
             c1,
-            c6,
-            c5,
             ],
         ) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t_2 = self.d4 * s_alpha3;
-        let t_3 = self.d4 * c_alpha3 + self.d3;
-        let t_4 = self.a3 * s3 - t_2 * c3;
-        let t_5 = self.a2 + self.a3 * c3 + t_2 * s3;
-        let t_6 = t_4 * c_alpha2 - t_3 * s_alpha2;
-        let t_7 = t_4 * s_alpha2 + t_3 * c_alpha2 + self.d2;
-        let t_8 = t_5 * s2 + t_6 * c2;
-        let t_9 = self.a1 + t_5 * c2 - t_6 * s2;
-        let t_10 = t_8 * c_alpha1 - t_7 * s_alpha1;
-        let t_11 = c_alpha5 * s6;
-        let t_12 = s_alpha5 * s6;
-        let t_13 = c6 * c5 - t_11 * s5;
-        let t_14 = c6 * s5 + t_11 * c5;
-        let t_15 = c_alpha4 * t_14 - s_alpha4 * t_12;
-        let t_16 = s_alpha4 * t_14 + c_alpha4 * t_12;
-        let t_17 = c4 * t_13 - s4 * t_15;
-        let t_18 = s4 * t_13 + c4 * t_15;
-        let t_19 = c_alpha3 * t_18 - s_alpha3 * t_16;
-        let t_20 = s_alpha3 * t_18 + c_alpha3 * t_16;
-        let t_21 = c3 * t_17 - s3 * t_19;
-        let t_22 = s3 * t_17 + c3 * t_19;
-        let t_23 = c_alpha2 * t_22 - s_alpha2 * t_20;
-        let t_24 = s_alpha2 * t_22 + c_alpha2 * t_20;
-        let t_25 = c2 * t_21 - s2 * t_23;
-        let t_26 = s2 * t_21 + c2 * t_23;
-        let t_27 = c_alpha1 * t_26 - s_alpha1 * t_24;
-        let t_28 = s_alpha1 * t_26 + c_alpha1 * t_24;
-        let t_29 = c1 * t_25 - s1 * t_27;
-        let t_30 = s1 * t_25 + c1 * t_27;
-        let t_31 = s_alpha5 * s5;
-        let t_32 = s_alpha5 * c5;
-        let t_33 = c_alpha4 * t_32 + c_alpha5 * s_alpha4;
-        let t_34 = s_alpha4 * t_32 - c_alpha5 * c_alpha4;
-        let t_35 = c4 * t_31 + s4 * t_33;
-        let t_36 = s4 * t_31 - c4 * t_33;
-        let t_37 = c_alpha3 * t_36 + s_alpha3 * t_34;
-        let t_38 = s_alpha3 * t_36 - c_alpha3 * t_34;
-        let t_39 = c3 * t_35 - s3 * t_37;
-        let t_40 = s3 * t_35 + c3 * t_37;
-        let t_41 = c_alpha2 * t_40 - s_alpha2 * t_38;
-        let t_42 = s_alpha2 * t_40 + c_alpha2 * t_38;
-        let t_43 = c2 * t_39 - s2 * t_41;
-        let t_44 = s2 * t_39 + c2 * t_41;
-        let t_45 = c_alpha1 * t_44 - s_alpha1 * t_42;
-        let t_46 = s_alpha1 * t_44 + c_alpha1 * t_42;
-        let t_47 = c1 * t_43 - s1 * t_45;
-        let t_48 = s1 * t_43 + c1 * t_45;
+        let t_2 = s6 * c_alpha5;
+        let t_3 = s6 * s_alpha5;
+        let t_4 = c6 * c5 - t_2 * s5;
+        let t_5 = c6 * s5 + t_2 * c5;
+        let t_6 = t_5 * c_alpha4 - t_3 * s_alpha4;
+        let t_7 = t_5 * s_alpha4 + t_3 * c_alpha4;
+        let t_8 = t_4 * c4 - t_6 * s4;
+        let t_9 = t_4 * s4 + t_6 * c4;
+        let t_10 = t_9 * c_alpha3 - t_7 * s_alpha3;
+        let t_11 = t_9 * s_alpha3 + t_7 * c_alpha3;
+        let t_12 = t_8 * c3 - t_10 * s3;
+        let t_13 = t_8 * s3 + t_10 * c3;
+        let t_14 = t_13 * c_alpha2 - t_11 * s_alpha2;
+        let t_15 = t_13 * s_alpha2 + t_11 * c_alpha2;
+        let t_16 = t_12 * c2 - t_14 * s2;
+        let t_17 = t_12 * s2 + t_14 * c2;
+        let t_18 = t_17 * c_alpha1 - t_15 * s_alpha1;
+        let t_19 = t_17 * s_alpha1 + t_15 * c_alpha1;
+        let t_20 = t_16 * c1 - t_18 * s1;
+        let t_21 = t_16 * s1 + t_18 * c1;
+        let t_22 = s_alpha5 * s5;
+        let t_23 = s_alpha5 * c5;
+        let t_24 = c_alpha4 * t_23 + c_alpha5 * s_alpha4;
+        let t_25 = s_alpha4 * t_23 - c_alpha5 * c_alpha4;
+        let t_26 = c4 * t_22 + s4 * t_24;
+        let t_27 = s4 * t_22 - c4 * t_24;
+        let t_28 = c_alpha3 * t_27 + s_alpha3 * t_25;
+        let t_29 = s_alpha3 * t_27 - c_alpha3 * t_25;
+        let t_30 = c3 * t_26 - s3 * t_28;
+        let t_31 = s3 * t_26 + c3 * t_28;
+        let t_32 = c_alpha2 * t_31 - s_alpha2 * t_29;
+        let t_33 = s_alpha2 * t_31 + c_alpha2 * t_29;
+        let t_34 = c2 * t_30 - s2 * t_32;
+        let t_35 = s2 * t_30 + c2 * t_32;
+        let t_36 = c_alpha1 * t_35 - s_alpha1 * t_33;
+        let t_37 = s_alpha1 * t_35 + c_alpha1 * t_33;
+        let t_38 = c1 * t_34 - s1 * t_36;
+        let t_39 = s1 * t_34 + c1 * t_36;
+        let t_40 = s_alpha3 * self.d4;
+        let t_41 = c_alpha3 * self.d4 + self.d3;
+        let t_42 = s3 * self.a3 - c3 * t_40;
+        let t_43 = self.a2 + c3 * self.a3 + s3 * t_40;
+        let t_44 = c_alpha2 * t_42 - s_alpha2 * t_41;
+        let t_45 = s_alpha2 * t_42 + c_alpha2 * t_41 + self.d2;
+        let t_46 = s2 * t_43 + c2 * t_44;
+        let t_47 = self.a1 + c2 * t_43 - s2 * t_44;
+        let t_48 = c_alpha1 * t_46 - s_alpha1 * t_45;
         ::dh_robot::pose::from_entries(
             [
-                [t_29, t_28 * t_48 - t_30 * t_46, t_47],
-                [t_30, t_29 * t_46 - t_28 * t_47, t_48],
-                [t_28, t_30 * t_47 - t_29 * t_48, t_46],
+                [t_20, t_19 * t_39 - t_21 * t_37, t_38],
+                [t_21, t_20 * t_37 - t_19 * t_38, t_39],
+                [t_19, t_21 * t_38 - t_20 * t_39, t_37],
             ],
-            [t_9 * c1 - t_10 * s1, t_9 * s1 + t_10 * c1, t_8 * s_alpha1 + t_7 * c_alpha1],
+            [
+                c1 * t_47 - s1 * t_48,
+                s1 * t_47 + c1 * t_48,
+                s_alpha1 * t_46 + c_alpha1 * t_45,
+            ],
         )
     }
     /// Pose of every moving link's frame in the base, without the tool.
@@ -384,30 +388,29 @@ impl Pieper {
             - (t_20 * c4 + t_26 * s4) * s5;
         let t_39 = s_alpha3 * self.d4;
         let t_40 = c_alpha3 * self.d4 + self.d3;
-        let t_41 = c3 * self.a3 + s3 * t_39;
-        let t_42 = s3 * self.a3 - c3 * t_39;
-        let t_43 = t_41 + self.a2;
-        let t_44 = c_alpha2 * t_42 - s_alpha2 * t_40;
-        let t_45 = c2 * t_43 - s2 * t_44;
-        let t_46 = s2 * t_43 + c2 * t_44;
-        let t_47 = t_45 + self.a1;
-        let t_48 = c_alpha1 * t_46
-            - s_alpha1 * (s_alpha2 * t_42 + c_alpha2 * t_40 + self.d2);
+        let t_41 = s3 * self.a3 - c3 * t_39;
+        let t_42 = c3 * self.a3 + s3 * t_39 + self.a2;
+        let t_43 = c_alpha2 * t_41 - s_alpha2 * t_40;
+        let t_44 = c2 * t_42 - s2 * t_43;
+        let t_45 = s2 * t_42 + c2 * t_43;
+        let t_46 = t_44 + self.a1;
+        let t_47 = c_alpha1 * t_45
+            - s_alpha1 * (s_alpha2 * t_41 + c_alpha2 * t_40 + self.d2);
         ::dh_robot::nalgebra::SMatrix::from_data(
             ::dh_robot::nalgebra::ArrayStorage([
-                [-(s1 * t_47 + c1 * t_48), c1 * t_47 - s1 * t_48, 0.0, 0.0, 0.0, 1.0],
+                [-(s1 * t_46 + c1 * t_47), c1 * t_46 - s1 * t_47, 0.0, 0.0, 0.0, 1.0],
                 [
-                    -(c1 * t_46 + t_2 * t_45),
-                    -(s1 * t_46 - t_3 * t_45),
-                    s_alpha1 * t_45,
+                    -(c1 * t_45 + t_2 * t_44),
+                    -(s1 * t_45 - t_3 * t_44),
+                    s_alpha1 * t_44,
                     t_4,
                     -t_5,
                     c_alpha1,
                 ],
                 [
-                    -(t_7 * t_42 + t_12 * t_41),
-                    -(t_8 * t_42 - t_13 * t_41),
-                    -(t_6 * t_42 - t_14 * t_41),
+                    t_18 * t_39 - t_21 * self.a3,
+                    t_19 * t_39 + t_22 * self.a3,
+                    t_20 * t_39 + t_23 * self.a3,
                     t_15,
                     -t_16,
                     t_17,
@@ -530,17 +533,16 @@ impl Pieper {
         let t_53 = t_41 * c_alpha5 - t_47 * s_alpha5;
         let t_54 = s_alpha3 * self.d4;
         let t_55 = c_alpha3 * self.d4 + self.d3;
-        let t_56 = c3 * self.a3 + s3 * t_54;
-        let t_57 = s3 * self.a3 - c3 * t_54;
-        let t_58 = t_56 + self.a2;
-        let t_59 = c_alpha2 * t_57 - s_alpha2 * t_55;
-        let t_60 = s_alpha2 * t_57 + c_alpha2 * t_55 + self.d2;
-        let t_61 = c2 * t_58 - s2 * t_59;
-        let t_62 = s2 * t_58 + c2 * t_59;
-        let t_63 = t_61 + self.a1;
-        let t_64 = c_alpha1 * t_62 - s_alpha1 * t_60;
-        let t_65 = c1 * t_63 - s1 * t_64;
-        let t_66 = s1 * t_63 + c1 * t_64;
+        let t_56 = s3 * self.a3 - c3 * t_54;
+        let t_57 = c3 * self.a3 + s3 * t_54 + self.a2;
+        let t_58 = c_alpha2 * t_56 - s_alpha2 * t_55;
+        let t_59 = s_alpha2 * t_56 + c_alpha2 * t_55 + self.d2;
+        let t_60 = c2 * t_57 - s2 * t_58;
+        let t_61 = s2 * t_57 + c2 * t_58;
+        let t_62 = t_60 + self.a1;
+        let t_63 = c_alpha1 * t_61 - s_alpha1 * t_59;
+        let t_64 = c1 * t_62 - s1 * t_63;
+        let t_65 = s1 * t_62 + c1 * t_63;
         (
             ::dh_robot::pose::from_entries(
                 [
@@ -548,23 +550,23 @@ impl Pieper {
                     [t_43 * c6 + t_49 * s6, t_49 * c6 - t_43 * s6, -t_52],
                     [t_44 * c6 + t_50 * s6, t_50 * c6 - t_44 * s6, t_53],
                 ],
-                [t_65, t_66, s_alpha1 * t_62 + c_alpha1 * t_60],
+                [t_64, t_65, s_alpha1 * t_61 + c_alpha1 * t_59],
             ),
             ::dh_robot::nalgebra::SMatrix::from_data(
                 ::dh_robot::nalgebra::ArrayStorage([
-                    [-t_66, t_65, 0.0, 0.0, 0.0, 1.0],
+                    [-t_65, t_64, 0.0, 0.0, 0.0, 1.0],
                     [
-                        -(c1 * t_62 + t_2 * t_61),
-                        -(s1 * t_62 - t_3 * t_61),
-                        s_alpha1 * t_61,
+                        -(c1 * t_61 + t_2 * t_60),
+                        -(s1 * t_61 - t_3 * t_60),
+                        s_alpha1 * t_60,
                         t_4,
                         -t_5,
                         c_alpha1,
                     ],
                     [
-                        -(t_7 * t_57 + t_12 * t_56),
-                        -(t_8 * t_57 - t_13 * t_56),
-                        -(t_6 * t_57 - t_14 * t_56),
+                        t_18 * t_54 - t_21 * self.a3,
+                        t_19 * t_54 + t_22 * self.a3,
+                        t_20 * t_54 + t_23 * self.a3,
                         t_15,
                         -t_16,
                         t_17,
@@ -877,7 +879,9 @@ impl ::dh_robot::ik::Kinematics<6> for Pieper {
     #[inline]
     fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {
         let angles = [
+            q[5],
             self.alpha5,
+            q[4],
             self.alpha4,
             q[3],
             self.alpha3,
@@ -886,11 +890,11 @@ impl ::dh_robot::ik::Kinematics<6> for Pieper {
             q[1],
             self.alpha1,
             q[0],
-            q[5],
-            q[4],
         ];
         let (
-            [s_alpha5,
+            [s6,
+            s_alpha5,
+            s5,
             s_alpha4,
             s4,
             s_alpha3,
@@ -899,10 +903,10 @@ impl ::dh_robot::ik::Kinematics<6> for Pieper {
             s2,
             s_alpha1,
             s1,
-            s6,
-            s5,
             ],
-            [c_alpha5,
+            [c6,
+            c_alpha5,
+            c5,
             c_alpha4,
             c4,
             c_alpha3,
@@ -911,61 +915,59 @@ impl ::dh_robot::ik::Kinematics<6> for Pieper {
             c2,
             c_alpha1,
             c1,
-            c6,
-            c5,
             ],
         ) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t_2 = self.d4 * s_alpha3;
-        let t_3 = self.d4 * c_alpha3 + self.d3;
-        let t_4 = self.a3 * s3 - t_2 * c3;
-        let t_5 = self.a2 + self.a3 * c3 + t_2 * s3;
-        let t_6 = t_4 * c_alpha2 - t_3 * s_alpha2;
-        let t_7 = t_4 * s_alpha2 + t_3 * c_alpha2 + self.d2;
-        let t_8 = t_5 * s2 + t_6 * c2;
-        let t_9 = self.a1 + t_5 * c2 - t_6 * s2;
-        let t_10 = t_8 * c_alpha1 - t_7 * s_alpha1;
-        let t_11 = c_alpha5 * s6;
-        let t_12 = s_alpha5 * s6;
-        let t_13 = c6 * c5 - t_11 * s5;
-        let t_14 = c6 * s5 + t_11 * c5;
-        let t_15 = c_alpha4 * t_14 - s_alpha4 * t_12;
-        let t_16 = s_alpha4 * t_14 + c_alpha4 * t_12;
-        let t_17 = c4 * t_13 - s4 * t_15;
-        let t_18 = s4 * t_13 + c4 * t_15;
-        let t_19 = c_alpha3 * t_18 - s_alpha3 * t_16;
-        let t_20 = s_alpha3 * t_18 + c_alpha3 * t_16;
-        let t_21 = c3 * t_17 - s3 * t_19;
-        let t_22 = s3 * t_17 + c3 * t_19;
-        let t_23 = c_alpha2 * t_22 - s_alpha2 * t_20;
-        let t_24 = s_alpha2 * t_22 + c_alpha2 * t_20;
-        let t_25 = c2 * t_21 - s2 * t_23;
-        let t_26 = s2 * t_21 + c2 * t_23;
-        let t_27 = c_alpha1 * t_26 - s_alpha1 * t_24;
-        let t_28 = s_alpha1 * t_26 + c_alpha1 * t_24;
-        let t_29 = c1 * t_25 - s1 * t_27;
-        let t_30 = s1 * t_25 + c1 * t_27;
-        let t_31 = s_alpha5 * s5;
-        let t_32 = s_alpha5 * c5;
-        let t_33 = c_alpha4 * t_32 + c_alpha5 * s_alpha4;
-        let t_34 = s_alpha4 * t_32 - c_alpha5 * c_alpha4;
-        let t_35 = c4 * t_31 + s4 * t_33;
-        let t_36 = s4 * t_31 - c4 * t_33;
-        let t_37 = c_alpha3 * t_36 + s_alpha3 * t_34;
-        let t_38 = s_alpha3 * t_36 - c_alpha3 * t_34;
-        let t_39 = c3 * t_35 - s3 * t_37;
-        let t_40 = s3 * t_35 + c3 * t_37;
-        let t_41 = c_alpha2 * t_40 - s_alpha2 * t_38;
-        let t_42 = s_alpha2 * t_40 + c_alpha2 * t_38;
-        let t_43 = c2 * t_39 - s2 * t_41;
-        let t_44 = s2 * t_39 + c2 * t_41;
-        let t_45 = c_alpha1 * t_44 - s_alpha1 * t_42;
-        let t_46 = s_alpha1 * t_44 + c_alpha1 * t_42;
-        let t_47 = c1 * t_43 - s1 * t_45;
-        let t_48 = s1 * t_43 + c1 * t_45;
+        let t_2 = s6 * c_alpha5;
+        let t_3 = s6 * s_alpha5;
+        let t_4 = c6 * c5 - t_2 * s5;
+        let t_5 = c6 * s5 + t_2 * c5;
+        let t_6 = t_5 * c_alpha4 - t_3 * s_alpha4;
+        let t_7 = t_5 * s_alpha4 + t_3 * c_alpha4;
+        let t_8 = t_4 * c4 - t_6 * s4;
+        let t_9 = t_4 * s4 + t_6 * c4;
+        let t_10 = t_9 * c_alpha3 - t_7 * s_alpha3;
+        let t_11 = t_9 * s_alpha3 + t_7 * c_alpha3;
+        let t_12 = t_8 * c3 - t_10 * s3;
+        let t_13 = t_8 * s3 + t_10 * c3;
+        let t_14 = t_13 * c_alpha2 - t_11 * s_alpha2;
+        let t_15 = t_13 * s_alpha2 + t_11 * c_alpha2;
+        let t_16 = t_12 * c2 - t_14 * s2;
+        let t_17 = t_12 * s2 + t_14 * c2;
+        let t_18 = t_17 * c_alpha1 - t_15 * s_alpha1;
+        let t_19 = t_17 * s_alpha1 + t_15 * c_alpha1;
+        let t_20 = t_16 * c1 - t_18 * s1;
+        let t_21 = t_16 * s1 + t_18 * c1;
+        let t_22 = s_alpha5 * s5;
+        let t_23 = s_alpha5 * c5;
+        let t_24 = c_alpha4 * t_23 + c_alpha5 * s_alpha4;
+        let t_25 = s_alpha4 * t_23 - c_alpha5 * c_alpha4;
+        let t_26 = c4 * t_22 + s4 * t_24;
+        let t_27 = s4 * t_22 - c4 * t_24;
+        let t_28 = c_alpha3 * t_27 + s_alpha3 * t_25;
+        let t_29 = s_alpha3 * t_27 - c_alpha3 * t_25;
+        let t_30 = c3 * t_26 - s3 * t_28;
+        let t_31 = s3 * t_26 + c3 * t_28;
+        let t_32 = c_alpha2 * t_31 - s_alpha2 * t_29;
+        let t_33 = s_alpha2 * t_31 + c_alpha2 * t_29;
+        let t_34 = c2 * t_30 - s2 * t_32;
+        let t_35 = s2 * t_30 + c2 * t_32;
+        let t_36 = c_alpha1 * t_35 - s_alpha1 * t_33;
+        let t_37 = s_alpha1 * t_35 + c_alpha1 * t_33;
+        let t_38 = c1 * t_34 - s1 * t_36;
+        let t_39 = s1 * t_34 + c1 * t_36;
+        let t_40 = s_alpha3 * self.d4;
+        let t_41 = c_alpha3 * self.d4 + self.d3;
+        let t_42 = s3 * self.a3 - c3 * t_40;
+        let t_43 = self.a2 + c3 * self.a3 + s3 * t_40;
+        let t_44 = c_alpha2 * t_42 - s_alpha2 * t_41;
+        let t_45 = s_alpha2 * t_42 + c_alpha2 * t_41 + self.d2;
+        let t_46 = s2 * t_43 + c2 * t_44;
+        let t_47 = self.a1 + c2 * t_43 - s2 * t_44;
+        let t_48 = c_alpha1 * t_46 - s_alpha1 * t_45;
         [
-            [t_29, t_28 * t_48 - t_30 * t_46, t_47, t_9 * c1 - t_10 * s1],
-            [t_30, t_29 * t_46 - t_28 * t_47, t_48, t_9 * s1 + t_10 * c1],
-            [t_28, t_30 * t_47 - t_29 * t_48, t_46, t_8 * s_alpha1 + t_7 * c_alpha1],
+            [t_20, t_19 * t_39 - t_21 * t_37, t_38, c1 * t_47 - s1 * t_48],
+            [t_21, t_20 * t_37 - t_19 * t_38, t_39, s1 * t_47 + c1 * t_48],
+            [t_19, t_21 * t_38 - t_20 * t_39, t_37, s_alpha1 * t_46 + c_alpha1 * t_45],
         ]
     }
     fn forward_and_jacobian(
@@ -1065,46 +1067,45 @@ impl ::dh_robot::ik::Kinematics<6> for Pieper {
         let t_53 = t_41 * c_alpha5 - t_47 * s_alpha5;
         let t_54 = s_alpha3 * self.d4;
         let t_55 = c_alpha3 * self.d4 + self.d3;
-        let t_56 = c3 * self.a3 + s3 * t_54;
-        let t_57 = s3 * self.a3 - c3 * t_54;
-        let t_58 = t_56 + self.a2;
-        let t_59 = c_alpha2 * t_57 - s_alpha2 * t_55;
-        let t_60 = s_alpha2 * t_57 + c_alpha2 * t_55 + self.d2;
-        let t_61 = c2 * t_58 - s2 * t_59;
-        let t_62 = s2 * t_58 + c2 * t_59;
-        let t_63 = t_61 + self.a1;
-        let t_64 = c_alpha1 * t_62 - s_alpha1 * t_60;
-        let t_65 = c1 * t_63 - s1 * t_64;
-        let t_66 = s1 * t_63 + c1 * t_64;
+        let t_56 = s3 * self.a3 - c3 * t_54;
+        let t_57 = c3 * self.a3 + s3 * t_54 + self.a2;
+        let t_58 = c_alpha2 * t_56 - s_alpha2 * t_55;
+        let t_59 = s_alpha2 * t_56 + c_alpha2 * t_55 + self.d2;
+        let t_60 = c2 * t_57 - s2 * t_58;
+        let t_61 = s2 * t_57 + c2 * t_58;
+        let t_62 = t_60 + self.a1;
+        let t_63 = c_alpha1 * t_61 - s_alpha1 * t_59;
+        let t_64 = c1 * t_62 - s1 * t_63;
+        let t_65 = s1 * t_62 + c1 * t_63;
         (
             [
-                [t_42 * c6 - t_48 * s6, -(t_48 * c6 + t_42 * s6), t_51, t_65],
-                [t_43 * c6 + t_49 * s6, t_49 * c6 - t_43 * s6, -t_52, t_66],
+                [t_42 * c6 - t_48 * s6, -(t_48 * c6 + t_42 * s6), t_51, t_64],
+                [t_43 * c6 + t_49 * s6, t_49 * c6 - t_43 * s6, -t_52, t_65],
                 [
                     t_44 * c6 + t_50 * s6,
                     t_50 * c6 - t_44 * s6,
                     t_53,
-                    s_alpha1 * t_62 + c_alpha1 * t_60,
+                    s_alpha1 * t_61 + c_alpha1 * t_59,
                 ],
             ],
             [
                 [
-                    -t_66,
-                    -(c1 * t_62 + t_2 * t_61),
-                    -(t_7 * t_57 + t_12 * t_56),
+                    -t_65,
+                    -(c1 * t_61 + t_2 * t_60),
+                    t_18 * t_54 - t_21 * self.a3,
                     0.0,
                     0.0,
                     0.0,
                 ],
                 [
-                    t_65,
-                    -(s1 * t_62 - t_3 * t_61),
-                    -(t_8 * t_57 - t_13 * t_56),
+                    t_64,
+                    -(s1 * t_61 - t_3 * t_60),
+                    t_19 * t_54 + t_22 * self.a3,
                     0.0,
                     0.0,
                     0.0,
                 ],
-                [0.0, s_alpha1 * t_61, -(t_6 * t_57 - t_14 * t_56), 0.0, 0.0, 0.0],
+                [0.0, s_alpha1 * t_60, t_20 * t_54 + t_23 * self.a3, 0.0, 0.0, 0.0],
                 [0.0, t_4, t_15, t_27, t_39, t_51],
                 [0.0, -t_5, -t_16, -t_28, -t_40, -t_52],
                 [1.0, c_alpha1, t_17, t_29, t_41, t_53],

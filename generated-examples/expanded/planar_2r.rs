@@ -39,7 +39,7 @@ impl Planar2r {
         let ([s12, s1], [c12, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
         ::dh_robot::pose::from_entries(
             [[c12, -s12, 0.0], [s12, c12, 0.0], [0.0, 0.0, 1.0]],
-            [self.l2 * c12 + self.l1 * c1, self.l2 * s12 + self.l1 * s1, 0.0],
+            [c12 * self.l2 + self.l1 * c1, s12 * self.l2 + self.l1 * s1, 0.0],
         )
     }
     /// Pose of every moving link's frame in the base, without the tool.
@@ -329,8 +329,8 @@ impl ::dh_robot::ik::Kinematics<2> for Planar2r {
         let angles = [q[0] + q[1], q[0]];
         let ([s12, s1], [c12, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
         [
-            [c12, -s12, 0.0, self.l2 * c12 + self.l1 * c1],
-            [s12, c12, 0.0, self.l2 * s12 + self.l1 * s1],
+            [c12, -s12, 0.0, c12 * self.l2 + self.l1 * c1],
+            [s12, c12, 0.0, s12 * self.l2 + self.l1 * s1],
             [0.0, 0.0, 1.0, 0.0],
         ]
     }

@@ -39,7 +39,7 @@ impl Planar3r {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
     ///
-    /// Cost: 6 multiplications, 7 additions, 3 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 6 multiplications, 6 additions, 3 sine-cosine pairs. Proven equal to the product of the link transforms.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
@@ -50,15 +50,15 @@ impl Planar3r {
         ::dh_robot::pose::from_entries(
             [[c123, -s123, 0.0], [s123, c123, 0.0], [0.0, 0.0, 1.0]],
             [
-                self.l3 * c123 + self.l2 * c12 + self.l1 * c1,
-                self.l3 * s123 + self.l2 * s12 + self.l1 * s1,
+                c123 * self.l3 + self.l2 * c12 + self.l1 * c1,
+                s123 * self.l3 + self.l2 * s12 + self.l1 * s1,
                 0.0,
             ],
         )
     }
     /// Pose of every moving link's frame in the base, without the tool.
     ///
-    /// Cost: 6 multiplications, 7 additions, 3 sine-cosine pairs.
+    /// Cost: 6 multiplications, 6 additions, 3 sine-cosine pairs.
     #[must_use]
     pub fn frames(
         &self,
@@ -90,7 +90,7 @@ impl Planar3r {
     /// Geometric Jacobian: rows 0..3 linear (m per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the
     /// origin of the last frame (or tool).
     ///
-    /// Cost: 6 multiplications, 7 additions, 3 sine-cosine pairs.
+    /// Cost: 6 multiplications, 6 additions, 3 sine-cosine pairs.
     #[inline]
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 3> {
@@ -112,7 +112,7 @@ impl Planar3r {
     }
     /// [`forward`](Self::forward) and [`jacobian`](Self::jacobian) together, for little more than one of them.
     ///
-    /// Cost: 6 multiplications, 7 additions, 3 sine-cosine pairs.
+    /// Cost: 6 multiplications, 6 additions, 3 sine-cosine pairs.
     #[inline]
     #[must_use]
     pub fn forward_and_jacobian(
@@ -327,8 +327,8 @@ impl ::dh_robot::ik::Kinematics<3> for Planar3r {
             &angles,
         );
         [
-            [c123, -s123, 0.0, self.l3 * c123 + self.l2 * c12 + self.l1 * c1],
-            [s123, c123, 0.0, self.l3 * s123 + self.l2 * s12 + self.l1 * s1],
+            [c123, -s123, 0.0, c123 * self.l3 + self.l2 * c12 + self.l1 * c1],
+            [s123, c123, 0.0, s123 * self.l3 + self.l2 * s12 + self.l1 * s1],
             [0.0, 0.0, 1.0, 0.0],
         ]
     }

@@ -33,12 +33,12 @@ impl Planar3rCraig {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
     ///
-    /// Cost: 4 multiplications, 5 additions, 3 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 4 multiplications, 4 additions, 3 sine-cosine pairs. Proven equal to the product of the link transforms.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
-        let angles = [q[0] + q[1], q[0], q[0] + q[1] + q[2]];
-        let ([s12, s1, s123], [c12, c1, c123]) = ::dh_robot::sincos::sincos_batch(
+        let angles = [q[0] + q[1] + q[2], q[0] + q[1], q[0]];
+        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
         ::dh_robot::pose::from_entries(
@@ -48,7 +48,7 @@ impl Planar3rCraig {
     }
     /// Pose of every moving link's frame in the base, without the tool.
     ///
-    /// Cost: 4 multiplications, 5 additions, 3 sine-cosine pairs.
+    /// Cost: 4 multiplications, 4 additions, 3 sine-cosine pairs.
     #[must_use]
     pub fn frames(
         &self,
@@ -96,7 +96,7 @@ impl Planar3rCraig {
     }
     /// [`forward`](Self::forward) and [`jacobian`](Self::jacobian) together, for little more than one of them.
     ///
-    /// Cost: 4 multiplications, 5 additions, 3 sine-cosine pairs.
+    /// Cost: 4 multiplications, 4 additions, 3 sine-cosine pairs.
     #[inline]
     #[must_use]
     pub fn forward_and_jacobian(
@@ -300,8 +300,8 @@ impl Planar3rCraig {
 impl ::dh_robot::ik::Kinematics<3> for Planar3rCraig {
     #[inline]
     fn forward(&self, q: &[f64; 3]) -> ::dh_robot::ik::Pose {
-        let angles = [q[0] + q[1], q[0], q[0] + q[1] + q[2]];
-        let ([s12, s1, s123], [c12, c1, c123]) = ::dh_robot::sincos::sincos_batch(
+        let angles = [q[0] + q[1] + q[2], q[0] + q[1], q[0]];
+        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
         [

@@ -58,35 +58,35 @@ impl Puma560 {
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
-        let angles = [q[3], q[1] + q[2], q[1], q[0], q[5], q[4]];
-        let ([s4, s23, s2, s1, s6, s5], [c4, c23, c2, c1, c6, c5]) = ::dh_robot::sincos::sincos_batch(
+        let angles = [q[5], q[4], q[3], q[1] + q[2], q[0], q[1]];
+        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t_2 = self.a3 * c23 - self.d4 * s23 + self.a2 * c2;
         let c6c5 = c6 * c5;
         let c6s5 = c6 * s5;
-        let t_3 = c4 * c6c5 - s4 * s6;
-        let t_4 = s4 * c6c5 + c4 * s6;
-        let t_5 = c23 * t_3 - s23 * c6s5;
-        let t_6 = s23 * t_3 + c23 * c6s5;
-        let t_7 = c1 * t_5 + s1 * t_4;
-        let t_8 = s1 * t_5 - c1 * t_4;
-        let c4s5 = c4 * s5;
-        let s4s5 = s4 * s5;
-        let t_9 = c23 * c4s5 + s23 * c5;
-        let t_10 = s23 * c4s5 - c23 * c5;
-        let t_11 = c1 * t_9 + s1 * s4s5;
-        let t_12 = s1 * t_9 - c1 * s4s5;
+        let t_2 = c6c5 * c4 - s6 * s4;
+        let t_3 = c6c5 * s4 + s6 * c4;
+        let t_4 = t_2 * c23 - c6s5 * s23;
+        let t_5 = t_2 * s23 + c6s5 * c23;
+        let t_6 = t_4 * c1 + t_3 * s1;
+        let t_7 = t_4 * s1 - t_3 * c1;
+        let s5c4 = s5 * c4;
+        let s5s4 = s5 * s4;
+        let t_8 = c23 * s5c4 + c5 * s23;
+        let t_9 = s23 * s5c4 - c5 * c23;
+        let t_10 = c1 * t_8 + s1 * s5s4;
+        let t_11 = s1 * t_8 - c1 * s5s4;
+        let t_12 = c23 * self.a3 - s23 * self.d4 + self.a2 * c2;
         ::dh_robot::pose::from_entries(
             [
-                [t_7, t_6 * t_12 - t_8 * t_10, -t_11],
-                [t_8, t_7 * t_10 - t_6 * t_11, -t_12],
-                [-t_6, -(t_8 * t_11 - t_7 * t_12), t_10],
+                [t_6, t_5 * t_11 - t_7 * t_9, -t_10],
+                [t_7, t_6 * t_9 - t_5 * t_10, -t_11],
+                [-t_5, -(t_7 * t_10 - t_6 * t_11), t_9],
             ],
             [
-                t_2 * c1 - self.d3 * s1,
-                t_2 * s1 + self.d3 * c1,
-                -(self.a3 * s23 + self.d4 * c23 + self.a2 * s2),
+                c1 * t_12 - s1 * self.d3,
+                s1 * t_12 + c1 * self.d3,
+                -(s23 * self.a3 + c23 * self.d4 + self.a2 * s2),
             ],
         )
     }
@@ -300,6 +300,9 @@ impl Puma560 {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
+        if let Some(solutions) = self.lanes(&frame) {
+            return solutions;
+        }
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 1.0518492311766083,
@@ -485,38 +488,401 @@ impl Puma560 {
         }
         attempt
     }
+    /// The plan for all branches at once; `None` where the robust way has to decide.
+    #[inline]
+    fn lanes(
+        &self,
+        t: &::dh_robot::ik::Pose,
+    ) -> Option<::dh_robot::Solutions<f64, 6, 8>> {
+        let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
+        let t_3 = self.d3 * 0.9507065940252585;
+        let t_4 = self.a2 * 0.9507065940252585;
+        let t_5 = 2.0 * t_4;
+        let t_6 = self.a3 * 0.9507065940252585;
+        let t_7 = self.d4 * 0.9507065940252585;
+        let mut m0 = [0.0; 1];
+        let mut f0 = [[0.0; 2]; 2];
+        let mut e0 = [0.0; 1];
+        for l in 0..1 {
+            let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
+                -t[1][3],
+                t[0][3],
+                -t_3,
+            );
+            f0[0][l] = x;
+            f0[1][l] = y;
+            f0[0][l + 1] = z;
+            f0[1][l + 1] = w;
+            m0[l] = m;
+            e0[l] = e;
+        }
+        let c1_ = f0[0];
+        let s1_ = f0[1];
+        let g0: [f64; 2] = ::dh_robot::atan2_batch(&f0[1], &f0[0]);
+        let mut v54_ = [0.0; 2];
+        let mut v60_ = [0.0; 2];
+        let mut v66_ = [0.0; 2];
+        let mut v72_ = [0.0; 2];
+        let mut v288_ = [0.0; 2];
+        let mut v291_ = [0.0; 2];
+        for l in 0..2 {
+            let c1 = c1_[l];
+            let s1 = s1_[l];
+            let t_8 = t[0][3] * c1 + t[1][3] * s1;
+            let t_9 = t[0][0] * c1 + t[1][0] * s1;
+            let t_10 = t[0][1] * c1 + t[1][1] * s1;
+            let t_11 = t[0][2] * c1 + t[1][2] * s1;
+            let t_12 = t_3 * s1;
+            let t_13 = t_3 * c1;
+            v54_[l] = t_8;
+            v60_[l] = t_9;
+            v66_[l] = t_10;
+            v72_[l] = t_11;
+            v288_[l] = t_12;
+            v291_[l] = t_13;
+        }
+        let mut m1 = [0.0; 1];
+        let mut f1 = [[0.0; 2]; 2];
+        let mut e1 = [0.0; 1];
+        for l in 0..1 {
+            let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
+                t_5 * t_6,
+                -t_5 * t_7,
+                t_2 - (t_4 * t_4 + t_6 * t_6 + t_3 * t_3 + t_7 * t_7),
+            );
+            f1[0][l] = x;
+            f1[1][l] = y;
+            f1[0][l + 1] = z;
+            f1[1][l + 1] = w;
+            m1[l] = m;
+            e1[l] = e;
+        }
+        let c3_ = ::core::array::from_fn::<f64, 4, _>(|k| f1[0][k / 2 * 1 + k % 1]);
+        let s3_ = ::core::array::from_fn::<f64, 4, _>(|k| f1[1][k / 2 * 1 + k % 1]);
+        let g1: [f64; 2] = ::dh_robot::atan2_batch(&f1[1], &f1[0]);
+        let mut v97_ = [0.0; 4];
+        let mut v100_ = [0.0; 4];
+        for l in 0..4 {
+            let c3 = c3_[l];
+            let s3 = s3_[l];
+            v97_[l] = t_4 + t_6 * c3 - t_7 * s3;
+            v100_[l] = t_6 * s3 + t_7 * c3;
+        }
+        let mut m2 = [0.0; 4];
+        let mut f2 = [[0.0; 4]; 2];
+        for l in 0..4 {
+            let v54 = v54_[l % 2];
+            let v97 = v97_[l];
+            let v100 = v100_[l];
+            let ([x, y], m) = ::dh_robot::lanes::pair(
+                -v54,
+                t[2][3],
+                -v97,
+                t[2][3],
+                v54,
+                -v100,
+            );
+            f2[0][l] = x;
+            f2[1][l] = y;
+            m2[l] = m;
+        }
+        let c2_ = f2[0];
+        let s2_ = f2[1];
+        let g2: [f64; 4] = ::dh_robot::atan2_batch(&f2[1], &f2[0]);
+        let mut v118_ = [0.0; 4];
+        let mut v121_ = [0.0; 4];
+        let mut v124_ = [0.0; 4];
+        let mut v127_ = [0.0; 4];
+        let mut v130_ = [0.0; 4];
+        let mut v133_ = [0.0; 4];
+        let mut v136_ = [0.0; 4];
+        let mut v139_ = [0.0; 4];
+        let mut v286_ = [0.0; 4];
+        let mut v289_ = [0.0; 4];
+        let mut v292_ = [0.0; 4];
+        for l in 0..4 {
+            let c1 = c1_[l % 2];
+            let s1 = s1_[l % 2];
+            let v60 = v60_[l % 2];
+            let v66 = v66_[l % 2];
+            let v72 = v72_[l % 2];
+            let c3 = c3_[l];
+            let s3 = s3_[l];
+            let v288 = v288_[l % 2];
+            let v291 = v291_[l % 2];
+            let c2 = c2_[l];
+            let s2 = s2_[l];
+            let t_14 = c3 * c2 - s3 * s2;
+            let t_15 = c3 * s2 + s3 * c2;
+            let t_16 = v60 * t_14 - t[2][0] * t_15;
+            let t_17 = v60 * t_15 + t[2][0] * t_14;
+            let t_18 = v66 * t_14 - t[2][1] * t_15;
+            let t_19 = v66 * t_15 + t[2][1] * t_14;
+            let t_20 = v72 * t_14 - t[2][2] * t_15;
+            let t_21 = t_6 * t_14 - t_7 * t_15 + t_4 * c2;
+            v118_[l] = t_14;
+            v121_[l] = t_15;
+            v124_[l] = t_16;
+            v127_[l] = t_17;
+            v130_[l] = t_18;
+            v133_[l] = t_19;
+            v136_[l] = t_20;
+            v139_[l] = v72 * t_15 + t[2][2] * t_14;
+            v286_[l] = t_6 * t_15 + t_7 * t_14 + t_4 * s2;
+            v289_[l] = c1 * t_21 - v288;
+            v292_[l] = s1 * t_21 + v291;
+        }
+        let mut m3 = [0.0; 4];
+        let mut f3 = [[0.0; 8]; 2];
+        for l in 0..4 {
+            let v133 = v133_[l];
+            let v127 = v127_[l];
+            let ([x, y], m) = ::dh_robot::lanes::half_turn(-v133, -v127);
+            f3[0][l] = x;
+            f3[1][l] = y;
+            f3[0][l + 4] = -x;
+            f3[1][l + 4] = -y;
+            m3[l] = m;
+        }
+        let c6_ = f3[0];
+        let s6_ = f3[1];
+        let half: [f64; 4] = ::dh_robot::atan2_batch(
+            &::core::array::from_fn(|l| f3[1][l]),
+            &::core::array::from_fn(|l| f3[0][l]),
+        );
+        let g3: [f64; 8] = ::core::array::from_fn(|k| {
+            if k < 4 {
+                half[k]
+            } else if half[k - 4] > 0.0 {
+                half[k - 4] - ::core::f64::consts::PI
+            } else {
+                half[k - 4] + ::core::f64::consts::PI
+            }
+        });
+        let mut v164_ = [0.0; 8];
+        let mut v165_ = [0.0; 8];
+        let mut v173_ = [0.0; 8];
+        for l in 0..8 {
+            let v124 = v124_[l % 4];
+            let v127 = v127_[l % 4];
+            let v130 = v130_[l % 4];
+            let v133 = v133_[l % 4];
+            let c6 = c6_[l];
+            let s6 = s6_[l];
+            let t_22 = v124 * c6 - v130 * s6;
+            v164_[l] = t_22;
+            v165_[l] = v127 * c6 - v133 * s6;
+            v173_[l] = v124 * s6 + v130 * c6;
+        }
+        let mut m4 = [0.0; 8];
+        let mut f4 = [[0.0; 8]; 2];
+        for l in 0..8 {
+            let v165 = v165_[l];
+            let v139 = v139_[l % 4];
+            let ([x, y], m) = ::dh_robot::lanes::pair(0.0, 1.0, -v165, 1.0, 0.0, -v139);
+            f4[0][l] = x;
+            f4[1][l] = y;
+            m4[l] = m;
+        }
+        let c5_ = f4[0];
+        let s5_ = f4[1];
+        let g4: [f64; 8] = ::dh_robot::atan2_batch(&f4[1], &f4[0]);
+        let mut v194_ = [0.0; 8];
+        let mut v232_ = [0.0; 8];
+        let mut v243_ = [0.0; 8];
+        let mut v246_ = [0.0; 8];
+        let mut v257_ = [0.0; 8];
+        let mut v260_ = [0.0; 8];
+        for l in 0..8 {
+            let v118 = v118_[l % 4];
+            let v121 = v121_[l % 4];
+            let v136 = v136_[l % 4];
+            let c6 = c6_[l];
+            let v164 = v164_[l];
+            let c5 = c5_[l];
+            let s5 = s5_[l];
+            let c6c5 = c6 * c5;
+            let c6s5 = c6 * s5;
+            let t_23 = v121 * c6s5;
+            let t_24 = v118 * c6s5;
+            let t_25 = v121 * c5;
+            let t_26 = v118 * c5;
+            v194_[l] = v164 * c5 - v136 * s5;
+            v232_[l] = c6c5;
+            v243_[l] = t_23;
+            v246_[l] = t_24;
+            v257_[l] = t_25;
+            v260_[l] = t_26;
+        }
+        let mut m5 = [0.0; 8];
+        let mut f5 = [[0.0; 8]; 2];
+        for l in 0..8 {
+            let v194 = v194_[l];
+            let v173 = v173_[l];
+            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v194, 0.0, -1.0, v173);
+            f5[0][l] = x;
+            f5[1][l] = y;
+            m5[l] = m;
+        }
+        let c4_ = f5[0];
+        let s4_ = f5[1];
+        let g5: [f64; 8] = ::dh_robot::atan2_batch(&f5[1], &f5[0]);
+        let mut v247_ = [0.0; 8];
+        let mut v250_ = [0.0; 8];
+        let mut v253_ = [0.0; 8];
+        let mut v261_ = [0.0; 8];
+        let mut v264_ = [0.0; 8];
+        let mut v267_ = [0.0; 8];
+        let mut v270_ = [0.0; 8];
+        let mut v273_ = [0.0; 8];
+        let mut v276_ = [0.0; 8];
+        for l in 0..8 {
+            let c1 = c1_[l % 2];
+            let s1 = s1_[l % 2];
+            let v118 = v118_[l % 4];
+            let v121 = v121_[l % 4];
+            let s6 = s6_[l];
+            let s5 = s5_[l];
+            let v232 = v232_[l];
+            let v243 = v243_[l];
+            let v246 = v246_[l];
+            let v257 = v257_[l];
+            let v260 = v260_[l];
+            let c4 = c4_[l];
+            let s4 = s4_[l];
+            let t_27 = v232 * c4 - s6 * s4;
+            let t_28 = v232 * s4 + s6 * c4;
+            let t_29 = v118 * t_27 - v243;
+            let t_30 = v121 * t_27 + v246;
+            let t_31 = c1 * t_29 + s1 * t_28;
+            let t_32 = s1 * t_29 - c1 * t_28;
+            let s5c4 = s5 * c4;
+            let s5s4 = s5 * s4;
+            let t_33 = v118 * s5c4 + v257;
+            let t_34 = v121 * s5c4 - v260;
+            let t_35 = c1 * t_33 + s1 * s5s4;
+            let t_36 = s1 * t_33 - c1 * s5s4;
+            v247_[l] = t_30;
+            v250_[l] = t_31;
+            v253_[l] = t_32;
+            v261_[l] = t_34;
+            v264_[l] = t_35;
+            v267_[l] = t_36;
+            v270_[l] = t_30 * t_36 - t_32 * t_34;
+            v273_[l] = t_31 * t_34 - t_30 * t_35;
+            v276_[l] = t_32 * t_35 - t_31 * t_36;
+        }
+        let mut error = [0.0; 8];
+        for l in 0..8 {
+            let v250 = v250_[l];
+            let v253 = v253_[l];
+            let v247 = v247_[l];
+            let v270 = v270_[l];
+            let v273 = v273_[l];
+            let v276 = v276_[l];
+            let v264 = v264_[l];
+            let v267 = v267_[l];
+            let v261 = v261_[l];
+            let v289 = v289_[l % 4];
+            let v292 = v292_[l % 4];
+            let v286 = v286_[l % 4];
+            error[l] = (v250 - t[0][0]).abs() + (v253 - t[1][0]).abs()
+                + (-v247 - t[2][0]).abs() + (v270 - t[0][1]).abs()
+                + (v273 - t[1][1]).abs() + (-v276 - t[2][1]).abs()
+                + (-v264 - t[0][2]).abs() + (-v267 - t[1][2]).abs()
+                + (v261 - t[2][2]).abs() + (v289 - t[0][3]).abs()
+                + (v292 - t[1][3]).abs() + (-v286 - t[2][3]).abs();
+        }
+        let valid: [f64; 8] = ::core::array::from_fn(|l| {
+            1.0 * e0[l % 1 % 1] * e1[l % 2 % 1]
+        });
+        let margin: [f64; 8] = ::core::array::from_fn(|l| {
+            1.0_f64
+                .min(m0[l % 1 % 1])
+                .min(m1[l % 2 % 1])
+                .min(m2[l % 4 % 4])
+                .min(m3[l % 4 % 4])
+                .min(m4[l % 8 % 8])
+                .min(m5[l % 8 % 8])
+        });
+        let q: [[f64; 8]; 6] = [
+            ::core::array::from_fn(|l| g0[l / 1 % 2 * 1 + l % 1]),
+            ::core::array::from_fn(|l| g2[l % 4]),
+            ::core::array::from_fn(|l| g1[l / 2 % 2 * 1 + l % 1]),
+            ::core::array::from_fn(|l| g5[l % 8]),
+            ::core::array::from_fn(|l| g4[l % 8]),
+            ::core::array::from_fn(|l| g3[l / 4 % 2 * 4 + l % 4]),
+        ];
+        ::dh_robot::lanes::collect(
+            &Self::JOINTS,
+            &valid,
+            &margin,
+            &error,
+            &q,
+            |l| {
+                let i0 = l / 1 % 2;
+                let i1 = l / 2 % 2;
+                let i3 = l / 4 % 2;
+                ::dh_robot::Branch::ANY
+                    .with_step(0, i0)
+                    .with_shoulder(
+                        if i0 == 0 {
+                            ::dh_robot::Shoulder::Left
+                        } else {
+                            ::dh_robot::Shoulder::Right
+                        },
+                    )
+                    .with_step(1, i1)
+                    .with_elbow(
+                        if i1 == 0 {
+                            ::dh_robot::Elbow::Up
+                        } else {
+                            ::dh_robot::Elbow::Down
+                        },
+                    )
+                    .with_step(2, i3)
+                    .with_wrist(
+                        if i3 == 0 {
+                            ::dh_robot::Wrist::NoFlip
+                        } else {
+                            ::dh_robot::Wrist::Flip
+                        },
+                    )
+            },
+        )
+    }
 }
 #[allow(clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<6> for Puma560 {
     #[inline]
     fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {
-        let angles = [q[3], q[1] + q[2], q[1], q[0], q[5], q[4]];
-        let ([s4, s23, s2, s1, s6, s5], [c4, c23, c2, c1, c6, c5]) = ::dh_robot::sincos::sincos_batch(
+        let angles = [q[5], q[4], q[3], q[1] + q[2], q[0], q[1]];
+        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t_2 = self.a3 * c23 - self.d4 * s23 + self.a2 * c2;
         let c6c5 = c6 * c5;
         let c6s5 = c6 * s5;
-        let t_3 = c4 * c6c5 - s4 * s6;
-        let t_4 = s4 * c6c5 + c4 * s6;
-        let t_5 = c23 * t_3 - s23 * c6s5;
-        let t_6 = s23 * t_3 + c23 * c6s5;
-        let t_7 = c1 * t_5 + s1 * t_4;
-        let t_8 = s1 * t_5 - c1 * t_4;
-        let c4s5 = c4 * s5;
-        let s4s5 = s4 * s5;
-        let t_9 = c23 * c4s5 + s23 * c5;
-        let t_10 = s23 * c4s5 - c23 * c5;
-        let t_11 = c1 * t_9 + s1 * s4s5;
-        let t_12 = s1 * t_9 - c1 * s4s5;
+        let t_2 = c6c5 * c4 - s6 * s4;
+        let t_3 = c6c5 * s4 + s6 * c4;
+        let t_4 = t_2 * c23 - c6s5 * s23;
+        let t_5 = t_2 * s23 + c6s5 * c23;
+        let t_6 = t_4 * c1 + t_3 * s1;
+        let t_7 = t_4 * s1 - t_3 * c1;
+        let s5c4 = s5 * c4;
+        let s5s4 = s5 * s4;
+        let t_8 = c23 * s5c4 + c5 * s23;
+        let t_9 = s23 * s5c4 - c5 * c23;
+        let t_10 = c1 * t_8 + s1 * s5s4;
+        let t_11 = s1 * t_8 - c1 * s5s4;
+        let t_12 = c23 * self.a3 - s23 * self.d4 + self.a2 * c2;
         [
-            [t_7, t_6 * t_12 - t_8 * t_10, -t_11, t_2 * c1 - self.d3 * s1],
-            [t_8, t_7 * t_10 - t_6 * t_11, -t_12, t_2 * s1 + self.d3 * c1],
+            [t_6, t_5 * t_11 - t_7 * t_9, -t_10, c1 * t_12 - s1 * self.d3],
+            [t_7, t_6 * t_9 - t_5 * t_10, -t_11, s1 * t_12 + c1 * self.d3],
             [
-                -t_6,
-                -(t_8 * t_11 - t_7 * t_12),
-                t_10,
-                -(self.a3 * s23 + self.d4 * c23 + self.a2 * s2),
+                -t_5,
+                -(t_7 * t_10 - t_6 * t_11),
+                t_9,
+                -(s23 * self.a3 + c23 * self.d4 + self.a2 * s2),
             ],
         ]
     }

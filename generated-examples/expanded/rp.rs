@@ -34,7 +34,7 @@ impl Rp {
         let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
         ::dh_robot::pose::from_entries(
             [[c1, 0.0, -s1], [s1, 0.0, c1], [0.0, -1.0, 0.0]],
-            [-q[1] * s1, q[1] * c1, 0.0],
+            [-s1 * q[1], c1 * q[1], 0.0],
         )
     }
     /// Pose of every moving link's frame in the base, without the tool.
@@ -143,6 +143,9 @@ impl Rp {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
+        if let Some(solutions) = self.lanes(&frame) {
+            return solutions;
+        }
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 1.0,
@@ -206,6 +209,79 @@ impl Rp {
         }
         attempt
     }
+    /// The plan for all branches at once; `None` where the robust way has to decide.
+    #[inline]
+    fn lanes(
+        &self,
+        t: &::dh_robot::ik::Pose,
+    ) -> Option<::dh_robot::Solutions<f64, 2, 1>> {
+        let t_2 = t[0][2] * t[0][3] + t[1][2] * t[1][3] + t[2][2] * t[2][3];
+        let mut m0 = [0.0; 1];
+        let mut f0 = [[0.0; 1]; 2];
+        for l in 0..1 {
+            let (x, m) = ::dh_robot::lanes::linear(-1.0, t_2);
+            f0[0][l] = x;
+            f0[1][l] = x;
+            m0[l] = m;
+        }
+        let q2_ = f0[0];
+        let g0: [f64; 1] = f0[0].map(|d| d * 1.0);
+        let mut m1 = [0.0; 1];
+        let mut f1 = [[0.0; 1]; 2];
+        for l in 0..1 {
+            let ([x, y], m) = ::dh_robot::lanes::pair(
+                1.0,
+                0.0,
+                t[0][0],
+                0.0,
+                -1.0,
+                t[0][2],
+            );
+            f1[0][l] = x;
+            f1[1][l] = y;
+            m1[l] = m;
+        }
+        let c1_ = f1[0];
+        let s1_ = f1[1];
+        let g1: [f64; 1] = ::dh_robot::atan2_batch(&f1[1], &f1[0]);
+        let mut v63_ = [0.0; 1];
+        let mut v64_ = [0.0; 1];
+        for l in 0..1 {
+            let q2 = q2_[l];
+            let c1 = c1_[l];
+            let s1 = s1_[l];
+            v63_[l] = q2 * s1;
+            v64_[l] = q2 * c1;
+        }
+        let mut error = [0.0; 1];
+        for l in 0..1 {
+            let c1 = c1_[l];
+            let s1 = s1_[l];
+            let v63 = v63_[l];
+            let v64 = v64_[l];
+            error[l] = (c1 - t[0][0]).abs() + (s1 - t[1][0]).abs()
+                + (0.0 - t[2][0]).abs() + (0.0 - t[0][1]).abs() + (0.0 - t[1][1]).abs()
+                + (-1.0 - t[2][1]).abs() + (-s1 - t[0][2]).abs() + (c1 - t[1][2]).abs()
+                + (0.0 - t[2][2]).abs() + (-v63 - t[0][3]).abs() + (v64 - t[1][3]).abs()
+                + (0.0 - t[2][3]).abs();
+        }
+        let valid: [f64; 1] = ::core::array::from_fn(|l| 1.0);
+        let margin: [f64; 1] = ::core::array::from_fn(|l| {
+            1.0_f64.min(m0[l % 1 % 1]).min(m1[l % 1 % 1])
+        });
+        let q: [[f64; 1]; 2] = [
+            ::core::array::from_fn(|l| g1[l % 1]),
+            ::core::array::from_fn(|l| g0[l % 1]),
+        ];
+        ::dh_robot::lanes::collect(
+            &Self::JOINTS,
+            &valid,
+            &margin,
+            &error,
+            &q,
+            |l| { ::dh_robot::Branch::ANY },
+        )
+    }
 }
 #[allow(clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<2> for Rp {
@@ -213,7 +289,7 @@ impl ::dh_robot::ik::Kinematics<2> for Rp {
     fn forward(&self, q: &[f64; 2]) -> ::dh_robot::ik::Pose {
         let angles = [q[0]];
         let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
-        [[c1, 0.0, -s1, -q[1] * s1], [s1, 0.0, c1, q[1] * c1], [0.0, -1.0, 0.0, 0.0]]
+        [[c1, 0.0, -s1, -s1 * q[1]], [s1, 0.0, c1, c1 * q[1]], [0.0, -1.0, 0.0, 0.0]]
     }
     fn forward_and_jacobian(
         &self,

@@ -43,15 +43,15 @@ impl RrrIntersecting {
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
-        let angles = [q[1] + q[2], q[1], q[0]];
-        let ([s23, s2, s1], [c23, c2, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t_2 = self.l3 * c23 + self.l2 * c2;
+        let angles = [q[1] + q[2], q[0], q[1]];
+        let ([s23, s1, s2], [c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let t_2 = c23 * self.l3 + self.l2 * c2;
         ::dh_robot::pose::from_entries(
             [[c23 * c1, -s23 * c1, -s1], [c23 * s1, -s23 * s1, c1], [-s23, -c23, 0.0]],
             [
-                t_2 * c1 - self.d2 * s1,
-                t_2 * s1 + self.d2 * c1,
-                -(self.l3 * s23 + self.l2 * s2),
+                c1 * t_2 - s1 * self.d2,
+                s1 * t_2 + c1 * self.d2,
+                -(s23 * self.l3 + self.l2 * s2),
             ],
         )
     }
@@ -404,13 +404,13 @@ impl RrrIntersecting {
 impl ::dh_robot::ik::Kinematics<3> for RrrIntersecting {
     #[inline]
     fn forward(&self, q: &[f64; 3]) -> ::dh_robot::ik::Pose {
-        let angles = [q[1] + q[2], q[1], q[0]];
-        let ([s23, s2, s1], [c23, c2, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
-        let t_2 = self.l3 * c23 + self.l2 * c2;
+        let angles = [q[1] + q[2], q[0], q[1]];
+        let ([s23, s1, s2], [c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let t_2 = c23 * self.l3 + self.l2 * c2;
         [
-            [c23 * c1, -s23 * c1, -s1, t_2 * c1 - self.d2 * s1],
-            [c23 * s1, -s23 * s1, c1, t_2 * s1 + self.d2 * c1],
-            [-s23, -c23, 0.0, -(self.l3 * s23 + self.l2 * s2)],
+            [c23 * c1, -s23 * c1, -s1, c1 * t_2 - s1 * self.d2],
+            [c23 * s1, -s23 * s1, c1, s1 * t_2 + c1 * self.d2],
+            [-s23, -c23, 0.0, -(s23 * self.l3 + self.l2 * s2)],
         ]
     }
     fn forward_and_jacobian(

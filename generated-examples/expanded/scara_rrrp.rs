@@ -44,7 +44,7 @@ impl ScaraRrrp {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
     ///
-    /// Cost: 4 multiplications, 7 additions, 3 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 4 multiplications, 6 additions, 3 sine-cosine pairs. Proven equal to the product of the link transforms.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 4]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
@@ -63,7 +63,7 @@ impl ScaraRrrp {
     }
     /// Pose of every moving link's frame in the base, without the tool.
     ///
-    /// Cost: 4 multiplications, 7 additions, 3 sine-cosine pairs.
+    /// Cost: 4 multiplications, 6 additions, 3 sine-cosine pairs.
     #[must_use]
     pub fn frames(
         &self,
@@ -119,7 +119,7 @@ impl ScaraRrrp {
     }
     /// [`forward`](Self::forward) and [`jacobian`](Self::jacobian) together, for little more than one of them.
     ///
-    /// Cost: 4 multiplications, 7 additions, 3 sine-cosine pairs.
+    /// Cost: 4 multiplications, 6 additions, 3 sine-cosine pairs.
     #[inline]
     #[must_use]
     pub fn forward_and_jacobian(
@@ -194,6 +194,9 @@ impl ScaraRrrp {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
+        if let Some(solutions) = self.lanes(&frame) {
+            return solutions;
+        }
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 1.321360271039209,
@@ -318,6 +321,164 @@ impl ScaraRrrp {
             }
         }
         attempt
+    }
+    /// The plan for all branches at once; `None` where the robust way has to decide.
+    #[inline]
+    fn lanes(
+        &self,
+        t: &::dh_robot::ik::Pose,
+    ) -> Option<::dh_robot::Solutions<f64, 4, 2>> {
+        let t_2 = self.d1 * 0.7567958730994166;
+        let t_3 = self.d2 * 0.7567958730994166;
+        let t_4 = self.a1 * 0.7567958730994166;
+        let t_5 = self.a2 * 0.7567958730994166;
+        let t_6 = t_3 * (t_3 + t_2 * 2.0);
+        let t_7 = t_4 * t_4 + t_5 * t_5 + t_2 * t_2;
+        let mut m0 = [0.0; 1];
+        let mut f0 = [[0.0; 1]; 2];
+        for l in 0..1 {
+            let (x, m) = ::dh_robot::lanes::linear(1.0, -(t[2][3] - (t_2 + t_3)));
+            f0[0][l] = x;
+            f0[1][l] = x;
+            m0[l] = m;
+        }
+        let q4_ = f0[0];
+        let g0: [f64; 1] = f0[0].map(|d| d * 1.321360271039209);
+        let mut v42_ = [0.0; 1];
+        let mut v43_ = [0.0; 1];
+        let mut v79_ = [0.0; 1];
+        let mut v102_ = [0.0; 1];
+        for l in 0..1 {
+            let q4 = q4_[l];
+            let t_8 = t[0][3] - t[0][2] * q4;
+            let t_9 = t[1][3] - t[1][2] * q4;
+            let t_10 = t[2][3] - t[2][2] * q4;
+            v42_[l] = t_8;
+            v43_[l] = t_9;
+            v79_[l] = t_6 - (t_8 * t_8 + t_9 * t_9 + t_10 * t_10 - t_7);
+            v102_[l] = t_2 + t_3 + q4;
+        }
+        let mut m1 = [0.0; 1];
+        let mut f1 = [[0.0; 1]; 2];
+        for l in 0..1 {
+            let ([x, y], m) = ::dh_robot::lanes::pair(
+                1.0,
+                0.0,
+                t[0][0],
+                0.0,
+                -1.0,
+                t[0][1],
+            );
+            f1[0][l] = x;
+            f1[1][l] = y;
+            m1[l] = m;
+        }
+        let c123_ = f1[0];
+        let s123_ = f1[1];
+        let g1: [f64; 1] = ::dh_robot::atan2_batch(&f1[1], &f1[0]);
+        let mut m2 = [0.0; 1];
+        let mut f2 = [[0.0; 2]; 2];
+        let mut e2 = [0.0; 1];
+        for l in 0..1 {
+            let v79 = v79_[l];
+            let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
+                2.0 * t_4 * t_5,
+                0.0,
+                -v79,
+            );
+            f2[0][l] = x;
+            f2[1][l] = y;
+            f2[0][l + 1] = z;
+            f2[1][l + 1] = w;
+            m2[l] = m;
+            e2[l] = e;
+        }
+        let c2_ = f2[0];
+        let s2_ = f2[1];
+        let g2: [f64; 2] = ::dh_robot::atan2_batch(&f2[1], &f2[0]);
+        let mut v82_ = [0.0; 2];
+        let mut v84_ = [0.0; 2];
+        for l in 0..2 {
+            let c2 = c2_[l];
+            let s2 = s2_[l];
+            let t_11 = t_4 + t_5 * c2;
+            let t_12 = t_5 * s2;
+            v82_[l] = t_11;
+            v84_[l] = t_12;
+        }
+        let mut m3 = [0.0; 2];
+        let mut f3 = [[0.0; 2]; 2];
+        for l in 0..2 {
+            let v82 = v82_[l];
+            let v84 = v84_[l];
+            let v42 = v42_[l % 1];
+            let v43 = v43_[l % 1];
+            let ([x, y], m) = ::dh_robot::lanes::pair(v82, -v84, v42, v84, v82, v43);
+            f3[0][l] = x;
+            f3[1][l] = y;
+            m3[l] = m;
+        }
+        let c1_ = f3[0];
+        let s1_ = f3[1];
+        let g3: [f64; 2] = ::dh_robot::atan2_batch(&f3[1], &f3[0]);
+        let mut v100_ = [0.0; 2];
+        let mut v101_ = [0.0; 2];
+        for l in 0..2 {
+            let c2 = c2_[l];
+            let s2 = s2_[l];
+            let c1 = c1_[l];
+            let s1 = s1_[l];
+            v100_[l] = t_5 * (c2 * c1 - s2 * s1) + t_4 * c1;
+            v101_[l] = t_5 * (c2 * s1 + s2 * c1) + t_4 * s1;
+        }
+        let mut error = [0.0; 2];
+        for l in 0..2 {
+            let c123 = c123_[l % 1];
+            let s123 = s123_[l % 1];
+            let v100 = v100_[l];
+            let v101 = v101_[l];
+            let v102 = v102_[l % 1];
+            error[l] = (c123 - t[0][0]).abs() + (s123 - t[1][0]).abs()
+                + (0.0 - t[2][0]).abs() + (-s123 - t[0][1]).abs()
+                + (c123 - t[1][1]).abs() + (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs()
+                + (0.0 - t[1][2]).abs() + (1.0 - t[2][2]).abs() + (v100 - t[0][3]).abs()
+                + (v101 - t[1][3]).abs() + (v102 - t[2][3]).abs();
+        }
+        let valid: [f64; 2] = ::core::array::from_fn(|l| 1.0 * e2[l % 1 % 1]);
+        let margin: [f64; 2] = ::core::array::from_fn(|l| {
+            1.0_f64
+                .min(m0[l % 1 % 1])
+                .min(m1[l % 1 % 1])
+                .min(m2[l % 1 % 1])
+                .min(m3[l % 2 % 2])
+        });
+        let q: [[f64; 2]; 4] = [
+            ::core::array::from_fn(|l| g3[l % 2]),
+            ::core::array::from_fn(|l| g2[l / 1 % 2 * 1 + l % 1]),
+            ::core::array::from_fn(|l| ::dh_robot::lanes::wrap(
+                g1[l % 1] - g2[l / 1 % 2 * 1 + l % 1] - g3[l % 2],
+            )),
+            ::core::array::from_fn(|l| g0[l % 1]),
+        ];
+        ::dh_robot::lanes::collect(
+            &Self::JOINTS,
+            &valid,
+            &margin,
+            &error,
+            &q,
+            |l| {
+                let i2 = l / 1 % 2;
+                ::dh_robot::Branch::ANY
+                    .with_step(0, i2)
+                    .with_elbow(
+                        if i2 == 0 {
+                            ::dh_robot::Elbow::Up
+                        } else {
+                            ::dh_robot::Elbow::Down
+                        },
+                    )
+            },
+        )
     }
 }
 #[allow(clippy::all, clippy::pedantic)]

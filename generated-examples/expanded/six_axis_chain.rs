@@ -45,37 +45,37 @@ impl SixAxisChain {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
     ///
-    /// Cost: 30 multiplications, 16 additions, 6 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 30 multiplications, 15 additions, 6 sine-cosine pairs. Proven equal to the product of the link transforms.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
-        let angles = [q[1] + q[2] + q[3], q[1] + q[2], q[1], q[0], q[5], q[4]];
-        let ([s234, s23, s2, s1, s6, s5], [c234, c23, c2, c1, c6, c5]) = ::dh_robot::sincos::sincos_batch(
+        let angles = [q[5], q[4], q[1] + q[2] + q[3], q[0], q[1] + q[2], q[1]];
+        let ([s6, s5, s234, s1, s23, s2], [c6, c5, c234, c1, c23, c2]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t_2 = self.a4 * c234 + self.a3 * c23 + self.a2 * c2;
         let c6c5 = c6 * c5;
         let c6s5 = c6 * s5;
-        let t_3 = c234 * c6c5 - s234 * s6;
-        let t_4 = s234 * c6c5 + c234 * s6;
-        let t_5 = c1 * t_3 - s1 * c6s5;
-        let t_6 = s1 * t_3 + c1 * c6s5;
-        let c234s5 = c234 * s5;
-        let s234s5 = s234 * s5;
-        let t_7 = c1 * c234s5 + s1 * c5;
-        let t_8 = s1 * c234s5 - c1 * c5;
+        let t_2 = c6c5 * c234 - s6 * s234;
+        let t_3 = c6c5 * s234 + s6 * c234;
+        let t_4 = t_2 * c1 - c6s5 * s1;
+        let t_5 = t_2 * s1 + c6s5 * c1;
+        let s5c234 = s5 * c234;
+        let s5s234 = s5 * s234;
+        let t_6 = c1 * s5c234 + c5 * s1;
+        let t_7 = s1 * s5c234 - c5 * c1;
+        let t_8 = c234 * self.a4 + self.a3 * c23 + self.a2 * c2;
         ::dh_robot::pose::from_entries(
             [
-                [t_5, t_4 * t_8 - t_6 * s234s5, t_7],
-                [t_6, t_5 * s234s5 - t_4 * t_7, t_8],
-                [t_4, t_6 * t_7 - t_5 * t_8, s234s5],
+                [t_4, t_3 * t_7 - t_5 * s5s234, t_6],
+                [t_5, t_4 * s5s234 - t_3 * t_6, t_7],
+                [t_3, t_5 * t_6 - t_4 * t_7, s5s234],
             ],
-            [t_2 * c1, t_2 * s1, self.a4 * s234 + self.a3 * s23 + self.a2 * s2],
+            [c1 * t_8, s1 * t_8, s234 * self.a4 + self.a3 * s23 + self.a2 * s2],
         )
     }
     /// Pose of every moving link's frame in the base, without the tool.
     ///
-    /// Cost: 46 multiplications, 19 additions, 6 sine-cosine pairs.
+    /// Cost: 46 multiplications, 18 additions, 6 sine-cosine pairs.
     #[must_use]
     pub fn frames(
         &self,
@@ -141,7 +141,7 @@ impl SixAxisChain {
     /// Geometric Jacobian: rows 0..3 linear (m per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the
     /// origin of the last frame (or tool).
     ///
-    /// Cost: 22 multiplications, 9 additions, 5 sine-cosine pairs.
+    /// Cost: 22 multiplications, 8 additions, 5 sine-cosine pairs.
     #[inline]
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
@@ -169,7 +169,7 @@ impl SixAxisChain {
     }
     /// [`forward`](Self::forward) and [`jacobian`](Self::jacobian) together, for little more than one of them.
     ///
-    /// Cost: 38 multiplications, 16 additions, 6 sine-cosine pairs.
+    /// Cost: 38 multiplications, 15 additions, 6 sine-cosine pairs.
     #[inline]
     #[must_use]
     pub fn forward_and_jacobian(
@@ -266,6 +266,9 @@ impl SixAxisChain {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
+        if let Some(solutions) = self.lanes(&frame) {
+            return solutions;
+        }
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 1.1159566801270322,
@@ -467,34 +470,439 @@ impl SixAxisChain {
         }
         attempt
     }
+    /// The plan for all branches at once; `None` where the robust way has to decide.
+    #[inline]
+    fn lanes(
+        &self,
+        t: &::dh_robot::ik::Pose,
+    ) -> Option<::dh_robot::Solutions<f64, 6, 8>> {
+        let t_2 = self.a4 * 0.896092131359586;
+        let t_3 = self.a2 * 0.896092131359586;
+        let t_4 = self.a3 * 0.896092131359586;
+        let t_5 = t_3 * t_3 + t_4 * t_4;
+        let mut m0 = [0.0; 1];
+        let mut f0 = [[0.0; 2]; 2];
+        for l in 0..1 {
+            let ([x, y], m) = ::dh_robot::lanes::half_turn(-t[1][3], t[0][3]);
+            f0[0][l] = x;
+            f0[1][l] = y;
+            f0[0][l + 1] = -x;
+            f0[1][l + 1] = -y;
+            m0[l] = m;
+        }
+        let c1_ = f0[0];
+        let s1_ = f0[1];
+        let half: [f64; 1] = ::dh_robot::atan2_batch(
+            &::core::array::from_fn(|l| f0[1][l]),
+            &::core::array::from_fn(|l| f0[0][l]),
+        );
+        let g0: [f64; 2] = ::core::array::from_fn(|k| {
+            if k < 1 {
+                half[k]
+            } else if half[k - 1] > 0.0 {
+                half[k - 1] - ::core::f64::consts::PI
+            } else {
+                half[k - 1] + ::core::f64::consts::PI
+            }
+        });
+        let mut v38_ = [0.0; 2];
+        let mut v41_ = [0.0; 2];
+        let mut v44_ = [0.0; 2];
+        let mut v47_ = [0.0; 2];
+        let mut v50_ = [0.0; 2];
+        let mut v53_ = [0.0; 2];
+        let mut v56_ = [0.0; 2];
+        let mut v59_ = [0.0; 2];
+        for l in 0..2 {
+            let c1 = c1_[l];
+            let s1 = s1_[l];
+            let t_6 = t[0][3] * c1 + t[1][3] * s1;
+            let t_7 = t[0][3] * s1 - t[1][3] * c1;
+            let t_8 = t[0][0] * c1 + t[1][0] * s1;
+            let t_9 = t[0][0] * s1 - t[1][0] * c1;
+            let t_10 = t[0][1] * c1 + t[1][1] * s1;
+            let t_11 = t[0][1] * s1 - t[1][1] * c1;
+            let t_12 = t[0][2] * c1 + t[1][2] * s1;
+            let t_13 = t[0][2] * s1 - t[1][2] * c1;
+            v38_[l] = t_6;
+            v41_[l] = t_7;
+            v44_[l] = t_8;
+            v47_[l] = t_9;
+            v50_[l] = t_10;
+            v53_[l] = t_11;
+            v56_[l] = t_12;
+            v59_[l] = t_13;
+        }
+        let mut m1 = [0.0; 2];
+        let mut f1 = [[0.0; 4]; 2];
+        for l in 0..2 {
+            let v53 = v53_[l];
+            let v47 = v47_[l];
+            let ([x, y], m) = ::dh_robot::lanes::half_turn(v53, v47);
+            f1[0][l] = x;
+            f1[1][l] = y;
+            f1[0][l + 2] = -x;
+            f1[1][l + 2] = -y;
+            m1[l] = m;
+        }
+        let c6_ = f1[0];
+        let s6_ = f1[1];
+        let half: [f64; 2] = ::dh_robot::atan2_batch(
+            &::core::array::from_fn(|l| f1[1][l]),
+            &::core::array::from_fn(|l| f1[0][l]),
+        );
+        let g1: [f64; 4] = ::core::array::from_fn(|k| {
+            if k < 2 {
+                half[k]
+            } else if half[k - 2] > 0.0 {
+                half[k - 2] - ::core::f64::consts::PI
+            } else {
+                half[k - 2] + ::core::f64::consts::PI
+            }
+        });
+        let mut v84_ = [0.0; 4];
+        let mut v85_ = [0.0; 4];
+        let mut v86_ = [0.0; 4];
+        let mut v93_ = [0.0; 4];
+        let mut v94_ = [0.0; 4];
+        let mut v95_ = [0.0; 4];
+        let mut v157_ = [0.0; 4];
+        let mut v158_ = [0.0; 4];
+        for l in 0..4 {
+            let v44 = v44_[l % 2];
+            let v47 = v47_[l % 2];
+            let v50 = v50_[l % 2];
+            let v53 = v53_[l % 2];
+            let c6 = c6_[l];
+            let s6 = s6_[l];
+            let t_14 = v44 * c6 - v50 * s6;
+            let t_15 = v47 * c6 - v53 * s6;
+            let t_16 = t[2][0] * c6 - t[2][1] * s6;
+            let t_17 = v44 * s6 + v50 * c6;
+            let t_18 = v47 * s6 + v53 * c6;
+            let t_19 = t[2][0] * s6 + t[2][1] * c6;
+            let t_20 = t[0][0] * c6 - t[0][1] * s6;
+            let t_21 = t[1][0] * c6 - t[1][1] * s6;
+            v84_[l] = t_14;
+            v85_[l] = t_15;
+            v86_[l] = t_16;
+            v93_[l] = t_17;
+            v94_[l] = t_18;
+            v95_[l] = t_19;
+            v157_[l] = t_20;
+            v158_[l] = t_21;
+        }
+        let mut m2 = [0.0; 4];
+        let mut f2 = [[0.0; 4]; 2];
+        for l in 0..4 {
+            let v85 = v85_[l];
+            let v59 = v59_[l % 2];
+            let ([x, y], m) = ::dh_robot::lanes::pair(0.0, 1.0, -v85, 1.0, 0.0, v59);
+            f2[0][l] = x;
+            f2[1][l] = y;
+            m2[l] = m;
+        }
+        let c5_ = f2[0];
+        let s5_ = f2[1];
+        let g2: [f64; 4] = ::dh_robot::atan2_batch(&f2[1], &f2[0]);
+        let mut v114_ = [0.0; 4];
+        let mut v137_ = [0.0; 4];
+        let mut v142_ = [0.0; 4];
+        let mut v205_ = [0.0; 4];
+        let mut v211_ = [0.0; 4];
+        let mut v222_ = [0.0; 4];
+        let mut v225_ = [0.0; 4];
+        let mut v230_ = [0.0; 4];
+        let mut v233_ = [0.0; 4];
+        for l in 0..4 {
+            let c1 = c1_[l % 2];
+            let s1 = s1_[l % 2];
+            let v38 = v38_[l % 2];
+            let v41 = v41_[l % 2];
+            let v56 = v56_[l % 2];
+            let v59 = v59_[l % 2];
+            let c6 = c6_[l];
+            let v84 = v84_[l];
+            let v85 = v85_[l];
+            let v86 = v86_[l];
+            let v93 = v93_[l];
+            let v94 = v94_[l];
+            let v95 = v95_[l];
+            let v157 = v157_[l];
+            let v158 = v158_[l];
+            let c5 = c5_[l];
+            let s5 = s5_[l];
+            let t_22 = v84 * c5 + v56 * s5;
+            let t_23 = v85 * c5 + v59 * s5;
+            let t_24 = v86 * c5 + t[2][2] * s5;
+            let t_25 = v38 - t_22 * t_2;
+            let t_26 = v41 - t_23 * t_2;
+            let t_27 = t[2][3] - t_24 * t_2;
+            let t_28 = t[0][3] - t_2 * (c5 * v157 + t[0][2] * s5);
+            let t_29 = t[1][3] - t_2 * (c5 * v158 + t[1][2] * s5);
+            let c6c5 = c6 * c5;
+            let c6s5 = c6 * s5;
+            let s1c6s5 = s1 * c6s5;
+            let c1c6s5 = c1 * c6s5;
+            let s1c5 = s1 * c5;
+            let c1c5 = c1 * c5;
+            v114_[l] = t_22;
+            v137_[l] = t_22 * t_25 + t_23 * t_26 + t_24 * t_27;
+            v142_[l] = v93 * t_25 + v94 * t_26 + v95 * t_27;
+            v205_[l] = t_27 * t_27 + t_28 * t_28 + t_29 * t_29 - t_5;
+            v211_[l] = c6c5;
+            v222_[l] = s1c6s5;
+            v225_[l] = c1c6s5;
+            v230_[l] = s1c5;
+            v233_[l] = c1c5;
+        }
+        let mut m3 = [0.0; 4];
+        let mut f3 = [[0.0; 4]; 2];
+        for l in 0..4 {
+            let v114 = v114_[l];
+            let v93 = v93_[l];
+            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v114, 0.0, -1.0, v93);
+            f3[0][l] = x;
+            f3[1][l] = y;
+            m3[l] = m;
+        }
+        let c234_ = f3[0];
+        let s234_ = f3[1];
+        let g3: [f64; 4] = ::dh_robot::atan2_batch(&f3[1], &f3[0]);
+        let mut v220_ = [0.0; 4];
+        let mut v223_ = [0.0; 4];
+        let mut v226_ = [0.0; 4];
+        let mut v228_ = [0.0; 4];
+        let mut v231_ = [0.0; 4];
+        let mut v234_ = [0.0; 4];
+        let mut v237_ = [0.0; 4];
+        let mut v240_ = [0.0; 4];
+        let mut v243_ = [0.0; 4];
+        let mut v244_ = [0.0; 4];
+        let mut v245_ = [0.0; 4];
+        for l in 0..4 {
+            let c1 = c1_[l % 2];
+            let s1 = s1_[l % 2];
+            let s6 = s6_[l];
+            let s5 = s5_[l];
+            let v211 = v211_[l];
+            let v222 = v222_[l];
+            let v225 = v225_[l];
+            let v230 = v230_[l];
+            let v233 = v233_[l];
+            let c234 = c234_[l];
+            let s234 = s234_[l];
+            let t_30 = v211 * c234 - s6 * s234;
+            let t_31 = v211 * s234 + s6 * c234;
+            let t_32 = c1 * t_30 - v222;
+            let t_33 = s1 * t_30 + v225;
+            let s5c234 = s5 * c234;
+            let s5s234 = s5 * s234;
+            let t_34 = c1 * s5c234 + v230;
+            let t_35 = s1 * s5c234 - v233;
+            let t_36 = t_2 * c234;
+            let t_37 = t_2 * s234;
+            v220_[l] = t_31;
+            v223_[l] = t_32;
+            v226_[l] = t_33;
+            v228_[l] = s5s234;
+            v231_[l] = t_34;
+            v234_[l] = t_35;
+            v237_[l] = t_31 * t_35 - t_33 * s5s234;
+            v240_[l] = t_32 * s5s234 - t_31 * t_34;
+            v243_[l] = t_33 * t_34 - t_32 * t_35;
+            v244_[l] = t_36;
+            v245_[l] = t_37;
+        }
+        let mut m4 = [0.0; 4];
+        let mut f4 = [[0.0; 8]; 2];
+        let mut e4 = [0.0; 4];
+        for l in 0..4 {
+            let v205 = v205_[l];
+            let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
+                2.0 * t_3 * t_4,
+                0.0,
+                v205,
+            );
+            f4[0][l] = x;
+            f4[1][l] = y;
+            f4[0][l + 4] = z;
+            f4[1][l + 4] = w;
+            m4[l] = m;
+            e4[l] = e;
+        }
+        let c3_ = f4[0];
+        let s3_ = f4[1];
+        let g4: [f64; 8] = ::dh_robot::atan2_batch(&f4[1], &f4[0]);
+        let mut v208_ = [0.0; 8];
+        let mut v210_ = [0.0; 8];
+        let mut v260_ = [0.0; 8];
+        let mut v263_ = [0.0; 8];
+        for l in 0..8 {
+            let c234 = c234_[l % 4];
+            let s234 = s234_[l % 4];
+            let c3 = c3_[l];
+            let s3 = s3_[l];
+            let t_38 = t_4 + t_3 * c3;
+            let t_39 = t_3 * s3;
+            let t_40 = c3 * c234 + s3 * s234;
+            let t_41 = s3 * c234 - c3 * s234;
+            v208_[l] = t_38;
+            v210_[l] = t_39;
+            v260_[l] = t_40;
+            v263_[l] = t_41;
+        }
+        let mut m5 = [0.0; 8];
+        let mut f5 = [[0.0; 8]; 2];
+        for l in 0..8 {
+            let v208 = v208_[l];
+            let v210 = v210_[l];
+            let v137 = v137_[l % 4];
+            let v142 = v142_[l % 4];
+            let ([x, y], m) = ::dh_robot::lanes::pair(
+                -v208,
+                v210,
+                -v137,
+                v210,
+                v208,
+                -v142,
+            );
+            f5[0][l] = x;
+            f5[1][l] = y;
+            m5[l] = m;
+        }
+        let c4_ = f5[0];
+        let s4_ = f5[1];
+        let g5: [f64; 8] = ::dh_robot::atan2_batch(&f5[1], &f5[0]);
+        let mut v273_ = [0.0; 8];
+        let mut v274_ = [0.0; 8];
+        let mut v275_ = [0.0; 8];
+        for l in 0..8 {
+            let c1 = c1_[l % 2];
+            let s1 = s1_[l % 2];
+            let c234 = c234_[l % 4];
+            let s234 = s234_[l % 4];
+            let v244 = v244_[l % 4];
+            let v245 = v245_[l % 4];
+            let v260 = v260_[l];
+            let v263 = v263_[l];
+            let c4 = c4_[l];
+            let s4 = s4_[l];
+            let t_42 = v244 + t_4 * (c234 * c4 + s234 * s4)
+                + t_3 * (c4 * v260 - s4 * v263);
+            let t_43 = v245 - t_4 * (c234 * s4 - s234 * c4)
+                - t_3 * (s4 * v260 + c4 * v263);
+            v273_[l] = t_43;
+            v274_[l] = c1 * t_42;
+            v275_[l] = s1 * t_42;
+        }
+        let mut error = [0.0; 8];
+        for l in 0..8 {
+            let v223 = v223_[l % 4];
+            let v226 = v226_[l % 4];
+            let v220 = v220_[l % 4];
+            let v237 = v237_[l % 4];
+            let v240 = v240_[l % 4];
+            let v243 = v243_[l % 4];
+            let v231 = v231_[l % 4];
+            let v234 = v234_[l % 4];
+            let v228 = v228_[l % 4];
+            let v274 = v274_[l];
+            let v275 = v275_[l];
+            let v273 = v273_[l];
+            error[l] = (v223 - t[0][0]).abs() + (v226 - t[1][0]).abs()
+                + (v220 - t[2][0]).abs() + (v237 - t[0][1]).abs()
+                + (v240 - t[1][1]).abs() + (v243 - t[2][1]).abs()
+                + (v231 - t[0][2]).abs() + (v234 - t[1][2]).abs()
+                + (v228 - t[2][2]).abs() + (v274 - t[0][3]).abs()
+                + (v275 - t[1][3]).abs() + (v273 - t[2][3]).abs();
+        }
+        let valid: [f64; 8] = ::core::array::from_fn(|l| 1.0 * e4[l % 4 % 4]);
+        let margin: [f64; 8] = ::core::array::from_fn(|l| {
+            1.0_f64
+                .min(m0[l % 1 % 1])
+                .min(m1[l % 2 % 2])
+                .min(m2[l % 4 % 4])
+                .min(m3[l % 4 % 4])
+                .min(m4[l % 4 % 4])
+                .min(m5[l % 8 % 8])
+        });
+        let q: [[f64; 8]; 6] = [
+            ::core::array::from_fn(|l| g0[l / 1 % 2 * 1 + l % 1]),
+            ::core::array::from_fn(|l| ::dh_robot::lanes::wrap(
+                g3[l % 4] - g4[l / 4 % 2 * 4 + l % 4] - g5[l % 8],
+            )),
+            ::core::array::from_fn(|l| g4[l / 4 % 2 * 4 + l % 4]),
+            ::core::array::from_fn(|l| g5[l % 8]),
+            ::core::array::from_fn(|l| g2[l % 4]),
+            ::core::array::from_fn(|l| g1[l / 2 % 2 * 2 + l % 2]),
+        ];
+        ::dh_robot::lanes::collect(
+            &Self::JOINTS,
+            &valid,
+            &margin,
+            &error,
+            &q,
+            |l| {
+                let i0 = l / 1 % 2;
+                let i1 = l / 2 % 2;
+                let i4 = l / 4 % 2;
+                ::dh_robot::Branch::ANY
+                    .with_step(0, i0)
+                    .with_shoulder(
+                        if i0 == 0 {
+                            ::dh_robot::Shoulder::Left
+                        } else {
+                            ::dh_robot::Shoulder::Right
+                        },
+                    )
+                    .with_step(1, i1)
+                    .with_wrist(
+                        if i1 == 0 {
+                            ::dh_robot::Wrist::NoFlip
+                        } else {
+                            ::dh_robot::Wrist::Flip
+                        },
+                    )
+                    .with_step(2, i4)
+                    .with_elbow(
+                        if i4 == 0 {
+                            ::dh_robot::Elbow::Up
+                        } else {
+                            ::dh_robot::Elbow::Down
+                        },
+                    )
+            },
+        )
+    }
 }
 #[allow(clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<6> for SixAxisChain {
     #[inline]
     fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {
-        let angles = [q[1] + q[2] + q[3], q[1] + q[2], q[1], q[0], q[5], q[4]];
-        let ([s234, s23, s2, s1, s6, s5], [c234, c23, c2, c1, c6, c5]) = ::dh_robot::sincos::sincos_batch(
+        let angles = [q[5], q[4], q[1] + q[2] + q[3], q[0], q[1] + q[2], q[1]];
+        let ([s6, s5, s234, s1, s23, s2], [c6, c5, c234, c1, c23, c2]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t_2 = self.a4 * c234 + self.a3 * c23 + self.a2 * c2;
         let c6c5 = c6 * c5;
         let c6s5 = c6 * s5;
-        let t_3 = c234 * c6c5 - s234 * s6;
-        let t_4 = s234 * c6c5 + c234 * s6;
-        let t_5 = c1 * t_3 - s1 * c6s5;
-        let t_6 = s1 * t_3 + c1 * c6s5;
-        let c234s5 = c234 * s5;
-        let s234s5 = s234 * s5;
-        let t_7 = c1 * c234s5 + s1 * c5;
-        let t_8 = s1 * c234s5 - c1 * c5;
+        let t_2 = c6c5 * c234 - s6 * s234;
+        let t_3 = c6c5 * s234 + s6 * c234;
+        let t_4 = t_2 * c1 - c6s5 * s1;
+        let t_5 = t_2 * s1 + c6s5 * c1;
+        let s5c234 = s5 * c234;
+        let s5s234 = s5 * s234;
+        let t_6 = c1 * s5c234 + c5 * s1;
+        let t_7 = s1 * s5c234 - c5 * c1;
+        let t_8 = c234 * self.a4 + self.a3 * c23 + self.a2 * c2;
         [
-            [t_5, t_4 * t_8 - t_6 * s234s5, t_7, t_2 * c1],
-            [t_6, t_5 * s234s5 - t_4 * t_7, t_8, t_2 * s1],
+            [t_4, t_3 * t_7 - t_5 * s5s234, t_6, c1 * t_8],
+            [t_5, t_4 * s5s234 - t_3 * t_6, t_7, s1 * t_8],
             [
-                t_4,
-                t_6 * t_7 - t_5 * t_8,
-                s234s5,
-                self.a4 * s234 + self.a3 * s23 + self.a2 * s2,
+                t_3,
+                t_5 * t_6 - t_4 * t_7,
+                s5s234,
+                s234 * self.a4 + self.a3 * s23 + self.a2 * s2,
             ],
         ]
     }

@@ -43,35 +43,35 @@ impl Stanford {
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
-        let angles = [q[1], q[0], q[5], q[4], q[3]];
-        let ([s2, s1, s6, s5, s4], [c2, c1, c6, c5, c4]) = ::dh_robot::sincos::sincos_batch(
+        let angles = [q[5], q[4], q[3], q[1], q[0]];
+        let ([s6, s5, s4, s2, s1], [c6, c5, c4, c2, c1]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t_2 = q[2] * s2;
         let c6c5 = c6 * c5;
         let c6s5 = c6 * s5;
-        let t_3 = c6c5 * s4 + s6 * c4;
-        let t_4 = c6c5 * c4 - s6 * s4;
-        let t_5 = c2 * t_3 - s2 * c6s5;
-        let t_6 = s2 * t_3 + c2 * c6s5;
-        let t_7 = c1 * t_5 + s1 * t_4;
-        let t_8 = s1 * t_5 - c1 * t_4;
+        let t_2 = c6c5 * s4 + s6 * c4;
+        let t_3 = c6c5 * c4 - s6 * s4;
+        let t_4 = t_2 * c2 - c6s5 * s2;
+        let t_5 = t_2 * s2 + c6s5 * c2;
+        let t_6 = t_4 * c1 + t_3 * s1;
+        let t_7 = t_4 * s1 - t_3 * c1;
         let s5s4 = s5 * s4;
         let s5c4 = s5 * c4;
-        let t_9 = c2 * s5s4 + s2 * c5;
-        let t_10 = s2 * s5s4 - c2 * c5;
-        let t_11 = c1 * t_9 + s1 * s5c4;
-        let t_12 = s1 * t_9 - c1 * s5c4;
+        let t_8 = c2 * s5s4 + c5 * s2;
+        let t_9 = s2 * s5s4 - c5 * c2;
+        let t_10 = c1 * t_8 + s1 * s5c4;
+        let t_11 = s1 * t_8 - c1 * s5c4;
+        let t_12 = s2 * q[2];
         ::dh_robot::pose::from_entries(
             [
-                [t_7, -(t_6 * t_12 - t_8 * t_10), t_11],
-                [t_8, -(t_7 * t_10 - t_6 * t_11), t_12],
-                [-t_6, t_8 * t_11 - t_7 * t_12, -t_10],
+                [t_6, -(t_5 * t_11 - t_7 * t_9), t_10],
+                [t_7, -(t_6 * t_9 - t_5 * t_10), t_11],
+                [-t_5, t_7 * t_10 - t_6 * t_11, -t_9],
             ],
             [
-                t_2 * c1 - 0.13369999999999999 * s1,
-                t_2 * s1 + 0.13369999999999999 * c1,
-                q[2] * c2 + 0.412,
+                c1 * t_12 - s1 * 0.13369999999999999,
+                s1 * t_12 + c1 * 0.13369999999999999,
+                c2 * q[2] + 0.412,
             ],
         )
     }
@@ -283,6 +283,9 @@ impl Stanford {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
+        if let Some(solutions) = self.lanes(&frame) {
+            return solutions;
+        }
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 0.5862999999999999,
@@ -458,34 +461,379 @@ impl Stanford {
         }
         attempt
     }
+    /// The plan for all branches at once; `None` where the robust way has to decide.
+    #[inline]
+    fn lanes(
+        &self,
+        t: &::dh_robot::ik::Pose,
+    ) -> Option<::dh_robot::Solutions<f64, 6, 8>> {
+        let t_2 = t[2][3] - 0.7027119222241174;
+        let mut m0 = [0.0; 1];
+        let mut f0 = [[0.0; 2]; 2];
+        let mut e0 = [0.0; 1];
+        for l in 0..1 {
+            let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
+                -t[1][3],
+                t[0][3],
+                -0.22804025243049636,
+            );
+            f0[0][l] = x;
+            f0[1][l] = y;
+            f0[0][l + 1] = z;
+            f0[1][l + 1] = w;
+            m0[l] = m;
+            e0[l] = e;
+        }
+        let c1_ = f0[0];
+        let s1_ = f0[1];
+        let g0: [f64; 2] = ::dh_robot::atan2_batch(&f0[1], &f0[0]);
+        let mut v39_ = [0.0; 2];
+        let mut v47_ = [0.0; 2];
+        let mut v50_ = [0.0; 2];
+        let mut v53_ = [0.0; 2];
+        let mut v56_ = [0.0; 2];
+        let mut v59_ = [0.0; 2];
+        let mut v62_ = [0.0; 2];
+        let mut v246_ = [0.0; 2];
+        let mut v249_ = [0.0; 2];
+        for l in 0..2 {
+            let c1 = c1_[l];
+            let s1 = s1_[l];
+            let t_3 = t[0][3] * c1 + t[1][3] * s1;
+            let t_4 = t[0][0] * c1 + t[1][0] * s1;
+            let t_5 = t[0][0] * s1 - t[1][0] * c1;
+            let t_6 = t[0][1] * c1 + t[1][1] * s1;
+            let t_7 = t[0][1] * s1 - t[1][1] * c1;
+            let t_8 = t[0][2] * c1 + t[1][2] * s1;
+            let t_9 = t[0][2] * s1 - t[1][2] * c1;
+            let t_10 = 0.22804025243049636 * s1;
+            let t_11 = 0.22804025243049636 * c1;
+            v39_[l] = t_3;
+            v47_[l] = t_4;
+            v50_[l] = t_5;
+            v53_[l] = t_6;
+            v56_[l] = t_7;
+            v59_[l] = t_8;
+            v62_[l] = t_9;
+            v246_[l] = t_10;
+            v249_[l] = t_11;
+        }
+        let mut m1 = [0.0; 2];
+        let mut f1 = [[0.0; 4]; 2];
+        for l in 0..2 {
+            let v39 = v39_[l];
+            let ([x, y], m) = ::dh_robot::lanes::half_turn(-v39, t_2);
+            f1[0][l] = x;
+            f1[1][l] = y;
+            f1[0][l + 2] = -x;
+            f1[1][l + 2] = -y;
+            m1[l] = m;
+        }
+        let c2_ = f1[0];
+        let s2_ = f1[1];
+        let half: [f64; 2] = ::dh_robot::atan2_batch(
+            &::core::array::from_fn(|l| f1[1][l]),
+            &::core::array::from_fn(|l| f1[0][l]),
+        );
+        let g1: [f64; 4] = ::core::array::from_fn(|k| {
+            if k < 2 {
+                half[k]
+            } else if half[k - 2] > 0.0 {
+                half[k - 2] - ::core::f64::consts::PI
+            } else {
+                half[k - 2] + ::core::f64::consts::PI
+            }
+        });
+        let mut v90_ = [0.0; 4];
+        let mut v96_ = [0.0; 4];
+        let mut v102_ = [0.0; 4];
+        let mut v108_ = [0.0; 4];
+        for l in 0..4 {
+            let v39 = v39_[l % 2];
+            let v47 = v47_[l % 2];
+            let v53 = v53_[l % 2];
+            let v59 = v59_[l % 2];
+            let c2 = c2_[l];
+            let s2 = s2_[l];
+            let t_12 = v47 * s2 + t[2][0] * c2;
+            let t_13 = v53 * s2 + t[2][1] * c2;
+            v90_[l] = v39 * s2 + t_2 * c2;
+            v96_[l] = t_12;
+            v102_[l] = t_13;
+            v108_[l] = v59 * s2 + t[2][2] * c2;
+        }
+        let mut m2 = [0.0; 4];
+        let mut f2 = [[0.0; 4]; 2];
+        for l in 0..4 {
+            let v90 = v90_[l];
+            let (x, m) = ::dh_robot::lanes::linear(-1.0, v90);
+            f2[0][l] = x;
+            f2[1][l] = x;
+            m2[l] = m;
+        }
+        let q3_ = f2[0];
+        let g2: [f64; 4] = f2[0].map(|d| d * 0.5862999999999999);
+        let mut v244_ = [0.0; 4];
+        let mut v247_ = [0.0; 4];
+        let mut v250_ = [0.0; 4];
+        for l in 0..4 {
+            let c1 = c1_[l % 2];
+            let s1 = s1_[l % 2];
+            let c2 = c2_[l];
+            let s2 = s2_[l];
+            let v246 = v246_[l % 2];
+            let v249 = v249_[l % 2];
+            let q3 = q3_[l];
+            let t_14 = s2 * q3;
+            v244_[l] = 0.7027119222241174 + c2 * q3;
+            v247_[l] = c1 * t_14 - v246;
+            v250_[l] = s1 * t_14 + v249;
+        }
+        let mut m3 = [0.0; 4];
+        let mut f3 = [[0.0; 8]; 2];
+        for l in 0..4 {
+            let v102 = v102_[l];
+            let v96 = v96_[l];
+            let ([x, y], m) = ::dh_robot::lanes::half_turn(v102, v96);
+            f3[0][l] = x;
+            f3[1][l] = y;
+            f3[0][l + 4] = -x;
+            f3[1][l + 4] = -y;
+            m3[l] = m;
+        }
+        let c6_ = f3[0];
+        let s6_ = f3[1];
+        let half: [f64; 4] = ::dh_robot::atan2_batch(
+            &::core::array::from_fn(|l| f3[1][l]),
+            &::core::array::from_fn(|l| f3[0][l]),
+        );
+        let g3: [f64; 8] = ::core::array::from_fn(|k| {
+            if k < 4 {
+                half[k]
+            } else if half[k - 4] > 0.0 {
+                half[k - 4] - ::core::f64::consts::PI
+            } else {
+                half[k - 4] + ::core::f64::consts::PI
+            }
+        });
+        let mut v137_ = [0.0; 8];
+        let mut v139_ = [0.0; 8];
+        let mut v146_ = [0.0; 8];
+        for l in 0..8 {
+            let v50 = v50_[l % 2];
+            let v56 = v56_[l % 2];
+            let v96 = v96_[l % 4];
+            let v102 = v102_[l % 4];
+            let c6 = c6_[l];
+            let s6 = s6_[l];
+            let t_15 = v50 * c6 - v56 * s6;
+            v137_[l] = t_15;
+            v139_[l] = v96 * c6 - v102 * s6;
+            v146_[l] = v50 * s6 + v56 * c6;
+        }
+        let mut m4 = [0.0; 8];
+        let mut f4 = [[0.0; 8]; 2];
+        for l in 0..8 {
+            let v139 = v139_[l];
+            let v108 = v108_[l % 4];
+            let ([x, y], m) = ::dh_robot::lanes::pair(0.0, -1.0, v139, -1.0, 0.0, -v108);
+            f4[0][l] = x;
+            f4[1][l] = y;
+            m4[l] = m;
+        }
+        let c5_ = f4[0];
+        let s5_ = f4[1];
+        let g4: [f64; 8] = ::dh_robot::atan2_batch(&f4[1], &f4[0]);
+        let mut v175_ = [0.0; 8];
+        let mut v197_ = [0.0; 8];
+        let mut v208_ = [0.0; 8];
+        let mut v211_ = [0.0; 8];
+        let mut v222_ = [0.0; 8];
+        let mut v225_ = [0.0; 8];
+        for l in 0..8 {
+            let v62 = v62_[l % 2];
+            let c2 = c2_[l % 4];
+            let s2 = s2_[l % 4];
+            let c6 = c6_[l];
+            let v137 = v137_[l];
+            let c5 = c5_[l];
+            let s5 = s5_[l];
+            let c6c5 = c6 * c5;
+            let c6s5 = c6 * s5;
+            let s2c6s5 = s2 * c6s5;
+            let c2c6s5 = c2 * c6s5;
+            let s2c5 = s2 * c5;
+            let c2c5 = c2 * c5;
+            v175_[l] = v137 * c5 + v62 * s5;
+            v197_[l] = c6c5;
+            v208_[l] = s2c6s5;
+            v211_[l] = c2c6s5;
+            v222_[l] = s2c5;
+            v225_[l] = c2c5;
+        }
+        let mut m5 = [0.0; 8];
+        let mut f5 = [[0.0; 8]; 2];
+        for l in 0..8 {
+            let v175 = v175_[l];
+            let v146 = v146_[l];
+            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v175, 0.0, -1.0, v146);
+            f5[0][l] = x;
+            f5[1][l] = y;
+            m5[l] = m;
+        }
+        let c4_ = f5[0];
+        let s4_ = f5[1];
+        let g5: [f64; 8] = ::dh_robot::atan2_batch(&f5[1], &f5[0]);
+        let mut v212_ = [0.0; 8];
+        let mut v215_ = [0.0; 8];
+        let mut v218_ = [0.0; 8];
+        let mut v226_ = [0.0; 8];
+        let mut v229_ = [0.0; 8];
+        let mut v232_ = [0.0; 8];
+        let mut v235_ = [0.0; 8];
+        let mut v238_ = [0.0; 8];
+        let mut v241_ = [0.0; 8];
+        for l in 0..8 {
+            let c1 = c1_[l % 2];
+            let s1 = s1_[l % 2];
+            let c2 = c2_[l % 4];
+            let s2 = s2_[l % 4];
+            let s6 = s6_[l];
+            let s5 = s5_[l];
+            let v197 = v197_[l];
+            let v208 = v208_[l];
+            let v211 = v211_[l];
+            let v222 = v222_[l];
+            let v225 = v225_[l];
+            let c4 = c4_[l];
+            let s4 = s4_[l];
+            let t_16 = v197 * s4 + s6 * c4;
+            let t_17 = v197 * c4 - s6 * s4;
+            let t_18 = c2 * t_16 - v208;
+            let t_19 = s2 * t_16 + v211;
+            let t_20 = c1 * t_18 + s1 * t_17;
+            let t_21 = s1 * t_18 - c1 * t_17;
+            let s5s4 = s5 * s4;
+            let s5c4 = s5 * c4;
+            let t_22 = c2 * s5s4 + v222;
+            let t_23 = s2 * s5s4 - v225;
+            let t_24 = c1 * t_22 + s1 * s5c4;
+            let t_25 = s1 * t_22 - c1 * s5c4;
+            v212_[l] = t_19;
+            v215_[l] = t_20;
+            v218_[l] = t_21;
+            v226_[l] = t_23;
+            v229_[l] = t_24;
+            v232_[l] = t_25;
+            v235_[l] = t_19 * t_25 - t_21 * t_23;
+            v238_[l] = t_20 * t_23 - t_19 * t_24;
+            v241_[l] = t_21 * t_24 - t_20 * t_25;
+        }
+        let mut error = [0.0; 8];
+        for l in 0..8 {
+            let v215 = v215_[l];
+            let v218 = v218_[l];
+            let v212 = v212_[l];
+            let v235 = v235_[l];
+            let v238 = v238_[l];
+            let v241 = v241_[l];
+            let v229 = v229_[l];
+            let v232 = v232_[l];
+            let v226 = v226_[l];
+            let v247 = v247_[l % 4];
+            let v250 = v250_[l % 4];
+            let v244 = v244_[l % 4];
+            error[l] = (v215 - t[0][0]).abs() + (v218 - t[1][0]).abs()
+                + (-v212 - t[2][0]).abs() + (-v235 - t[0][1]).abs()
+                + (-v238 - t[1][1]).abs() + (v241 - t[2][1]).abs()
+                + (v229 - t[0][2]).abs() + (v232 - t[1][2]).abs()
+                + (-v226 - t[2][2]).abs() + (v247 - t[0][3]).abs()
+                + (v250 - t[1][3]).abs() + (v244 - t[2][3]).abs();
+        }
+        let valid: [f64; 8] = ::core::array::from_fn(|l| 1.0 * e0[l % 1 % 1]);
+        let margin: [f64; 8] = ::core::array::from_fn(|l| {
+            1.0_f64
+                .min(m0[l % 1 % 1])
+                .min(m1[l % 2 % 2])
+                .min(m2[l % 4 % 4])
+                .min(m3[l % 4 % 4])
+                .min(m4[l % 8 % 8])
+                .min(m5[l % 8 % 8])
+        });
+        let q: [[f64; 8]; 6] = [
+            ::core::array::from_fn(|l| g0[l / 1 % 2 * 1 + l % 1]),
+            ::core::array::from_fn(|l| g1[l / 2 % 2 * 2 + l % 2]),
+            ::core::array::from_fn(|l| g2[l % 4]),
+            ::core::array::from_fn(|l| g5[l % 8]),
+            ::core::array::from_fn(|l| g4[l % 8]),
+            ::core::array::from_fn(|l| g3[l / 4 % 2 * 4 + l % 4]),
+        ];
+        ::dh_robot::lanes::collect(
+            &Self::JOINTS,
+            &valid,
+            &margin,
+            &error,
+            &q,
+            |l| {
+                let i0 = l / 1 % 2;
+                let i1 = l / 2 % 2;
+                let i3 = l / 4 % 2;
+                ::dh_robot::Branch::ANY
+                    .with_step(0, i0)
+                    .with_shoulder(
+                        if i0 == 0 {
+                            ::dh_robot::Shoulder::Left
+                        } else {
+                            ::dh_robot::Shoulder::Right
+                        },
+                    )
+                    .with_step(1, i1)
+                    .with_elbow(
+                        if i1 == 0 {
+                            ::dh_robot::Elbow::Up
+                        } else {
+                            ::dh_robot::Elbow::Down
+                        },
+                    )
+                    .with_step(2, i3)
+                    .with_wrist(
+                        if i3 == 0 {
+                            ::dh_robot::Wrist::NoFlip
+                        } else {
+                            ::dh_robot::Wrist::Flip
+                        },
+                    )
+            },
+        )
+    }
 }
 #[allow(clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<6> for Stanford {
     #[inline]
     fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {
-        let angles = [q[1], q[0], q[5], q[4], q[3]];
-        let ([s2, s1, s6, s5, s4], [c2, c1, c6, c5, c4]) = ::dh_robot::sincos::sincos_batch(
+        let angles = [q[5], q[4], q[3], q[1], q[0]];
+        let ([s6, s5, s4, s2, s1], [c6, c5, c4, c2, c1]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t_2 = q[2] * s2;
         let c6c5 = c6 * c5;
         let c6s5 = c6 * s5;
-        let t_3 = c6c5 * s4 + s6 * c4;
-        let t_4 = c6c5 * c4 - s6 * s4;
-        let t_5 = c2 * t_3 - s2 * c6s5;
-        let t_6 = s2 * t_3 + c2 * c6s5;
-        let t_7 = c1 * t_5 + s1 * t_4;
-        let t_8 = s1 * t_5 - c1 * t_4;
+        let t_2 = c6c5 * s4 + s6 * c4;
+        let t_3 = c6c5 * c4 - s6 * s4;
+        let t_4 = t_2 * c2 - c6s5 * s2;
+        let t_5 = t_2 * s2 + c6s5 * c2;
+        let t_6 = t_4 * c1 + t_3 * s1;
+        let t_7 = t_4 * s1 - t_3 * c1;
         let s5s4 = s5 * s4;
         let s5c4 = s5 * c4;
-        let t_9 = c2 * s5s4 + s2 * c5;
-        let t_10 = s2 * s5s4 - c2 * c5;
-        let t_11 = c1 * t_9 + s1 * s5c4;
-        let t_12 = s1 * t_9 - c1 * s5c4;
+        let t_8 = c2 * s5s4 + c5 * s2;
+        let t_9 = s2 * s5s4 - c5 * c2;
+        let t_10 = c1 * t_8 + s1 * s5c4;
+        let t_11 = s1 * t_8 - c1 * s5c4;
+        let t_12 = s2 * q[2];
         [
-            [t_7, -(t_6 * t_12 - t_8 * t_10), t_11, t_2 * c1 - 0.13369999999999999 * s1],
-            [t_8, -(t_7 * t_10 - t_6 * t_11), t_12, t_2 * s1 + 0.13369999999999999 * c1],
-            [-t_6, t_8 * t_11 - t_7 * t_12, -t_10, q[2] * c2 + 0.412],
+            [t_6, -(t_5 * t_11 - t_7 * t_9), t_10, c1 * t_12 - s1 * 0.13369999999999999],
+            [t_7, -(t_6 * t_9 - t_5 * t_10), t_11, s1 * t_12 + c1 * 0.13369999999999999],
+            [-t_5, t_7 * t_10 - t_6 * t_11, -t_9, c2 * q[2] + 0.412],
         ]
     }
     fn forward_and_jacobian(

@@ -50,7 +50,7 @@ impl WaferPrrr {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
     ///
-    /// Cost: 4 multiplications, 8 additions, 3 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 4 multiplications, 7 additions, 3 sine-cosine pairs. Proven equal to the product of the link transforms.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 4]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
@@ -69,7 +69,7 @@ impl WaferPrrr {
     }
     /// Pose of every moving link's frame in the base, without the tool.
     ///
-    /// Cost: 4 multiplications, 8 additions, 3 sine-cosine pairs.
+    /// Cost: 4 multiplications, 7 additions, 3 sine-cosine pairs.
     #[must_use]
     pub fn frames(
         &self,
@@ -124,7 +124,7 @@ impl WaferPrrr {
     }
     /// [`forward`](Self::forward) and [`jacobian`](Self::jacobian) together, for little more than one of them.
     ///
-    /// Cost: 4 multiplications, 8 additions, 3 sine-cosine pairs.
+    /// Cost: 4 multiplications, 7 additions, 3 sine-cosine pairs.
     #[inline]
     #[must_use]
     pub fn forward_and_jacobian(
@@ -199,6 +199,9 @@ impl WaferPrrr {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
+        if let Some(solutions) = self.lanes(&frame) {
+            return solutions;
+        }
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 0.6091883671078886,
@@ -323,6 +326,182 @@ impl WaferPrrr {
             }
         }
         attempt
+    }
+    /// The plan for all branches at once; `None` where the robust way has to decide.
+    #[inline]
+    fn lanes(
+        &self,
+        t: &::dh_robot::ik::Pose,
+    ) -> Option<::dh_robot::Solutions<f64, 4, 2>> {
+        let t_2 = self.d4 * 1.6415283908776575;
+        let t_3 = t[0][3] - t[0][2] * t_2;
+        let t_4 = t[1][3] - t[1][2] * t_2;
+        let t_5 = t[2][3] - t[2][2] * t_2;
+        let t_6 = t[0][0] * t_3 + t[1][0] * t_4;
+        let t_7 = t[0][1] * t_3 + t[1][1] * t_4;
+        let t_8 = t_3 * t_3 + t_4 * t_4;
+        let t_9 = self.d2 * 1.6415283908776575;
+        let t_10 = self.d3 * 1.6415283908776575;
+        let t_11 = self.a2 * 1.6415283908776575;
+        let t_12 = self.a3 * 1.6415283908776575;
+        let t_13 = t_10 * (t_10 + t_9 * 2.0);
+        let t_14 = t_11 * t_11 + t_12 * t_12 + t_9 * t_9;
+        let t_15 = t_9 + t_2 + t_10;
+        let mut m0 = [0.0; 1];
+        let mut f0 = [[0.0; 1]; 2];
+        for l in 0..1 {
+            let (x, m) = ::dh_robot::lanes::linear(1.0, -(t_5 - (t_9 + t_10)));
+            f0[0][l] = x;
+            f0[1][l] = x;
+            m0[l] = m;
+        }
+        let q1_ = f0[0];
+        let g0: [f64; 1] = f0[0].map(|d| d * 0.6091883671078886);
+        let mut v48_ = [0.0; 1];
+        let mut v50_ = [0.0; 1];
+        let mut v69_ = [0.0; 1];
+        let mut v105_ = [0.0; 1];
+        for l in 0..1 {
+            let q1 = q1_[l];
+            let t_16 = t_5 - q1;
+            v48_[l] = t_6 + t[2][0] * t_16;
+            v50_[l] = t_7 + t[2][1] * t_16;
+            v69_[l] = t_13 - (t_8 + t_16 * t_16 - t_14);
+            v105_[l] = q1 + t_15;
+        }
+        let mut m1 = [0.0; 1];
+        let mut f1 = [[0.0; 1]; 2];
+        for l in 0..1 {
+            let ([x, y], m) = ::dh_robot::lanes::pair(
+                1.0,
+                0.0,
+                t[0][0],
+                0.0,
+                -1.0,
+                t[0][1],
+            );
+            f1[0][l] = x;
+            f1[1][l] = y;
+            m1[l] = m;
+        }
+        let c234_ = f1[0];
+        let s234_ = f1[1];
+        let g1: [f64; 1] = ::dh_robot::atan2_batch(&f1[1], &f1[0]);
+        let mut m2 = [0.0; 1];
+        let mut f2 = [[0.0; 2]; 2];
+        let mut e2 = [0.0; 1];
+        for l in 0..1 {
+            let v69 = v69_[l];
+            let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
+                2.0 * t_11 * t_12,
+                0.0,
+                -v69,
+            );
+            f2[0][l] = x;
+            f2[1][l] = y;
+            f2[0][l + 1] = z;
+            f2[1][l + 1] = w;
+            m2[l] = m;
+            e2[l] = e;
+        }
+        let c3_ = f2[0];
+        let s3_ = f2[1];
+        let g2: [f64; 2] = ::dh_robot::atan2_batch(&f2[1], &f2[0]);
+        let mut v72_ = [0.0; 2];
+        let mut v74_ = [0.0; 2];
+        let mut v90_ = [0.0; 2];
+        let mut v93_ = [0.0; 2];
+        for l in 0..2 {
+            let c234 = c234_[l % 1];
+            let s234 = s234_[l % 1];
+            let c3 = c3_[l];
+            let s3 = s3_[l];
+            let t_17 = t_12 + t_11 * c3;
+            let t_18 = t_11 * s3;
+            let t_19 = c3 * c234 + s3 * s234;
+            let t_20 = s3 * c234 - c3 * s234;
+            v72_[l] = t_17;
+            v74_[l] = t_18;
+            v90_[l] = t_19;
+            v93_[l] = t_20;
+        }
+        let mut m3 = [0.0; 2];
+        let mut f3 = [[0.0; 2]; 2];
+        for l in 0..2 {
+            let v72 = v72_[l];
+            let v74 = v74_[l];
+            let v48 = v48_[l % 1];
+            let v50 = v50_[l % 1];
+            let ([x, y], m) = ::dh_robot::lanes::pair(-v72, v74, -v48, v74, v72, -v50);
+            f3[0][l] = x;
+            f3[1][l] = y;
+            m3[l] = m;
+        }
+        let c4_ = f3[0];
+        let s4_ = f3[1];
+        let g3: [f64; 2] = ::dh_robot::atan2_batch(&f3[1], &f3[0]);
+        let mut v102_ = [0.0; 2];
+        let mut v103_ = [0.0; 2];
+        for l in 0..2 {
+            let c234 = c234_[l % 1];
+            let s234 = s234_[l % 1];
+            let v90 = v90_[l];
+            let v93 = v93_[l];
+            let c4 = c4_[l];
+            let s4 = s4_[l];
+            let t_21 = t_12 * (c234 * c4 + s234 * s4) + t_11 * (c4 * v90 - s4 * v93);
+            let t_22 = t_12 * (c234 * s4 - s234 * c4) + t_11 * (s4 * v90 + c4 * v93);
+            v102_[l] = t_21;
+            v103_[l] = t_22;
+        }
+        let mut error = [0.0; 2];
+        for l in 0..2 {
+            let c234 = c234_[l % 1];
+            let s234 = s234_[l % 1];
+            let v102 = v102_[l];
+            let v103 = v103_[l];
+            let v105 = v105_[l % 1];
+            error[l] = (c234 - t[0][0]).abs() + (s234 - t[1][0]).abs()
+                + (0.0 - t[2][0]).abs() + (-s234 - t[0][1]).abs()
+                + (c234 - t[1][1]).abs() + (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs()
+                + (0.0 - t[1][2]).abs() + (1.0 - t[2][2]).abs() + (v102 - t[0][3]).abs()
+                + (-v103 - t[1][3]).abs() + (v105 - t[2][3]).abs();
+        }
+        let valid: [f64; 2] = ::core::array::from_fn(|l| 1.0 * e2[l % 1 % 1]);
+        let margin: [f64; 2] = ::core::array::from_fn(|l| {
+            1.0_f64
+                .min(m0[l % 1 % 1])
+                .min(m1[l % 1 % 1])
+                .min(m2[l % 1 % 1])
+                .min(m3[l % 2 % 2])
+        });
+        let q: [[f64; 2]; 4] = [
+            ::core::array::from_fn(|l| g0[l % 1]),
+            ::core::array::from_fn(|l| ::dh_robot::lanes::wrap(
+                g1[l % 1] - g2[l / 1 % 2 * 1 + l % 1] - g3[l % 2],
+            )),
+            ::core::array::from_fn(|l| g2[l / 1 % 2 * 1 + l % 1]),
+            ::core::array::from_fn(|l| g3[l % 2]),
+        ];
+        ::dh_robot::lanes::collect(
+            &Self::JOINTS,
+            &valid,
+            &margin,
+            &error,
+            &q,
+            |l| {
+                let i2 = l / 1 % 2;
+                ::dh_robot::Branch::ANY
+                    .with_step(0, i2)
+                    .with_elbow(
+                        if i2 == 0 {
+                            ::dh_robot::Elbow::Up
+                        } else {
+                            ::dh_robot::Elbow::Down
+                        },
+                    )
+            },
+        )
     }
 }
 #[allow(clippy::all, clippy::pedantic)]

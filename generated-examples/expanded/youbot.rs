@@ -37,29 +37,29 @@ impl Youbot {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
     ///
-    /// Cost: 22 multiplications, 13 additions, 5 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 22 multiplications, 12 additions, 5 sine-cosine pairs. Proven equal to the product of the link transforms.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 5]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
-        let angles = [q[4], q[1] + q[2] + q[3], q[1] + q[2], q[1], q[0]];
-        let ([s5, s234, s23, s2, s1], [c5, c234, c23, c2, c1]) = ::dh_robot::sincos::sincos_batch(
+        let angles = [q[4], q[1] + q[2] + q[3], q[0], q[1] + q[2], q[1]];
+        let ([s5, s234, s1, s23, s2], [c5, c234, c1, c23, c2]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t_2 = 0.2175 * s234 + 0.135 * s23 + 0.155 * s2 - 0.033;
         let c5c234 = c5 * c234;
         let s5c234 = s5 * c234;
+        let t_2 = s234 * 0.2175 + 0.135 * s23 + 0.155 * s2 - 0.033;
         ::dh_robot::pose::from_entries(
             [
-                [c1 * c5c234 - s5 * s1, -(c1 * s5c234 + c5 * s1), -s234 * c1],
-                [s1 * c5c234 + s5 * c1, -(s1 * s5c234 - c5 * c1), -s234 * s1],
+                [c5c234 * c1 - s5 * s1, -(c1 * s5c234 + c5 * s1), -s234 * c1],
+                [c5c234 * s1 + s5 * c1, -(s1 * s5c234 - c5 * c1), -s234 * s1],
                 [c5 * s234, -s5 * s234, c234],
             ],
-            [-t_2 * c1, -t_2 * s1, 0.2175 * c234 + 0.135 * c23 + 0.155 * c2 + 0.147],
+            [-c1 * t_2, -s1 * t_2, c234 * 0.2175 + 0.135 * c23 + 0.155 * c2 + 0.147],
         )
     }
     /// Pose of every moving link's frame in the base, without the tool.
     ///
-    /// Cost: 35 multiplications, 16 additions, 5 sine-cosine pairs.
+    /// Cost: 35 multiplications, 15 additions, 5 sine-cosine pairs.
     #[must_use]
     pub fn frames(
         &self,
@@ -117,7 +117,7 @@ impl Youbot {
     /// Geometric Jacobian: rows 0..3 linear (m per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the
     /// origin of the last frame (or tool).
     ///
-    /// Cost: 16 multiplications, 8 additions, 4 sine-cosine pairs.
+    /// Cost: 16 multiplications, 7 additions, 4 sine-cosine pairs.
     #[inline]
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 5]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 5> {
@@ -144,7 +144,7 @@ impl Youbot {
     }
     /// [`forward`](Self::forward) and [`jacobian`](Self::jacobian) together, for little more than one of them.
     ///
-    /// Cost: 28 multiplications, 13 additions, 5 sine-cosine pairs.
+    /// Cost: 28 multiplications, 12 additions, 5 sine-cosine pairs.
     #[inline]
     #[must_use]
     pub fn forward_and_jacobian(
@@ -399,21 +399,21 @@ impl Youbot {
 impl ::dh_robot::ik::Kinematics<5> for Youbot {
     #[inline]
     fn forward(&self, q: &[f64; 5]) -> ::dh_robot::ik::Pose {
-        let angles = [q[4], q[1] + q[2] + q[3], q[1] + q[2], q[1], q[0]];
-        let ([s5, s234, s23, s2, s1], [c5, c234, c23, c2, c1]) = ::dh_robot::sincos::sincos_batch(
+        let angles = [q[4], q[1] + q[2] + q[3], q[0], q[1] + q[2], q[1]];
+        let ([s5, s234, s1, s23, s2], [c5, c234, c1, c23, c2]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t_2 = 0.2175 * s234 + 0.135 * s23 + 0.155 * s2 - 0.033;
         let c5c234 = c5 * c234;
         let s5c234 = s5 * c234;
+        let t_2 = s234 * 0.2175 + 0.135 * s23 + 0.155 * s2 - 0.033;
         [
-            [c1 * c5c234 - s5 * s1, -(c1 * s5c234 + c5 * s1), -s234 * c1, -t_2 * c1],
-            [s1 * c5c234 + s5 * c1, -(s1 * s5c234 - c5 * c1), -s234 * s1, -t_2 * s1],
+            [c5c234 * c1 - s5 * s1, -(c1 * s5c234 + c5 * s1), -s234 * c1, -c1 * t_2],
+            [c5c234 * s1 + s5 * c1, -(s1 * s5c234 - c5 * c1), -s234 * s1, -s1 * t_2],
             [
                 c5 * s234,
                 -s5 * s234,
                 c234,
-                0.2175 * c234 + 0.135 * c23 + 0.155 * c2 + 0.147,
+                c234 * 0.2175 + 0.135 * c23 + 0.155 * c2 + 0.147,
             ],
         ]
     }
