@@ -259,6 +259,32 @@ fn length() -> impl Strategy<Value = (String, f64, f64)> {
 }
 
 #[test]
+fn long_input_is_no_trouble() {
+    let (head, n) = ("struct R; convention = standard;\n", 5000);
+    let header = "| alpha | a | d | theta |\n";
+    let many = |word: &str| word.repeat(n);
+    let texts = [
+        format!("{head}|{}", many(" alpha |")),
+        format!("{head}{header}{}", many("| 0 | 1 | 0 | q1 |\n")),
+        format!("{head}{}", many("unit = mm;")),
+        format!("{head}{}", many("let a: length;")),
+        format!("{head}{header}| 0 | {}1 | 0 | q1 |", many("1 + ")),
+        format!("{head}{header}| 0 | {}1{} | {}1{} | q1 |", many("("), many(")"), many("["), many("]")),
+        format!("{head}{header}{}", many("|")),
+        format!("{head}{}", many("foo; ")),
+        format!("{}{head}", many("#[x]")),
+        format!("{head}tool = {}tz(1);", many("tz(1) * ")),
+        format!("{head}{header}| {0} | {0} | 1{0} | q1 |", many("m")),
+        format!("{head}{header}| 0 | {0} | 0.{0}m | q1 |", many("1")),
+    ];
+    for text in texts {
+        check(&text).expect("errors");
+        let drawn = parse(lex(&text).expect("tokens")).errors;
+        assert!(!drawn.is_empty() && drawn.in_order().iter().all(|e| e.message.len() < 500));
+    }
+}
+
+#[test]
 fn the_table_without_mistakes_is_fine() {
     let parsed = parse(lex(TABLE).expect("tokens"));
     assert!(parsed.errors.is_empty(), "{}", parsed.errors.draw(TABLE, "table"));

@@ -281,7 +281,7 @@ pub fn lex(source: &str) -> Result<TokenStream, Errors> {
             Some(c @ ('−' | '–')) => Error::new(place, format!("`{c}` is no minus sign")).help("write `-`"),
             Some('×' | '·' | '⋅') => Error::new(place, "a product is written with `*`"),
             Some('(' | '[' | '{' | ')' | ']' | '}') => Error::new(place, "this bracket has no partner"),
-            Some(c) => Error::new(place, format!("the text cannot be read from here (`{c}`)")),
+            Some(c) => Error::new(place, format!("the text cannot be read from here (`{}`)", c.escape_debug())),
             None => Error::new(place, "the text cannot be read from here"),
         };
         let mut errors = Errors::new();

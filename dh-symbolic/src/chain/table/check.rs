@@ -15,9 +15,13 @@ use crate::diagnostic::{Error, Errors, Place};
 use proc_macro2::TokenTree;
 
 /// Most rows of a table.
-const MOST_ROWS: usize = 16;
+pub(super) const MOST_ROWS: usize = 16;
 /// Most moving rows.
 const MOST_JOINTS: usize = 12;
+
+/// More columns are no table, and would only cost time.
+const MOST_COLUMNS: usize = 24;
+const COLUMNS: &str = "columns: joint, alpha, a, d, theta, range";
 
 /// Columns that every table has.
 const REQUIRED: [Column; 4] = [Column::Alpha, Column::A, Column::D, Column::Theta];
@@ -74,6 +78,10 @@ fn header(row: &Row, errors: &mut Errors) -> Option<Vec<Option<Column>>> {
     if row.cells.is_empty() {
         return None;
     }
+    if let Some(cell) = row.cells.get(MOST_COLUMNS) {
+        errors.push(Error::new(cell.place, "there are not so many columns").help(COLUMNS));
+        return None;
+    }
     let find = |name: &str| Column::ALL.into_iter().find(|c| c.name() == name);
     let near = |name: &str| suggestion(name, Column::ALL.map(Column::name));
     let names: Vec<String> = row.cells.iter().map(|c| text::of(&c.tokens)).collect();
@@ -106,7 +114,7 @@ fn header(row: &Row, errors: &mut Errors) -> Option<Vec<Option<Column>>> {
                 let error = Error::new(cell.place, format!("unknown column `{name}`"));
                 errors.push(match (near(name), other_name(name)) {
                     (Some(n), _) | (None, Some(n)) => error.help(format!("did you mean `{n}`?")),
-                    _ => error.help("columns: joint, alpha, a, d, theta, range"),
+                    _ => error.help(COLUMNS),
                 });
             }
             _ => {}

@@ -1,6 +1,6 @@
 //! Arithmetic in a cell: tokens to a [`Sum`]. `+ - * /`, parentheses, numbers with units, `pi`, `approx`, names.
 
-use super::names::{suggestion, variable_number};
+use super::names::{shown, suggestion, variable_number};
 use super::number::{self, Unit};
 use super::radians;
 use super::scope::{Kind, Scope};
@@ -288,7 +288,7 @@ impl<'a> Reader<'a> {
     }
 
     fn unknown(&self, name: &str, place: Place) -> Error {
-        let error = Error::new(place, format!("unknown name `{}`", name.escape_debug()));
+        let error = Error::new(place, format!("unknown name `{}`", shown(name)));
         let columns = ["alpha", "a", "d", "theta", "joint", "range"];
         // `a3` is no slip for `a2`.
         let letters = |n: &str| n.trim_end_matches(|c: char| c.is_ascii_digit()).len();
@@ -309,7 +309,11 @@ impl<'a> Reader<'a> {
             let digits = if digits.is_empty() { "1" } else { &digits };
             return error.help(format!("the variable of a joint is called `q{digits}`"));
         }
-        if columns.contains(&name) || !name.is_ascii() || super::names::variable_number(name).is_some() {
+        if columns.contains(&name)
+            || !name.is_ascii()
+            || name.len() > 40
+            || super::names::variable_number(name).is_some()
+        {
             return error;
         }
         let kind = if self.want == Kind::Angle { "angle" } else { "length" };

@@ -4,7 +4,7 @@
 //! ([`Origins`]), the claims of `prove` blocks unread, and the [`Errors`].
 //!
 //! The way: `statements` finds the lines, `rows` cuts the table into cells, `parameters` and `settings` read what stands
-//! outside the table, `expression` reads one cell into a [`sum`], `cell` checks that the sum fits its place, `check` and
+//! outside the table, `expression` reads one cell into a `sum`, `cell` checks that the sum fits its place, `check` and
 //! `drive` look at rows together.
 //!
 //! **Never here:** formulas, floats (but for limits and the look of radians), panics: anything may stand between the braces.
@@ -249,5 +249,5 @@ fn motions_text(settings: &[statements::Setting]) -> Vec<(String, String)> {
 
 fn table_text(grid: &rows::Grid) -> Vec<Vec<String>> {
     let line = |row: &rows::Row| row.cells.iter().map(|c| text::of(&c.tokens)).collect();
-    std::iter::once(&grid.header).chain(&grid.rows).map(line).collect()
+    std::iter::once(&grid.header).chain(&grid.rows).take(1 + check::MOST_ROWS).map(line).collect()
 }

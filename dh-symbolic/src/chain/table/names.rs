@@ -15,6 +15,13 @@ pub(super) fn suggestion<'a>(text: &str, candidates: impl IntoIterator<Item = &'
         .map(|(_, c)| c)
 }
 
+/// A word for a message: control characters escaped, no longer than 40 letters.
+pub(super) fn shown(word: &str) -> String {
+    let end = if word.chars().count() > 40 { "..." } else { "" };
+    let start: String = word.chars().take(40).collect();
+    format!("{}{end}", start.escape_debug())
+}
+
 /// Number of slips between two words (optimal string alignment); words longer than 40 letters are far from all others.
 fn distance(a: &str, b: &str) -> usize {
     let (a, b): (Vec<char>, Vec<char>) = (a.chars().take(41).collect(), b.chars().take(41).collect());

@@ -1,6 +1,6 @@
 //! Literals: exact digits and a unit.
 
-use super::names::suggestion;
+use super::names::{shown, suggestion};
 use crate::algebra::Rational;
 use crate::chain::LengthUnit;
 use crate::diagnostic::{Error, Place};
@@ -86,7 +86,8 @@ fn unit(name: &str) -> Option<Unit> {
 
 /// `unit = ...` with an unknown name.
 pub(super) fn unknown_length_unit(name: &str, place: Place) -> Error {
-    let error = Error::new(place, format!("unknown unit `{name}`; the table's unit is one of m, cm, mm, in, ft"));
+    let error =
+        Error::new(place, format!("unknown unit `{}`; the table's unit is one of m, cm, mm, in, ft", shown(name)));
     match closest_unit(name) {
         Some(u) if length_unit(u).is_some() => error.help(format!("did you mean `{u}`?")),
         _ => error,
@@ -151,7 +152,7 @@ pub(super) fn read(literal: &Literal, declared: &dyn Fn(&str) -> bool) -> Result
 fn unknown(digits: &str, suffix: &str, place: Place, declared: &dyn Fn(&str) -> bool) -> Error {
     let error = Error::new(
         place,
-        format!("unknown unit `{}`; lengths: m, cm, mm, in, ft; angles: deg, rad, turn", suffix.escape_debug()),
+        format!("unknown unit `{}`; lengths: m, cm, mm, in, ft; angles: deg, rad, turn", shown(suffix)),
     );
     if declared(suffix) {
         return error.help(format!("a product is written with `*`: `{digits}*{suffix}`"));

@@ -1,6 +1,6 @@
 //! Settings: `convention = modified;` and the others.
 
-use super::names::suggestion;
+use super::names::{shown, suggestion};
 use super::number;
 use super::statements::Setting;
 use super::text;
@@ -9,6 +9,9 @@ use crate::chain::{Convention, LengthUnit, Scalar, Task};
 use crate::diagnostic::{Error, Errors, Place};
 
 const NAMES: [&str; 9] = ["convention", "unit", "scalar", "base", "tool", "task", "redundant", "ik", "prove"];
+
+/// More settings than this would only cost time.
+const MOST: usize = 32;
 
 /// All settings that need no names.
 #[derive(Clone, Debug)]
@@ -35,7 +38,10 @@ pub(super) fn read(list: &[Setting], errors: &mut Errors) -> Settings {
         ik: true,
         has_convention: false,
     };
-    for (i, setting) in list.iter().enumerate() {
+    if let Some(setting) = list.get(MOST) {
+        errors.push(Error::new(Place::at(setting.name.span()), "there are not so many settings"));
+    }
+    for (i, setting) in list.iter().take(MOST).enumerate() {
         let name = setting.name.to_string();
         let at = Place::at(setting.name.span());
         if let Some(first) = list.iter().take(i).find(|f| f.name == setting.name) {
@@ -76,7 +82,7 @@ pub(super) fn read(list: &[Setting], errors: &mut Errors) -> Settings {
             "ik" => s.ik = errors.take(choice.of(&[("none", false)])).unwrap_or(true),
             "base" | "tool" => {}
             _ => {
-                let error = Error::new(at, format!("unknown setting `{name}`"));
+                let error = Error::new(at, format!("unknown setting `{}`", shown(&name)));
                 errors.push(match suggestion(&name, NAMES) {
                     Some("prove") => error.help("claims are written `prove { ... }`"),
                     Some(near) => error.help(format!("did you mean `{near}`?")),
