@@ -159,6 +159,9 @@ pub fn same_solution<const N: usize>(
     for i in 0..N {
         middle[i] += 0.5 * step[i];
     }
+    if task.error(&arm.forward(&middle), reach).iter().all(|e| e.abs() <= REACHED) {
+        return true;
+    }
     // The way between them may be bent: a few steps lead back to it. From between two solutions they lead to one of them, or nowhere.
     if !polish(arm, &mut middle, task, reach, 4).reaches(REACHED) {
         return false;

@@ -65,6 +65,12 @@ impl Choice {
         self.middle()[0] == 0
     }
 
+    /// Is the choice possible if these joints slide? The hidden one, the one that doubles and the one that drops out must turn.
+    pub(super) fn allows(self, slides: &[bool; 6]) -> bool {
+        let (joints, [hidden, double, _]) = (self.joints(), self.middle());
+        ![joints[2 + hidden], joints[2 + double], joints[5]].iter().any(|j| slides[*j])
+    }
+
     /// The joint (counted from 0) whose angle is found first.
     pub const fn hidden_joint(self) -> usize {
         self.joints()[2 + self.middle()[0]]
@@ -107,8 +113,9 @@ pub fn rank<const K: usize>(samples: &[(Chain<6>, [f64; 6])]) -> List<Ranked, K>
     for (number, ranked) in all.iter_mut().enumerate() {
         ranked.choice = Choice::new(number as u8);
         for (arm, q) in samples.iter().take(FIRST_SAMPLES) {
-            let arm = General6R::new(&arm.links, [ranked.choice; 3]);
-            ranked.condition = ranked.condition.min(exponent(condition(arm.scaled_arm(), q, ranked.choice)));
+            let arm = General6R::with_slides(&arm.links, &arm.slides, [ranked.choice; 3]);
+            ranked.condition =
+                ranked.condition.min(exponent(condition(arm.scaled_arm(), &arm.scaled(q), ranked.choice)));
         }
     }
     all.sort_unstable_by_key(|r| (-r.condition, r.choice.number()));
@@ -119,12 +126,13 @@ pub fn rank<const K: usize>(samples: &[(Chain<6>, [f64; 6])]) -> List<Ranked, K>
             continue;
         }
         for (arm, q) in samples {
-            let arm = General6R::new(&arm.links, [ranked.choice; 3]);
+            let arm = General6R::with_slides(&arm.links, &arm.slides, [ranked.choice; 3]);
             let mut solutions = List::new();
-            let attempt = arm.attempt(&arm.scaled_arm().forward(q), ranked.choice, &mut solutions);
+            let q = arm.scaled(q);
+            let attempt = arm.attempt(&arm.scaled_arm().forward(&q), ranked.choice, &mut solutions);
             let hit = solutions
                 .iter()
-                .any(|p: &[f64; 6]| p.iter().zip(q).all(|(a, b)| sin_cos(0.5 * (a - b)).0.abs() < 1e-5));
+                .any(|p: &[f64; 6]| p.iter().zip(&q).all(|(a, b)| sin_cos(0.5 * (a - b)).0.abs() < 1e-5));
             ranked.misses += usize::from(!hit);
             ranked.unclean += usize::from(!attempt.clean);
             ranked.work += attempt.work;
@@ -155,6 +163,9 @@ fn exponent(x: f64) -> i32 {
 
 /// How well a choice works at a pose: the least relevant pivot over the largest, at the solution and elsewhere.
 fn condition(arm: &Chain<6>, q: &[f64; 6], choice: Choice) -> f64 {
+    if !choice.allows(&arm.slides) {
+        return 0.0;
+    }
     let closure = Closure::new(arm, &arm.forward(q), choice);
     let dialytic = Dialytic::new(&closure, choice);
     let angle = |t: f64| {
@@ -167,5 +178,7 @@ fn condition(arm: &Chain<6>, q: &[f64; 6], choice: Choice) -> f64 {
     for k in 0..2 {
         worst = worst.min(dialytic.pivots(angle(at + 0.8 + 2.5 * f64::from(k)))[11]);
     }
-    worst.min(closure.condition())
+    // Two slides make some of the linear monomials vanish, but not those that are read off.
+    let [first, second, ..] = choice.joints();
+    if arm.slides[first] && arm.slides[second] { worst } else { worst.min(closure.condition()) }
 }

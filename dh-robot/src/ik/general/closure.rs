@@ -1,20 +1,20 @@
-//! The closed loop of six joints as fourteen equations in five angles, and the linear elimination of two of them.
+//! The closed loop of six joints as fourteen equations in five joint values, and the linear elimination of two of them.
 
 use super::super::math::sqrt;
 use super::super::pose::{Chain, Pose, compose, inverse};
 use super::choice::Choice;
 use super::conformal::{Axis, EXPRESSIONS};
 
-/// Monomials of the three middle angles: `(1, cos, sin)` of each; the last angle runs fastest.
+/// Monomials of the three middle joints: `(1, cos, sin)` or `(1, d, d^2)` of each; the last joint runs fastest.
 pub(super) const MONOMIALS: usize = 27;
-/// Monomials of the two linear angles, without the constant.
+/// Monomials of the two linear joints, without the constant.
 const LINEAR: usize = 8;
-/// Equations without the two linear angles.
+/// Equations without the two linear joints.
 pub(super) const EQUATIONS: usize = EXPRESSIONS - LINEAR;
 
-/// The equations `X3 X4 X5 z = (X6 X1 X2)^-1 z` of the loop `X1 X2 X3 X4 X5 X6 = 1`, `X = Rz(angle) D`, triangularised.
+/// The equations `X3 X4 X5 z = (X6 X1 X2)^-1 z` of the loop `X1 X2 X3 X4 X5 X6 = 1`, `X = Rz(angle) D` or `Tz(d) D`, triangularised.
 ///
-/// `z` is the last joint's axis, so its angle does not occur. On the left, an expression is a combination of 27 monomials in the
+/// `z` is the last joint's axis; that joint turns, so its angle does not occur. On the left, an expression is a combination of 27 monomials in the
 /// middle angles; on the right, of 9 in the first two. Householder reflections make the 8 nonconstant columns of the
 /// right side triangular: the 6 rows below are free of the first two angles, the 8 rows above give these back.
 pub(super) struct Closure {
@@ -23,24 +23,27 @@ pub(super) struct Closure {
     /// The eight others, and their triangle.
     upper: [[f64; LINEAR]; MONOMIALS],
     triangle: [[f64; LINEAR]; LINEAR],
+    /// Which joints slide, in the order of their parts.
+    pub(super) slides: [bool; 6],
 }
 
 impl Closure {
     /// `arm` and `target` with lengths of order one.
     pub(super) fn new(arm: &Chain<6>, target: &Pose, choice: Choice) -> Self {
         let links = loop_links(arm, target, choice);
+        let slides = choice.joints().map(|joint| arm.slides[joint]);
         // Columns: 27 monomials of the left side, then 8 of the right side; the right side's constant goes to the left.
         let mut columns = [[0.0; EXPRESSIONS]; MONOMIALS + LINEAR];
-        for (k, x) in Axis::Z.moved(&links[4]).turned().iter().enumerate() {
-            for (j, x) in x.moved(&links[3]).turned().iter().enumerate() {
-                for (i, x) in x.moved(&links[2]).turned().iter().enumerate() {
+        for (k, x) in Axis::Z.moved(&links[4]).joined(slides[4]).iter().enumerate() {
+            for (j, x) in x.moved(&links[3]).joined(slides[3]).iter().enumerate() {
+                for (i, x) in x.moved(&links[2]).joined(slides[2]).iter().enumerate() {
                     columns[9 * i + 3 * j + k] = x.expressions();
                 }
             }
         }
         let [drop, first, second] = [5, 0, 1].map(|i| inverse(&links[i]));
-        for (i, x) in backwards(&Axis::Z.moved(&drop)).iter().enumerate() {
-            for (j, x) in backwards(&x.moved(&first)).iter().enumerate() {
+        for (i, x) in Axis::Z.moved(&drop).joined_backwards(slides[0]).iter().enumerate() {
+            for (j, x) in x.moved(&first).joined_backwards(slides[1]).iter().enumerate() {
                 let x = x.moved(&second).expressions();
                 match 3 * i + j {
                     0 => {
@@ -52,10 +55,10 @@ impl Closure {
                 }
             }
         }
-        Self::triangularised(columns)
+        Self::triangularised(columns, slides)
     }
 
-    fn triangularised(mut columns: [[f64; EXPRESSIONS]; MONOMIALS + LINEAR]) -> Self {
+    fn triangularised(mut columns: [[f64; EXPRESSIONS]; MONOMIALS + LINEAR], slides: [bool; 6]) -> Self {
         for k in 0..LINEAR {
             // Householder reflection 1 - v v^T / h that clears column k below the diagonal.
             let mut v = [0.0; EXPRESSIONS];
@@ -89,6 +92,7 @@ impl Closure {
             equations: [[0.0; MONOMIALS]; EQUATIONS],
             upper: [[0.0; LINEAR]; MONOMIALS],
             triangle: [[0.0; LINEAR]; LINEAR],
+            slides,
         };
         for (r, equation) in out.equations.iter_mut().enumerate() {
             let mut norm = 0.0;
@@ -122,9 +126,9 @@ impl Closure {
         if most > 0.0 { least / most } else { 0.0 }
     }
 
-    /// The first two angles for given middle ones, all as `[cos, sin]`. Meaningless where the triangle is singular.
-    pub(super) fn linear_angles(&self, middle: &[[f64; 2]; 3]) -> [[f64; 2]; 2] {
-        let basis = middle.map(|[c, s]| [1.0, c, s]);
+    /// The values of the first two joints for given middle ones, as `[cos, sin]` or `[d, _]`. Meaningless where the triangle is singular.
+    pub(super) fn linear_values(&self, middle: &[[f64; 2]; 3]) -> [[f64; 2]; 2] {
+        let basis = [0, 1, 2].map(|i| monomials(middle[i], self.slides[2 + i]));
         let mut right = [0.0; LINEAR];
         for i in 0..3 {
             for j in 0..3 {
@@ -145,7 +149,8 @@ impl Closure {
                 right[e] -= right[k] * self.triangle[k][e];
             }
         }
-        [unit([right[2], right[5]]), unit([right[0], right[1]])]
+        let value = |v: [f64; 2], slides: bool| if slides { v } else { unit(v) };
+        [value([right[2], right[5]], self.slides[0]), value([right[0], right[1]], self.slides[1])]
     }
 }
 
@@ -155,10 +160,9 @@ pub(super) fn unit([x, y]: [f64; 2]) -> [f64; 2] {
     if norm > 0.0 && norm < f64::INFINITY { [x / norm, y / norm] } else { [1.0, 0.0] }
 }
 
-/// [`Axis::turned`] by the negative angle.
-fn backwards(axis: &Axis) -> [Axis; 3] {
-    let [one, cos, sin] = axis.turned();
-    [one, cos, sin.negated()]
+/// The monomials of a joint's value: `(1, cos, sin)` of an angle, `(1, d, d^2)` of a slide, whose value is `[d, _]`.
+pub(super) fn monomials([x, y]: [f64; 2], slides: bool) -> [f64; 3] {
+    if slides { [1.0, x, x * x] } else { [1.0, x, y] }
 }
 
 /// The link transforms `D` of the loop in the order of the choice; the pose is part of the one after joint 6.

@@ -7,8 +7,8 @@
 //! ```
 //!
 //! (three vectors and a half, so to speak) and the constant 1 are mapped among themselves, linearly, by every rigid transform: they
-//! are a representation of the group. A turn about z acts on them linearly in its cosine and sine, so a product of joints and links
-//! is linear in the cosine and sine of every joint. This is why the fourteen equations have so few monomials.
+//! are a representation of the group. A turn about z acts on them linearly in its cosine and sine, a slide along z
+//! quadratically, so a product of joints and links has three monomials per joint. This is why the fourteen equations have so few.
 
 use super::super::pose::{Pose, cross, dot};
 
@@ -58,6 +58,36 @@ impl Axis {
         out
     }
 
+    /// The axis after a slide along z, as coefficients of 1, the way and its square.
+    #[inline]
+    pub(super) fn slid(&self) -> [Self; 3] {
+        let [l, m, _, p] = self.vectors;
+        let [_, pl] = self.scalars;
+        let along = |v: [f64; 3]| [-v[1], v[0], 0.0];
+        let (zl, zm) = (along(l), along(m));
+        let way = Self {
+            vectors: [[0.0; 3], zl, [-2.0 * zm[0], -2.0 * zm[1], -2.0 * pl], [0.0, 0.0, self.one]],
+            scalars: [2.0 * p[2], l[2]],
+            one: 0.0,
+        };
+        let square =
+            Self { vectors: [[0.0; 3], [0.0; 3], [l[0], l[1], -l[2]], [0.0; 3]], scalars: [self.one, 0.0], one: 0.0 };
+        [*self, way, square]
+    }
+
+    /// What a joint makes of the axis: [`Axis::slid`] or [`Axis::turned`].
+    #[inline]
+    pub(super) fn joined(&self, slides: bool) -> [Self; 3] {
+        if slides { self.slid() } else { self.turned() }
+    }
+
+    /// The same for the joint's inverse, still as coefficients for the joint's own value.
+    #[inline]
+    pub(super) fn joined_backwards(&self, slides: bool) -> [Self; 3] {
+        let [a, b, c] = self.joined(slides);
+        if slides { [a, b.negated(), c] } else { [a, b, c.negated()] }
+    }
+
     /// All expressions with the opposite sign.
     #[inline]
     pub(super) fn negated(&self) -> Self {
@@ -81,7 +111,7 @@ impl Axis {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ik::pose::{IDENTITY, compose, turn};
+    use crate::ik::pose::{IDENTITY, compose, slide, turn};
     use crate::ik::testing::{Rng, random_pose};
 
     /// The fourteen expressions from their definition.
@@ -111,6 +141,17 @@ mod tests {
         let expected = expressions_of(&compose(&turn(&IDENTITY, [t.cos(), t.sin()]), &a));
         for i in 0..14 {
             assert!((parts[0][i] + parts[1][i] * t.cos() + parts[2][i] * t.sin() - expected[i]).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn sliding_is_quadratic_in_the_way() {
+        let mut rng = Rng::new(62);
+        let (a, d) = (random_pose(&mut rng), 0.7f64);
+        let parts = Axis::Z.moved(&a).slid().map(|x| x.expressions());
+        let expected = expressions_of(&compose(&slide(&IDENTITY, d), &a));
+        for i in 0..14 {
+            assert!((parts[0][i] + parts[1][i] * d + parts[2][i] * d * d - expected[i]).abs() < 1e-14);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Six equations in three angles as a 12 x 12 matrix in one of them (Raghavan and Roth's dialytic elimination).
+//! Six equations in three joints as a 12 x 12 matrix in one of them (Raghavan and Roth's dialytic elimination).
 //!
 //! Each equation is bilinear in `(1, cos x, sin x)` and `(1, cos y, sin y)`, with coefficients linear in the cosine and sine of the hidden
 //! angle. Times `cos(x/2)` and `sin(x/2)` it becomes two linear equations in the twelve unknowns
@@ -7,12 +7,12 @@
 //! (cos 3x/2, sin 3x/2, cos x/2, sin x/2) x (1, cos y, sin y),
 //! ```
 //!
-//! which have a solution other than zero only where the determinant vanishes.
+//! which have a solution other than zero only where the determinant vanishes. If the joint of `y` slides, `(1, y, y^2)` does as well.
 
 use super::super::math::{sin_cos, sqrt};
 use super::super::{Blank, List};
 use super::choice::Choice;
-use super::closure::{Closure, EQUATIONS, unit};
+use super::closure::{Closure, EQUATIONS, monomials, unit};
 
 /// Rows and columns of the matrix.
 const SIZE: usize = 2 * EQUATIONS;
@@ -22,6 +22,8 @@ type Matrix = [[f64; SIZE]; SIZE];
 /// The matrix as a function of the hidden angle: `constant + cos C + sin S`, both factors of `C` and `S` in one array.
 pub(super) struct Dialytic {
     parts: [Matrix; 3],
+    /// Does the single joint slide?
+    slides: bool,
 }
 
 /// What is known at a root of the determinant.
@@ -29,7 +31,7 @@ pub(super) struct Dialytic {
 pub(super) struct Refined {
     /// The hidden angle.
     pub(super) hidden: [f64; 2],
-    /// The angle that doubles and the single one.
+    /// The angle that doubles and the value of the single joint.
     pub(super) others: [[f64; 2]; 2],
     /// The size of the last step, in radians: small where the root is a simple one.
     pub(super) step: f64,
@@ -75,7 +77,7 @@ impl Dialytic {
                 }
             }
         }
-        Self { parts }
+        Self { parts, slides: closure.slides[2 + choice.middle()[2]] }
     }
 
     /// The matrix at a hidden angle `[cos, sin]`.
@@ -138,7 +140,7 @@ impl Dialytic {
                 break;
             }
         }
-        let (others, misfit) = angles(&x);
+        let (others, misfit) = values(&x, self.slides);
         Refined { hidden: at, others, step, misfit }
     }
 
@@ -193,7 +195,7 @@ impl Dialytic {
                 for (v, b) in v.iter_mut().zip(&b) {
                     *v = *v * x + b * y;
                 }
-                let (others, misfit) = angles(&normalised(&v));
+                let (others, misfit) = values(&normalised(&v), self.slides);
                 pair.push(Refined { hidden: at, others, step: 0.0, misfit });
             }
         }
@@ -233,26 +235,33 @@ impl Dialytic {
     }
 }
 
-/// The angles `x` and `y` of a null vector `(cos 3x/2, sin 3x/2, cos x/2, sin x/2) x (1, cos y, sin y)`, in the sense of least squares,
-/// and how far (relative) the vector is from that form.
-fn angles(v: &[f64; SIZE]) -> ([[f64; 2]; 2], f64) {
+/// The angle `x` and the value `y` of a null vector (of length one) `(cos 3x/2, sin 3x/2, cos x/2, sin x/2) x (1, cos y, sin y)`, in the
+/// sense of least squares, and the squared distance of the vector from that form. `(1, y, y^2)` for a joint that slides.
+fn values(v: &[f64; SIZE], slides: bool) -> ([[f64; 2]; 2], f64) {
     let (mut one, mut cos, mut sin) = (0.0, 0.0, 0.0);
     for i in 0..4 {
         one += v[3 * i] * v[3 * i];
         cos += v[3 * i] * v[3 * i + 1];
         sin += v[3 * i] * v[3 * i + 2];
     }
-    let y = if one > 0.0 { unit([cos, sin]) } else { [1.0, 0.0] };
-    let [a, b, c, d] = [0, 3, 6, 9].map(|i| v[i] + y[0] * v[i + 1] + y[1] * v[i + 2]);
+    let y = match (slides, one > 0.0) {
+        (_, false) => [1.0, 0.0],
+        (true, _) => [cos / one, 0.0],
+        (false, _) => unit([cos, sin]),
+    };
+    let g = monomials(y, slides);
+    let length = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    let g = g.map(|g| g / length);
+    let [a, b, c, d] = [0, 3, 6, 9].map(|i| v[i] * g[0] + v[i + 1] * g[1] + v[i + 2] * g[2]);
     // x = 3x/2 - x/2
     let x = unit([a * c + b * d, b * c - a * d]);
-    // From (cos x/2, sin x/2) = (p, r) follows (cos 3x/2, sin 3x/2); the vector's length is one, and that of the form is two.
+    // From (cos x/2, sin x/2) = (p, r), up to a factor, follows (cos 3x/2, sin 3x/2).
     let (p, r) = (0.5 * (c + x[0] * a + x[1] * b), 0.5 * (d - x[1] * a + x[0] * b));
     let form = [x[0] * p - x[1] * r, x[1] * p + x[0] * r, p, r];
     let mut misfit = 0.0;
     for i in 0..4 {
-        for (k, g) in [1.0, y[0], y[1]].iter().enumerate() {
-            let miss = v[3 * i + k] - 0.5 * form[i] * g;
+        for k in 0..3 {
+            let miss = v[3 * i + k] - form[i] * g[k];
             misfit += miss * miss;
         }
     }

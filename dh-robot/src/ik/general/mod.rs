@@ -1,4 +1,4 @@
-//! The general six-revolute arm: all of its up to sixteen solutions, whatever its constants.
+//! The general six-axis arm, all joints turning or one of them sliding: all of its up to sixteen solutions, whatever its constants.
 //!
 //! ```text
 //! conformal   what a rigid transform does to an axis: fourteen numbers, linear in the sine and cosine of every joint

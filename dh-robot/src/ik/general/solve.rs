@@ -1,7 +1,7 @@
 //! From the determinant of a loop to the joint vectors of the arm.
 
 use super::super::math::{atan2, sin_cos, wrapped};
-use super::super::pose::{Chain, IDENTITY, Pose, compose, inverse, turn};
+use super::super::pose::{Chain, IDENTITY, Pose, compose, inverse, slide, turn};
 use super::super::tolerance::REACHED;
 use super::super::{
     Found, Kinematics, List, Outcome, Task, polish, same_solution, solve_from_everywhere, solve_nearby,
@@ -24,7 +24,7 @@ const SINGULAR: f64 = 1e-11;
 /// Relative rounding error of a determinant above which its roots mean nothing.
 const ALL_NOISE: f64 = 1e-4;
 
-/// A six-revolute arm without usable structure.
+/// A six-joint arm without usable structure.
 #[derive(Clone, Copy, Debug)]
 pub struct General6R {
     /// With lengths over the reach.
@@ -36,7 +36,7 @@ pub struct General6R {
 /// All solutions of a pose.
 #[derive(Clone, Copy, Debug)]
 pub struct Solved {
-    /// Joint vectors, in (-pi, pi].
+    /// Joint vectors, angles in (-pi, pi].
     pub solutions: List<[f64; 6], 16>,
     /// Did the last elimination account for each of its roots? If not, the pose is singular or nearly so: a fold, or a continuum.
     pub clean: bool,
@@ -54,7 +54,13 @@ impl General6R {
     /// The arm `Rz(q1) C1 ... Rz(q6) C6` with the constant transforms `links`. `choices` are the best of
     /// [`rank`](super::rank); the second and third one are only used where the first one meets a degenerate root.
     pub fn new(links: &[Pose; 6], choices: [Choice; 3]) -> Self {
-        let mut arm = Chain { links: *links, slides: [false; 6] };
+        Self::with_slides(links, &[false; 6], choices)
+    }
+
+    /// The same with `Tz(q)` instead of `Rz(q)` where `slides`: one joint, or two neighbours in the closed loop (1 and 6 are neighbours
+    /// too). Other arms have no usable choice.
+    pub fn with_slides(links: &[Pose; 6], slides: &[bool; 6], choices: [Choice; 3]) -> Self {
+        let mut arm = Chain { links: *links, slides: *slides };
         let reach = arm.reach();
         for link in &mut arm.links {
             *link = shrunk(link, reach);
@@ -67,6 +73,11 @@ impl General6R {
         &self.arm
     }
 
+    /// A joint vector with lengths over the reach.
+    pub(super) fn scaled(&self, q: &[f64; 6]) -> [f64; 6] {
+        core::array::from_fn(|j| if self.arm.slides[j] { q[j] / self.reach } else { q[j] })
+    }
+
     /// All real solutions for a target pose.
     pub fn solve(&self, target: &Pose) -> Solved {
         let target = shrunk(target, self.reach);
@@ -75,37 +86,46 @@ impl General6R {
             return solved;
         }
         for choice in self.choices {
-            if self.attempt(&target, choice, &mut solved.solutions).clean {
-                solved.clean = true;
-                return solved;
+            solved.clean = self.attempt(&target, choice, &mut solved.solutions).clean;
+            if solved.clean {
+                break;
             }
         }
+        if !solved.clean {
+            self.rescue(&target, &mut solved.solutions);
+        }
+        for q in solved.solutions.as_mut_slice() {
+            for (q, slides) in q.iter_mut().zip(self.arm.slides) {
+                *q = if slides { *q * self.reach } else { wrapped(*q) };
+            }
+        }
+        solved
+    }
+
+    /// What can be found at a singular pose (scaled).
+    fn rescue(&self, target: &Pose, solutions: &mut List<[f64; 6], 16>) {
         let [first, ..] = self.choices;
         let neighbour = |pose: &Pose| {
             let mut solutions = List::new();
             self.attempt(pose, first, &mut solutions);
             solutions
         };
-        solve_nearby(&self.arm, &target, 1.0, neighbour, &mut solved.solutions);
-        if solved.solutions.is_empty() {
-            let task = Task::Pose(target);
-            solve_from_everywhere(&self.arm, &self.arm.slides, &task, 1.0, STARTS, 1, &mut solved.solutions);
+        solve_nearby(&self.arm, target, 1.0, neighbour, solutions);
+        if solutions.is_empty() {
+            let task = Task::Pose(*target);
+            solve_from_everywhere(&self.arm, &self.arm.slides, &task, 1.0, STARTS, 1, solutions);
         }
-        for q in solved.solutions.as_mut_slice() {
-            *q = q.map(wrapped);
-        }
-        solved
     }
 
-    /// The same as cosines and sines, the way the other kernels answer; [`Outcome::Free`] where nothing was found at a pose that
+    /// The same as `[cos, sin]` (or `[d, d]` where a joint slides), the way the other kernels answer; [`Outcome::Free`] where nothing was found at a pose that
     /// is singular or nearly so, [`Outcome::NoRealRoot`] where there is nothing.
     pub fn find(&self, target: &Pose) -> Found<[[f64; 2]; 6], 16> {
         let solved = self.solve(target);
         let mut roots = List::new();
         for q in solved.solutions.as_slice() {
-            roots.push(q.map(|x| {
-                let (s, c) = sin_cos(x);
-                [c, s]
+            roots.push(core::array::from_fn(|j| {
+                let (s, c) = sin_cos(q[j]);
+                if self.arm.slides[j] { [q[j]; 2] } else { [c, s] }
             }));
         }
         let outcome = match (roots.as_slice().is_empty(), solved.clean) {
@@ -120,7 +140,7 @@ impl General6R {
     pub(super) fn attempt(&self, target: &Pose, choice: Choice, solutions: &mut List<[f64; 6], 16>) -> Attempt {
         let closure = Closure::new(&self.arm, target, choice);
         let dialytic = Dialytic::new(&closure, choice);
-        if choice.has_least_degree() {
+        if choice.has_least_degree() && self.arm.slides == [false; 6] {
             let determinant = Determinant::<8, 17, 20>::new(&dialytic);
             self.solutions_of(&determinant, &dialytic, &closure, target, choice, solutions)
         } else {
@@ -151,7 +171,7 @@ impl General6R {
                 work += 1 + done.steps;
                 let reached = done.reaches(REACHED);
                 if reached {
-                    found += usize::from(self.add(target, solutions, q.map(wrapped)));
+                    found += usize::from(self.add(target, solutions, self.wrapped(q)));
                 }
                 reached
             };
@@ -202,30 +222,38 @@ impl General6R {
         !solutions.iter().any(|p| same_solution(&self.arm, &task, 1.0, p, &q)) && solutions.push(q)
     }
 
-    /// All joint angles from the three middle ones.
+    /// The same joint vector with angles in (-pi, pi].
+    fn wrapped(&self, q: [f64; 6]) -> [f64; 6] {
+        core::array::from_fn(|j| if self.arm.slides[j] { q[j] } else { wrapped(q[j]) })
+    }
+
+    /// All joint values from the three middle ones.
     fn joints(&self, closure: &Closure, choice: Choice, target: &Pose, root: &Refined) -> [f64; 6] {
         let mut middle = [[1.0, 0.0]; 3];
         let [h, d, s] = choice.middle();
         (middle[h], middle[d], middle[s]) = (root.hidden, root.others[0], root.others[1]);
-        let linear = closure.linear_angles(&middle);
+        let linear = closure.linear_values(&middle);
         let joints = choice.joints();
-        let mut angles = [[1.0, 0.0]; 6];
-        for (part, &angle) in linear.iter().chain(&middle).enumerate() {
-            angles[joints[part]] = if choice.reversed() { [angle[0], -angle[1]] } else { angle };
+        let mut values = [[1.0, 0.0]; 6];
+        for (part, &[x, y]) in linear.iter().chain(&middle).enumerate() {
+            let j = joints[part];
+            values[j] = match (choice.reversed(), self.arm.slides[j]) {
+                (false, _) => [x, y],
+                (true, false) => [x, -y],
+                (true, true) => [-x, y],
+            };
         }
         // The joint that dropped out: what is missing from the product of the joints before and after it.
+        let moved = |pose: &Pose, j: usize| {
+            let joint = if self.arm.slides[j] { slide(pose, values[j][0]) } else { turn(pose, values[j]) };
+            compose(&joint, &self.arm.links[j])
+        };
         let drop = joints[5];
-        let mut before = IDENTITY;
-        for j in 0..drop {
-            before = compose(&turn(&before, angles[j]), &self.arm.links[j]);
-        }
-        let mut after = self.arm.links[drop];
-        for j in drop + 1..6 {
-            after = compose(&turn(&after, angles[j]), &self.arm.links[j]);
-        }
+        let before = (0..drop).fold(IDENTITY, |t, j| moved(&t, j));
+        let after = (drop + 1..6).fold(self.arm.links[drop], |t, j| moved(&t, j));
         let rest = compose(&compose(&inverse(&before), target), &inverse(&after));
-        angles[drop] = [rest[0][0] + rest[1][1], rest[1][0] - rest[0][1]];
-        angles.map(|[c, s]| atan2(s, c))
+        values[drop] = [rest[0][0] + rest[1][1], rest[1][0] - rest[0][1]];
+        core::array::from_fn(|j| if self.arm.slides[j] { values[j][0] } else { atan2(values[j][1], values[j][0]) })
     }
 }
 

@@ -45,7 +45,7 @@ fn solver(arm: &Chain<6>) -> General6R {
     let samples: [(Chain<6>, [f64; 6]); 4] = [(); 4].map(|()| (*arm, [(); 6].map(|()| rng.angle())));
     let best = rank::<3>(&samples);
     let at = |i: usize| best.get(i).or(best.first()).map_or(Choice::default(), |r| r.choice);
-    General6R::new(&arm.links, [at(0), at(1), at(2)])
+    General6R::with_slides(&arm.links, &arm.slides, [at(0), at(1), at(2)])
 }
 
 fn apart(p: &[f64; 6], q: &[f64; 6]) -> f64 {
@@ -57,7 +57,7 @@ fn assert_sound(arm: &Chain<6>, target: &Pose, solved: &Solved) {
     for (i, q) in solved.solutions.iter().enumerate() {
         let miss = polish(arm, &mut q.clone(), &Task::Pose(*target), arm.reach(), 0);
         assert!(miss.reaches(2.0 * REACHED), "{miss:?}");
-        assert!(q.iter().all(|x| x.abs() <= core::f64::consts::PI));
+        assert!((0..6).all(|j| arm.slides[j] || q[j].abs() <= core::f64::consts::PI));
         assert!(solved.solutions[..i].iter().all(|p| apart(p, q) > 1e-7));
     }
 }
@@ -91,6 +91,18 @@ fn an_arm_with_parallel_axes_and_an_offset_wrist() {
 #[test]
 fn an_arm_with_many_solutions() {
     generated_poses_come_back(&sixteen_solutions(), 73, 12);
+}
+
+#[test]
+fn joints_that_slide() {
+    // On a rail; with a telescope; with two slides in a row.
+    for slides in [[0, 0], [2, 2], [5, 5], [0, 1], [3, 2]] {
+        let mut arm = general_6r();
+        for j in slides {
+            arm.slides[j] = true;
+        }
+        generated_poses_come_back(&arm, 74, 4);
+    }
 }
 
 #[test]
