@@ -55,6 +55,16 @@ impl Attempt {
             Outcome::Regular | Outcome::Touching => {}
         }
     }
+
+    /// The same for a law of cosines `square - constant = a cos u + b sin u`, where `square` is a squared distance and `rest` the left side,
+    /// in units of the reach: reports distances.
+    #[cold]
+    pub fn note_distance(&mut self, outcome: Outcome, step: &'static str, square: f64, rest: f64, reach: f64, unit: &'static str) {
+        let Outcome::OutOfReach { available, .. } = outcome else { return self.note(outcome, step, 1.0, unit) };
+        let limit = (square - rest + if rest > 0.0 { available } else { -available }).max(0.0);
+        let (needs, has) = (crate::math::sqrt(square) * reach, crate::math::sqrt(limit) * reach);
+        self.why = self.why.or_nearer(Why::OutOfReach { step, needs, has, unit });
+    }
 }
 
 /// What a generated inverse knows of its arm.

@@ -52,7 +52,7 @@ struct Search<'a> {
 
 /// A way to take the next step, with its rank (lower is better).
 struct Option1 {
-    rank: (usize, usize),
+    rank: (usize, usize, usize),
     step: Step,
 }
 
@@ -206,7 +206,8 @@ impl Search<'_> {
             roots,
             before,
         };
-        let turns = form.iter().position(|k| *k != 0).is_some_and(|i| self.axes.turns(i));
+        let first_joint = form.iter().position(|k| *k != 0).unwrap_or(0);
+        let turns = self.axes.turns(first_joint);
         let size = |c: &Collected| self.size(c);
         let mut options = Vec::new();
         if !turns {
@@ -215,13 +216,18 @@ impl Search<'_> {
                 let lead = row.1.get(&vec![Part::Power(degree)]);
                 let firm = lead.is_some_and(|p| self.constants(p));
                 match degree {
-                    1 if firm => {
-                        options.push(Option1 { rank: (0, size(&row.1)), step: step(StepKind::Linear, 1, vec![row]) })
-                    }
-                    1 => options.push(Option1 { rank: (3, size(&row.1)), step: step(StepKind::Linear, 1, vec![row]) }),
-                    2 => {
-                        options.push(Option1 { rank: (5, size(&row.1)), step: step(StepKind::Quadratic, 2, vec![row]) })
-                    }
+                    1 if firm => options.push(Option1 {
+                        rank: (0, size(&row.1), first_joint),
+                        step: step(StepKind::Linear, 1, vec![row]),
+                    }),
+                    1 => options.push(Option1 {
+                        rank: (3, size(&row.1), first_joint),
+                        step: step(StepKind::Linear, 1, vec![row]),
+                    }),
+                    2 => options.push(Option1 {
+                        rank: (5, size(&row.1), first_joint),
+                        step: step(StepKind::Quadratic, 2, vec![row]),
+                    }),
                     _ => {}
                 }
             }
@@ -233,17 +239,24 @@ impl Search<'_> {
         let first: Vec<&(Equation, Collected)> = rows.iter().filter(|r| degree(&r.1) == 1).collect();
         if let Some(chosen) = self.independent(&first) {
             let total = chosen.iter().map(|r| size(&r.1)).sum();
-            options.push(Option1 { rank: (1, total), step: step(StepKind::AtanPair, 1, chosen) });
+            options.push(Option1 { rank: (1, total, first_joint), step: step(StepKind::AtanPair, 1, chosen) });
         }
         for row in &first {
             if row.1.contains_key(&vec![Part::One]) {
-                options.push(Option1 { rank: (4, size(&row.1)), step: step(StepKind::SinCos, 2, vec![row]) });
+                options
+                    .push(Option1 { rank: (4, size(&row.1), first_joint), step: step(StepKind::SinCos, 2, vec![row]) });
             } else {
-                options.push(Option1 { rank: (2, size(&row.1)), step: step(StepKind::HalfTurn, 2, vec![row]) });
+                options.push(Option1 {
+                    rank: (2, size(&row.1), first_joint),
+                    step: step(StepKind::HalfTurn, 2, vec![row]),
+                });
             }
         }
         for row in rows.iter().filter(|r| degree(&r.1) == 2) {
-            options.push(Option1 { rank: (6, size(&row.1)), step: step(StepKind::SecondHarmonic, 4, vec![row]) });
+            options.push(Option1 {
+                rank: (6, size(&row.1), first_joint),
+                step: step(StepKind::SecondHarmonic, 4, vec![row]),
+            });
         }
         options
     }
@@ -398,7 +411,7 @@ impl Search<'_> {
             (StepKind::Bilinear, self.bilinear_roots(&rows[i].1, &rows[j].1))
         };
         Some(Option1 {
-            rank: (7 + roots, total),
+            rank: (7 + roots, total, 0),
             step: Step {
                 kind,
                 unknown: pair.to_vec(),
@@ -443,7 +456,7 @@ impl Search<'_> {
         let unknown: Vec<Form> = open.iter().map(|k| self.unit(*k)).collect();
         let before = self.knowledge.known.len();
         let step = Step { kind: StepKind::General, unknown, equations: vec![], collected: vec![], roots: 16, before };
-        self.take(Some(Option1 { rank: (0, 0), step }))
+        self.take(Some(Option1 { rank: (0, 0, 0), step }))
     }
 
     /// An arm that is singular everywhere: one coordinate of those that move the tool in the same way is chosen.
@@ -459,7 +472,7 @@ impl Search<'_> {
             roots: 1,
             before,
         };
-        self.take(Some(Option1 { rank: (0, 0), step }))
+        self.take(Some(Option1 { rank: (0, 0, 0), step }))
     }
 }
 

@@ -144,6 +144,11 @@ impl Graph {
         self.bound.push((s, v));
     }
 
+    /// What a symbol stands for.
+    pub fn bound_to(&self, s: Symbol) -> Option<Value> {
+        self.bound.iter().find(|b| b.0 == s).map(|b| b.1)
+    }
+
     /// A symbol: what it is bound to, a constant where its value is known, else an input.
     pub fn symbol(&mut self, s: Symbol) -> Value {
         if let Some((_, v)) = self.bound.iter().find(|b| b.0 == s) {

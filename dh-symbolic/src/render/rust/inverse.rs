@@ -243,7 +243,6 @@ pub(super) fn inputs(inverse: &Inverse) -> Vec<(Symbol, String)> {
 fn candidates(chain: &Chain, inverse: &Inverse) -> String {
     let plan = &inverse.plan;
     let n = chain.dof();
-    let unit = chain.unit.name;
     let reach = literal(plan.axes.reach, Scalar::F64);
     let given = if chain.redundant.is_some() { "given: f64, " } else { "" };
     let outputs: Vec<Value> = inverse.solvers.iter().flat_map(|s| s.rows.concat()).collect();
@@ -285,12 +284,7 @@ fn candidates(chain: &Chain, inverse: &Inverse) -> String {
         out.push_str(&format!("// {}\n", names.join(", ")));
         let call = call(solver, &body, inverse.choices);
         out.push_str(&format!("let r{i} = {};\n", call.text));
-        let length = step.equations.iter().any(|e| !matches!(e.scalar, crate::planner::Scalar::Rotation(..)));
-        let (scale, what) = if length { (reach.clone(), unit) } else { ("1.0".into(), "") };
-        out.push_str(&format!(
-            "if r{i}.roots.is_empty() {{ attempt.note(r{i}.outcome, \"{}\", {scale}, \"{what}\"); }}\n",
-            names.join(", ")
-        ));
+        out.push_str(&format!("if r{i}.roots.is_empty() {{ {} }}\n", note(chain, inverse, i, &body)));
         let bits: Vec<String> =
             step.unknown.iter().flat_map(|f| joints_of(f, plan.axes.real)).map(|j| j.to_string()).collect();
         out.push_str(&format!(
@@ -329,6 +323,48 @@ fn candidates(chain: &Chain, inverse: &Inverse) -> String {
     out
 }
 
+/// How a step without roots is reported.
+fn note(chain: &Chain, inverse: &Inverse, i: usize, body: &Body<'_>) -> String {
+    let (plan, solver) = (&inverse.plan, &inverse.solvers[i]);
+    let step = &plan.steps[i];
+    let names: Vec<String> = step.unknown.iter().map(|f| plan.knowledge.form_name(&plan.axes, f)).collect();
+    let reach = literal(plan.axes.reach, Scalar::F64);
+    let part = part_of(inverse, i).map_or("", |p| ["shoulder ", "elbow ", "wrist "][p]);
+    let name = format!("{part}{}", names.join(", "));
+    if let (StepKind::SinCos, [crate::planner::Equation { scalar: crate::planner::Scalar::Distance, .. }]) =
+        (step.kind, step.equations.as_slice())
+    {
+        let one = step.collected[0].get(&vec![crate::planner::Part::One]);
+        let squared = plan.knowledge.poses.iter().find(|k| one.is_some_and(|p| p.has_symbol(k.square)));
+        if let Some(square) = squared.and_then(|k| inverse.graph.bound_to(k.square)) {
+            let rest = body.negative(solver.rows[0][2]);
+            return format!(
+                "attempt.note_distance(r{i}.outcome, \"{name}\", {}, {rest}, {reach}, \"{}\");",
+                body.value(square),
+                chain.unit.name
+            );
+        }
+    }
+    let length = step.equations.iter().any(|e| !matches!(e.scalar, crate::planner::Scalar::Rotation(..)));
+    let (scale, what) = if length { (reach, chain.unit.name) } else { ("1.0".into(), "") };
+    format!("attempt.note(r{i}.outcome, \"{name}\", {scale}, \"{what}\");")
+}
+
+/// Which part of an arm with six joints a step with two roots decides: 0 shoulder, 1 elbow, 2 wrist; each part once.
+fn part_of(inverse: &Inverse, i: usize) -> Option<usize> {
+    let part = |i: usize| {
+        let step = &inverse.plan.steps[i];
+        let joint = joints_of(step.unknown.first()?, inverse.plan.axes.real).first().copied()?;
+        (step.roots == 2).then_some(match joint {
+            0 => 0,
+            1 | 2 => 1,
+            _ => 2,
+        })
+    };
+    let own = part(i)?;
+    (!(0..i).any(|k| part(k) == Some(own))).then_some(own)
+}
+
 /// A symbol's name as an identifier of generated code.
 pub(super) fn identifier(name: &str) -> String {
     name.replace(|c: char| !c.is_ascii_alphanumeric() && c != '_', "_")
@@ -359,34 +395,21 @@ pub(super) fn combination(form: &[i8], angles: &[String]) -> String {
 /// Which root each step took, with the names that robot controllers use.
 pub(super) fn branch(inverse: &Inverse) -> String {
     let mut out = String::from("::dh_robot::Branch::ANY");
-    let mut named = [false; 3];
     let mut place = 0;
-    for (i, step) in inverse.plan.steps.iter().enumerate() {
-        if step.roots < 2 {
-            continue;
-        }
+    for (i, _) in inverse.plan.steps.iter().enumerate().filter(|(_, s)| s.roots > 1) {
         if place < 8 {
             out.push_str(&format!(".with_step({place}, i{i})"));
         }
         place += 1;
-        let Some(joint) = joints_of(&step.unknown[0], inverse.plan.axes.real).first().copied() else { continue };
-        let part = match joint {
-            0 => 0,
-            1 | 2 => 1,
-            _ => 2,
+        let (setter, first, second) = match part_of(inverse, i) {
+            Some(0) => ("shoulder", "Shoulder::Left", "Shoulder::Right"),
+            Some(1) => ("elbow", "Elbow::Up", "Elbow::Down"),
+            Some(_) => ("wrist", "Wrist::NoFlip", "Wrist::Flip"),
+            None => continue,
         };
-        if step.roots != 2 || std::mem::replace(&mut named[part], true) {
-            continue;
-        }
-        out.push_str(&match part {
-            0 => format!(
-                ".with_shoulder(if i{i} == 0 {{ ::dh_robot::Shoulder::Left }} else {{ ::dh_robot::Shoulder::Right }})"
-            ),
-            1 => format!(".with_elbow(if i{i} == 0 {{ ::dh_robot::Elbow::Up }} else {{ ::dh_robot::Elbow::Down }})"),
-            _ => {
-                format!(".with_wrist(if i{i} == 0 {{ ::dh_robot::Wrist::NoFlip }} else {{ ::dh_robot::Wrist::Flip }})")
-            }
-        });
+        out.push_str(&format!(
+            ".with_{setter}(if i{i} == 0 {{ ::dh_robot::{first} }} else {{ ::dh_robot::{second} }})"
+        ));
     }
     out
 }
