@@ -2,14 +2,26 @@
 
 /// Adept Cobra 600: the second twist of half a turn points the quill down.
 ///
-/// Denavit-Hartenberg parameters, standard (theta, d, a, alpha of one link); lengths in m:
+/// Denavit-Hartenberg table, standard convention (theta, d, a and alpha of one link); bare lengths in m:
 ///
 /// | joint | theta | d | a | alpha | range |
 /// |---|---|---|---|---|---|
-/// | q1 | q1 | d1 | a1 | 0 | -50.0 to 50.0 deg |
-/// | q2 | q2 | 0 | a2 | 180 deg | -88.0 to 88.0 deg |
-/// | q3 | 0 | q3 | 0 | 0 | 0.0 to 0.21 |
-/// | q4 | q4 | 0 | 0 | 0 | -360.0 to 360.0 deg |
+/// | 1 | q1 | 387mm | 325mm | 0 | -50deg..=50deg |
+/// | 2 | q2 | 0 | 275mm | 180deg | -88deg..=88deg |
+/// | 3 | 0 | q3 | 0 | 0 | 0mm..=210mm |
+/// | 4 | q4 | 0 | 0 | 0 | -1turn..=1turn |
+///
+/// Pose of the last frame in the base, rotation and translation:
+///
+/// ```text
+/// ⎡ c₁₂₋₄   s₁₂₋₄   0  a₁c₁ + a₂c₁₂ ⎤
+/// ⎢ s₁₂₋₄  −c₁₂₋₄   0  a₁s₁ + a₂s₁₂ ⎥
+/// ⎣ 0       0      −1  d₁ − q₃      ⎦
+///
+/// where c₁ = cos q₁, s₁ = sin q₁, c₁₂ = cos(q₁ + q₂), s₁₂ = sin(q₁ + q₂),
+///      c₁₂₋₄ = cos(q₁ + q₂ − q₄), s₁₂₋₄ = sin(q₁ + q₂ − q₄), a₁ = 0.325, d₁ = 0.387,
+///      a₂ = 0.275
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cobra600;
 impl ::core::default::Default for Cobra600 {

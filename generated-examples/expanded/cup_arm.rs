@@ -2,16 +2,40 @@
 
 /// The arm that grasps a cup, in millimetres, on its stand and with its gripper.
 ///
-/// Denavit-Hartenberg parameters, modified, after Craig (alpha and a of the link before); lengths in mm:
+/// Denavit-Hartenberg table, modified convention (Craig: alpha and a of the link before); bare lengths in mm:
 ///
-/// | joint | alpha | a | d | theta | range |
-/// |---|---|---|---|---|---|
-/// | q1 | 0 | 0 | 0 | q1 | any |
-/// | q2 | -90 deg | -a1 | 0 | q2 | any |
-/// | q3 | 0 | a2 | 0 | q3 | any |
-/// | q4 | -90 deg | -a3 | d4 | q4 | any |
-/// | q5 | 90 deg | 0 | 0 | q5 | any |
-/// | q6 | -90 deg | 0 | 0 | q6 | any |
+/// | joint | alpha | a | d | theta |
+/// |---|---|---|---|---|
+/// | 1 | 0 | 0 | 0 | q1 |
+/// | 2 | -90deg | -30 | 0 | q2 |
+/// | 3 | 0 | 340 | 0 | q3 |
+/// | 4 | -90deg | -40 | 338 | q4 |
+/// | 5 | 90deg | 0 | 0 | q5 |
+/// | 6 | -90deg | 0 | 0 | q6 |
+///
+/// `base = tz(373mm);`
+///
+/// `tool = tz(206mm);`
+///
+/// Pose of the tool in the base, rotation and translation:
+///
+/// ```text
+/// r₁₁ = c₁[c₂₃(c₄c₅c₆ − s₄s₆) − s₂₃s₅c₆] + s₁(s₄c₅c₆ + c₄s₆)
+/// r₂₁ = s₁[c₂₃(c₄c₅c₆ − s₄s₆) − s₂₃s₅c₆] − c₁(s₄c₅c₆ + c₄s₆)
+/// r₃₁ = −s₂₃(c₄c₅c₆ − s₄s₆) − c₂₃s₅c₆
+/// r₁₂ = −c₁[c₂₃(c₄c₅s₆ + s₄c₆) − s₂₃s₅s₆] − s₁(s₄c₅s₆ − c₄c₆)
+/// r₂₂ = −s₁[c₂₃(c₄c₅s₆ + s₄c₆) − s₂₃s₅s₆] + c₁(s₄c₅s₆ − c₄c₆)
+/// r₃₂ = s₂₃(c₄c₅s₆ + s₄c₆) + c₂₃s₅s₆
+/// r₁₃ = −c₁(c₂₃c₄s₅ + s₂₃c₅) − s₁s₄s₅
+/// r₂₃ = −s₁(c₂₃c₄s₅ + s₂₃c₅) + c₁s₄s₅
+/// r₃₃ = s₂₃c₄s₅ − c₂₃c₅
+/// px  = −c₁[a₁ − a₂c₂ + c₂₃(a₃ + tz·c₄s₅) + s₂₃(d₄ + tz·c₅)] − tz·s₁s₄s₅
+/// py  = −s₁[a₁ − a₂c₂ + c₂₃(a₃ + tz·c₄s₅) + s₂₃(d₄ + tz·c₅)] + tz·c₁s₄s₅
+/// pz  = bz − a₂s₂ + s₂₃(a₃ + tz·c₄s₅) − c₂₃(d₄ + tz·c₅)
+///
+/// where cᵢ = cos qᵢ, sᵢ = sin qᵢ, i = 1, 2, 4, 5, 6; c₂₃ = cos(q₂ + q₃), s₂₃ = sin(q₂ + q₃),
+///      a₁ = 30, a₂ = 340, a₃ = 40, d₄ = 338, bz = 373, tz = 206
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CupArm;
 impl ::core::default::Default for CupArm {

@@ -2,16 +2,27 @@
 
 /// Three slides at right angles, and a spherical wrist.
 ///
-/// Denavit-Hartenberg parameters, modified, after Craig (alpha and a of the link before); lengths in m:
+/// Denavit-Hartenberg table, modified convention (Craig: alpha and a of the link before); bare lengths in m:
 ///
-/// | joint | alpha | a | d | theta | range |
-/// |---|---|---|---|---|---|
-/// | q1 | 0 | 0 | q1 | 90 deg | any |
-/// | q2 | 90 deg | 0 | q2 | 90 deg | any |
-/// | q3 | 90 deg | 0 | q3 | 0 | any |
-/// | q4 | 0 | 0 | d4 | q4 | any |
-/// | q5 | 90 deg | 0 | 0 | q5 | any |
-/// | q6 | -90 deg | 0 | d6 | q6 + 30 deg | any |
+/// | joint | alpha | a | d | theta |
+/// |---|---|---|---|---|
+/// | 1 | 0 | 0 | q1 | 90deg |
+/// | 2 | 90deg | 0 | q2 | 90deg |
+/// | 3 | 90deg | 0 | q3 | 0 |
+/// | 4 | 0 | 0 | 100mm | q4 |
+/// | 5 | 90deg | 0 | 0 | q5 |
+/// | 6 | -90deg | 0 | 200mm | q6 + 30deg |
+///
+/// Pose of the last frame in the base, rotation and translation:
+///
+/// ```text
+/// ⎡ s₄c₅c₆ + c₄s₆   c₄c₆ − s₄c₅s₆  −s₄s₅  q₂ − d₆s₄s₅    ⎤
+/// ⎢ s₅c₆           −s₅s₆            c₅    q₃ + d₄ + d₆c₅ ⎥
+/// ⎣ c₄c₅c₆ − s₄s₆  −c₄c₅s₆ − s₄c₆  −c₄s₅  q₁ − d₆c₄s₅    ⎦
+///
+/// where c₄ = cos q₄, s₄ = sin q₄, c₅ = cos q₅, s₅ = sin q₅, c₆ = cos θ₆, s₆ = sin θ₆,
+///      θ₆ = q₆ + 30°, d₄ = 0.1, d₆ = 0.2
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GantryWrist;
 impl ::core::default::Default for GantryWrist {

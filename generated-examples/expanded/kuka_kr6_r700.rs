@@ -2,16 +2,36 @@
 
 /// KUKA KR 6 R700 sixx.
 ///
-/// Denavit-Hartenberg parameters, standard (theta, d, a, alpha of one link); lengths in m:
+/// Denavit-Hartenberg table, standard convention (theta, d, a and alpha of one link); bare lengths in m:
 ///
 /// | joint | theta | d | a | alpha | range |
 /// |---|---|---|---|---|---|
-/// | q1 | q1 | d1 | a1 | -90 deg | -170.0 to 170.0 deg |
-/// | q2 | q2 - 90 deg | 0 | a2 | 0 | -190.0 to 45.0 deg |
-/// | q3 | q3 | 0 | a3 | -90 deg | -120.0 to 156.0 deg |
-/// | q4 | q4 | d4 | 0 | 90 deg | -185.0 to 185.0 deg |
-/// | q5 | q5 | 0 | 0 | -90 deg | -120.0 to 120.0 deg |
-/// | q6 | q6 | d6 | 0 | 0 | -350.0 to 350.0 deg |
+/// | 1 | q1 | 400mm | 25mm | -90deg | -170deg..=170deg |
+/// | 2 | q2 - 90deg | 0 | 315mm | 0 | -190deg..=45deg |
+/// | 3 | q3 | 0 | 35mm | -90deg | -120deg..=156deg |
+/// | 4 | q4 | 365mm | 0 | 90deg | -185deg..=185deg |
+/// | 5 | q5 | 0 | 0 | -90deg | -120deg..=120deg |
+/// | 6 | q6 | 80mm | 0 | 0 | -350deg..=350deg |
+///
+/// Pose of the last frame in the base, rotation and translation:
+///
+/// ```text
+/// r₁₁ = c₁[s₂₃(c₄c₅c₆ − s₄s₆) + c₂₃s₅c₆] + s₁(s₄c₅c₆ + c₄s₆)
+/// r₂₁ = s₁[s₂₃(c₄c₅c₆ − s₄s₆) + c₂₃s₅c₆] − c₁(s₄c₅c₆ + c₄s₆)
+/// r₃₁ = c₂₃(c₄c₅c₆ − s₄s₆) − s₂₃s₅c₆
+/// r₁₂ = −c₁[s₂₃(c₄c₅s₆ + s₄c₆) + c₂₃s₅s₆] − s₁(s₄c₅s₆ − c₄c₆)
+/// r₂₂ = −s₁[s₂₃(c₄c₅s₆ + s₄c₆) + c₂₃s₅s₆] + c₁(s₄c₅s₆ − c₄c₆)
+/// r₃₂ = −c₂₃(c₄c₅s₆ + s₄c₆) + s₂₃s₅s₆
+/// r₁₃ = −c₁(s₂₃c₄s₅ − c₂₃c₅) − s₁s₄s₅
+/// r₂₃ = −s₁(s₂₃c₄s₅ − c₂₃c₅) + c₁s₄s₅
+/// r₃₃ = −c₂₃c₄s₅ − s₂₃c₅
+/// px  = c₁[a₁ + a₂s₂ + s₂₃(a₃ − d₆c₄s₅) + c₂₃(d₄ + d₆c₅)] − d₆s₁s₄s₅
+/// py  = s₁[a₁ + a₂s₂ + s₂₃(a₃ − d₆c₄s₅) + c₂₃(d₄ + d₆c₅)] + d₆c₁s₄s₅
+/// pz  = d₁ + a₂c₂ + c₂₃(a₃ − d₆c₄s₅) − s₂₃(d₄ + d₆c₅)
+///
+/// where cᵢ = cos qᵢ, sᵢ = sin qᵢ, i = 1, 2, 4, 5, 6; c₂₃ = cos(q₂ + q₃), s₂₃ = sin(q₂ + q₃),
+///      a₁ = 0.025, d₁ = 0.4, a₂ = 0.315, a₃ = 0.035, d₄ = 0.365, d₆ = 0.08
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KukaKr6R700;
 impl ::core::default::Default for KukaKr6R700 {

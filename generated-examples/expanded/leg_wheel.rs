@@ -2,15 +2,25 @@
 
 /// A leg that is a wheel: both motors turn the leg, their difference drives the rack by a pinion of radius `p`.
 ///
-/// Denavit-Hartenberg parameters, modified, after Craig (alpha and a of the link before); lengths in m:
+/// Denavit-Hartenberg table, modified convention (Craig: alpha and a of the link before); bare lengths in m:
 ///
-/// | joint | alpha | a | d | theta | range |
-/// |---|---|---|---|---|---|
-/// | q1 | 0 | 0 | 0 | q1 | any |
-/// | q2 | -90 deg | 0 | x2 | 0 | any |
+/// | joint | alpha | a | d | theta |
+/// |---|---|---|---|---|
+/// | 1 | 0 | 0 | 0 | q1 |
+/// | 2 | -90deg | 0 | p\*(q2 - q1) | 0 |
+///
+/// Pose of the last frame in the base, rotation and translation:
+///
+/// ```text
+/// ⎡ c₁   0  −s₁  −x₂s₁ ⎤
+/// ⎢ s₁   0   c₁   x₂c₁ ⎥
+/// ⎣ 0   −1   0    0    ⎦
+///
+/// where c₁ = cos q₁, s₁ = sin q₁, x₂ = p(q₂ − q₁)
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LegWheel {
-    /// `p` in m.
+    /// `p` in m, nominally 0.02.
     pub p: f64,
 }
 impl ::core::default::Default for LegWheel {

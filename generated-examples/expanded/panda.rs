@@ -2,17 +2,46 @@
 
 /// Franka Emika Panda; the caller chooses the last joint.
 ///
-/// Denavit-Hartenberg parameters, modified, after Craig (alpha and a of the link before); lengths in m:
+/// Denavit-Hartenberg table, modified convention (Craig: alpha and a of the link before); bare lengths in m:
 ///
 /// | joint | alpha | a | d | theta | range |
 /// |---|---|---|---|---|---|
-/// | q1 | 0 | 0 | d1 | q1 | -166.0 to 166.0 deg |
-/// | q2 | -90 deg | 0 | 0 | q2 | -101.0 to 101.0 deg |
-/// | q3 | 90 deg | 0 | d3 | q3 | -166.0 to 166.0 deg |
-/// | q4 | 90 deg | a3 | 0 | q4 | -176.0 to -4.0 deg |
-/// | q5 | -90 deg | -a3 | d5 | q5 | -166.0 to 166.0 deg |
-/// | q6 | 90 deg | 0 | 0 | q6 | -1.0 to 215.0 deg |
-/// | q7 | 90 deg | a6 | d7 | q7 | -166.0 to 166.0 deg |
+/// | 1 | 0 | 0 | 333mm | q1 | -166deg..=166deg |
+/// | 2 | -90deg | 0 | 0 | q2 | -101deg..=101deg |
+/// | 3 | 90deg | 0 | 316mm | q3 | -166deg..=166deg |
+/// | 4 | 90deg | 82.5mm | 0 | q4 | -176deg..=-4deg |
+/// | 5 | -90deg | -82.5mm | 384mm | q5 | -166deg..=166deg |
+/// | 6 | 90deg | 0 | 0 | q6 | -1deg..=215deg |
+/// | 7 | 90deg | 88mm | 107mm | q7 | -166deg..=166deg |
+///
+/// Pose of the last frame in the base, rotation and translation:
+///
+/// ```text
+/// r₁₁ = c₁(c₂{c₃[c₄(c₅c₆c₇ + s₅s₇) − s₄s₆c₇] − s₃(s₅c₆c₇ − c₅s₇)} + s₂[s₄(c₅c₆c₇ + s₅s₇) + c₄s₆c₇])
+///       − s₁{s₃[c₄(c₅c₆c₇ + s₅s₇) − s₄s₆c₇] + c₃(s₅c₆c₇ − c₅s₇)}
+/// r₂₁ = s₁(c₂{c₃[c₄(c₅c₆c₇ + s₅s₇) − s₄s₆c₇] − s₃(s₅c₆c₇ − c₅s₇)} + s₂[s₄(c₅c₆c₇ + s₅s₇) + c₄s₆c₇])
+///       + c₁{s₃[c₄(c₅c₆c₇ + s₅s₇) − s₄s₆c₇] + c₃(s₅c₆c₇ − c₅s₇)}
+/// r₃₁ = −s₂{c₃[c₄(c₅c₆c₇ + s₅s₇) − s₄s₆c₇] − s₃(s₅c₆c₇ − c₅s₇)} + c₂[s₄(c₅c₆c₇ + s₅s₇) + c₄s₆c₇]
+/// r₁₂ = −c₁(c₂{c₃[c₄(c₅c₆s₇ − s₅c₇) − s₄s₆s₇] − s₃(s₅c₆s₇ + c₅c₇)} + s₂[s₄(c₅c₆s₇ − s₅c₇) + c₄s₆s₇])
+///       + s₁{s₃[c₄(c₅c₆s₇ − s₅c₇) − s₄s₆s₇] + c₃(s₅c₆s₇ + c₅c₇)}
+/// r₂₂ = −s₁(c₂{c₃[c₄(c₅c₆s₇ − s₅c₇) − s₄s₆s₇] − s₃(s₅c₆s₇ + c₅c₇)} + s₂[s₄(c₅c₆s₇ − s₅c₇) + c₄s₆s₇])
+///       − c₁{s₃[c₄(c₅c₆s₇ − s₅c₇) − s₄s₆s₇] + c₃(s₅c₆s₇ + c₅c₇)}
+/// r₃₂ = s₂{c₃[c₄(c₅c₆s₇ − s₅c₇) − s₄s₆s₇] − s₃(s₅c₆s₇ + c₅c₇)} − c₂[s₄(c₅c₆s₇ − s₅c₇) + c₄s₆s₇]
+/// r₁₃ = c₁{c₂[c₃(c₄c₅s₆ + s₄c₆) − s₃s₅s₆] + s₂(s₄c₅s₆ − c₄c₆)} − s₁[s₃(c₄c₅s₆ + s₄c₆) + c₃s₅s₆]
+/// r₂₃ = s₁{c₂[c₃(c₄c₅s₆ + s₄c₆) − s₃s₅s₆] + s₂(s₄c₅s₆ − c₄c₆)} + c₁[s₃(c₄c₅s₆ + s₄c₆) + c₃s₅s₆]
+/// r₃₃ = −s₂[c₃(c₄c₅s₆ + s₄c₆) − s₃s₅s₆] + c₂(s₄c₅s₆ − c₄c₆)
+/// px  = c₁[c₂(c₃{a₃ − c₄[a₃ − c₅(a₆c₆ + d₇s₆)] − s₄(d₅ + a₆s₆ − d₇c₆)} − s₃s₅(a₆c₆ + d₇s₆))
+///       + s₂{d₃ − s₄[a₃ − c₅(a₆c₆ + d₇s₆)] + c₄(d₅ + a₆s₆ − d₇c₆)}]
+///       − s₁(s₃{a₃ − c₄[a₃ − c₅(a₆c₆ + d₇s₆)] − s₄(d₅ + a₆s₆ − d₇c₆)} + c₃s₅(a₆c₆ + d₇s₆))
+/// py  = s₁[c₂(c₃{a₃ − c₄[a₃ − c₅(a₆c₆ + d₇s₆)] − s₄(d₅ + a₆s₆ − d₇c₆)} − s₃s₅(a₆c₆ + d₇s₆))
+///       + s₂{d₃ − s₄[a₃ − c₅(a₆c₆ + d₇s₆)] + c₄(d₅ + a₆s₆ − d₇c₆)}]
+///       + c₁(s₃{a₃ − c₄[a₃ − c₅(a₆c₆ + d₇s₆)] − s₄(d₅ + a₆s₆ − d₇c₆)} + c₃s₅(a₆c₆ + d₇s₆))
+/// pz  = d₁ − s₂(c₃{a₃ − c₄[a₃ − c₅(a₆c₆ + d₇s₆)] − s₄(d₅ + a₆s₆ − d₇c₆)} − s₃s₅(a₆c₆ + d₇s₆))
+///       + c₂{d₃ − s₄[a₃ − c₅(a₆c₆ + d₇s₆)] + c₄(d₅ + a₆s₆ − d₇c₆)}
+///
+/// where cᵢ = cos qᵢ, sᵢ = sin qᵢ, i = 1, …, 7; d₁ = 0.333, d₃ = 0.316, a₃ = 0.0825, d₅ = 0.384,
+///      a₆ = 0.088, d₇ = 0.107
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Panda;
 impl ::core::default::Default for Panda {

@@ -2,16 +2,18 @@
 
 /// Six revolute joints of which the last three axes meet: all twists and lengths are open.
 ///
-/// Denavit-Hartenberg parameters, modified, after Craig (alpha and a of the link before); lengths in m:
+/// Denavit-Hartenberg table, modified convention (Craig: alpha and a of the link before); bare lengths in m:
 ///
-/// | joint | alpha | a | d | theta | range |
-/// |---|---|---|---|---|---|
-/// | q1 | 0 | 0 | 0 | q1 | any |
-/// | q2 | alpha1 | a1 | d2 | q2 | any |
-/// | q3 | alpha2 | a2 | d3 | q3 | any |
-/// | q4 | alpha3 | a3 | d4 | q4 | any |
-/// | q5 | alpha4 | 0 | 0 | q5 | any |
-/// | q6 | alpha5 | 0 | 0 | q6 | any |
+/// | joint | alpha | a | d | theta |
+/// |---|---|---|---|---|
+/// | 1 | 0 | 0 | 0 | q1 |
+/// | 2 | alpha1 | a1 | d2 | q2 |
+/// | 3 | alpha2 | a2 | d3 | q3 |
+/// | 4 | alpha3 | a3 | d4 | q4 |
+/// | 5 | alpha4 | 0 | 0 | q5 |
+/// | 6 | alpha5 | 0 | 0 | q6 |
+///
+/// The pose in closed form has 662 terms; `dh notes` derives it step by step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pieper {
     /// `alpha1` in radians.

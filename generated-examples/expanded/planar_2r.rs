@@ -2,17 +2,29 @@
 
 /// Two links in a plane, with as many solutions as an elbow has sides.
 ///
-/// Denavit-Hartenberg parameters, modified, after Craig (alpha and a of the link before); lengths in m:
+/// Denavit-Hartenberg table, modified convention (Craig: alpha and a of the link before); bare lengths in m:
 ///
-/// | joint | alpha | a | d | theta | range |
-/// |---|---|---|---|---|---|
-/// | q1 | 0 | 0 | 0 | q1 | any |
-/// | q2 | 0 | l1 | 0 | q2 | any |
+/// | joint | alpha | a | d | theta |
+/// |---|---|---|---|---|
+/// | 1 | 0 | 0 | 0 | q1 |
+/// | 2 | 0 | l1 | 0 | q2 |
+///
+/// `tool = tx(l2);`
+///
+/// Pose of the tool in the base, rotation and translation:
+///
+/// ```text
+/// ⎡ c₁₂  −s₁₂  0  l₁c₁ + l₂c₁₂ ⎤
+/// ⎢ s₁₂   c₁₂  0  l₁s₁ + l₂s₁₂ ⎥
+/// ⎣ 0     0    1  0            ⎦
+///
+/// where c₁ = cos q₁, s₁ = sin q₁, c₁₂ = cos(q₁ + q₂), s₁₂ = sin(q₁ + q₂)
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Planar2r {
-    /// `l1` in m.
+    /// `l1` in m, nominally 1.
     pub l1: f64,
-    /// `l2` in m.
+    /// `l2` in m, nominally 0.6.
     pub l2: f64,
 }
 impl ::core::default::Default for Planar2r {

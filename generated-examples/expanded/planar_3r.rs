@@ -2,20 +2,31 @@
 
 /// Three links in a plane, every frame at the far end of its link.
 ///
-/// Denavit-Hartenberg parameters, standard (theta, d, a, alpha of one link); lengths in m:
+/// Denavit-Hartenberg table, standard convention (theta, d, a and alpha of one link); bare lengths in m:
 ///
-/// | joint | theta | d | a | alpha | range |
-/// |---|---|---|---|---|---|
-/// | q1 | q1 | 0 | l1 | 0 | any |
-/// | q2 | q2 | 0 | l2 | 0 | any |
-/// | q3 | q3 | 0 | l3 | 0 | any |
+/// | joint | theta | d | a | alpha |
+/// |---|---|---|---|---|
+/// | 1 | q1 | 0 | l1 | 0 |
+/// | 2 | q2 | 0 | l2 | 0 |
+/// | 3 | q3 | 0 | l3 | 0 |
+///
+/// Pose of the last frame in the base, rotation and translation:
+///
+/// ```text
+/// ⎡ c₁₂₃  −s₁₂₃  0  l₁c₁ + l₂c₁₂ + l₃c₁₂₃ ⎤
+/// ⎢ s₁₂₃   c₁₂₃  0  l₁s₁ + l₂s₁₂ + l₃s₁₂₃ ⎥
+/// ⎣ 0      0     1  0                     ⎦
+///
+/// where c₁ = cos q₁, s₁ = sin q₁, c₁₂ = cos(q₁ + q₂), s₁₂ = sin(q₁ + q₂),
+///      c₁₂₃ = cos(q₁ + q₂ + q₃), s₁₂₃ = sin(q₁ + q₂ + q₃)
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Planar3r {
-    /// `l1` in m.
+    /// `l1` in m, nominally 5.
     pub l1: f64,
-    /// `l2` in m.
+    /// `l2` in m, nominally 2.
     pub l2: f64,
-    /// `l3` in m.
+    /// `l3` in m, nominally 1.
     pub l3: f64,
 }
 impl ::core::default::Default for Planar3r {

@@ -2,18 +2,29 @@
 
 /// Three links in a plane, every frame on the axis of its joint; the last link is not in the table.
 ///
-/// Denavit-Hartenberg parameters, modified, after Craig (alpha and a of the link before); lengths in m:
+/// Denavit-Hartenberg table, modified convention (Craig: alpha and a of the link before); bare lengths in m:
 ///
-/// | joint | alpha | a | d | theta | range |
-/// |---|---|---|---|---|---|
-/// | q1 | 0 | 0 | 0 | q1 | any |
-/// | q2 | 0 | l1 | 0 | q2 | any |
-/// | q3 | 0 | l2 | 0 | q3 | any |
+/// | joint | alpha | a | d | theta |
+/// |---|---|---|---|---|
+/// | 1 | 0 | 0 | 0 | q1 |
+/// | 2 | 0 | l1 | 0 | q2 |
+/// | 3 | 0 | l2 | 0 | q3 |
+///
+/// Pose of the last frame in the base, rotation and translation:
+///
+/// ```text
+/// ⎡ c₁₂₃  −s₁₂₃  0  l₁c₁ + l₂c₁₂ ⎤
+/// ⎢ s₁₂₃   c₁₂₃  0  l₁s₁ + l₂s₁₂ ⎥
+/// ⎣ 0      0     1  0            ⎦
+///
+/// where c₁ = cos q₁, s₁ = sin q₁, c₁₂ = cos(q₁ + q₂), s₁₂ = sin(q₁ + q₂),
+///      c₁₂₃ = cos(q₁ + q₂ + q₃), s₁₂₃ = sin(q₁ + q₂ + q₃)
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Planar3rCraig {
-    /// `l1` in m.
+    /// `l1` in m, nominally 5.
     pub l1: f64,
-    /// `l2` in m.
+    /// `l2` in m, nominally 2.
     pub l2: f64,
 }
 impl ::core::default::Default for Planar3rCraig {

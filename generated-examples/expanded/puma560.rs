@@ -2,25 +2,44 @@
 
 /// Unimation PUMA 560, frames after Craig.
 ///
-/// Denavit-Hartenberg parameters, modified, after Craig (alpha and a of the link before); lengths in m:
+/// Denavit-Hartenberg table, modified convention (Craig: alpha and a of the link before); bare lengths in m:
 ///
 /// | joint | alpha | a | d | theta | range |
 /// |---|---|---|---|---|---|
-/// | q1 | 0 | 0 | 0 | q1 | -160.0 to 160.0 deg |
-/// | q2 | -90 deg | 0 | 0 | q2 | -225.0 to 45.0 deg |
-/// | q3 | 0 | a2 | d3 | q3 | -45.0 to 225.0 deg |
-/// | q4 | -90 deg | a3 | d4 | q4 | -110.0 to 170.0 deg |
-/// | q5 | 90 deg | 0 | 0 | q5 | -100.0 to 100.0 deg |
-/// | q6 | -90 deg | 0 | 0 | q6 | -266.0 to 266.0 deg |
+/// | 1 | 0 | 0 | 0 | q1 | -160deg..=160deg |
+/// | 2 | -90deg | 0 | 0 | q2 | -225deg..=45deg |
+/// | 3 | 0 | a2 | d3 | q3 | -45deg..=225deg |
+/// | 4 | -90deg | a3 | d4 | q4 | -110deg..=170deg |
+/// | 5 | 90deg | 0 | 0 | q5 | -100deg..=100deg |
+/// | 6 | -90deg | 0 | 0 | q6 | -266deg..=266deg |
+///
+/// Pose of the last frame in the base, rotation and translation:
+///
+/// ```text
+/// r₁₁ = c₁[c₂₃(c₄c₅c₆ − s₄s₆) − s₂₃s₅c₆] + s₁(s₄c₅c₆ + c₄s₆)
+/// r₂₁ = s₁[c₂₃(c₄c₅c₆ − s₄s₆) − s₂₃s₅c₆] − c₁(s₄c₅c₆ + c₄s₆)
+/// r₃₁ = −s₂₃(c₄c₅c₆ − s₄s₆) − c₂₃s₅c₆
+/// r₁₂ = −c₁[c₂₃(c₄c₅s₆ + s₄c₆) − s₂₃s₅s₆] − s₁(s₄c₅s₆ − c₄c₆)
+/// r₂₂ = −s₁[c₂₃(c₄c₅s₆ + s₄c₆) − s₂₃s₅s₆] + c₁(s₄c₅s₆ − c₄c₆)
+/// r₃₂ = s₂₃(c₄c₅s₆ + s₄c₆) + c₂₃s₅s₆
+/// r₁₃ = −c₁(c₂₃c₄s₅ + s₂₃c₅) − s₁s₄s₅
+/// r₂₃ = −s₁(c₂₃c₄s₅ + s₂₃c₅) + c₁s₄s₅
+/// r₃₃ = s₂₃c₄s₅ − c₂₃c₅
+/// px  = c₁(a₂c₂ + a₃c₂₃ − d₄s₂₃) − d₃s₁
+/// py  = s₁(a₂c₂ + a₃c₂₃ − d₄s₂₃) + d₃c₁
+/// pz  = −a₂s₂ − a₃s₂₃ − d₄c₂₃
+///
+/// where cᵢ = cos qᵢ, sᵢ = sin qᵢ, i = 1, 2, 4, 5, 6; c₂₃ = cos(q₂ + q₃), s₂₃ = sin(q₂ + q₃)
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Puma560 {
-    /// `a2` in m.
+    /// `a2` in m, nominally 0.4318.
     pub a2: f64,
-    /// `a3` in m.
+    /// `a3` in m, nominally 0.0203.
     pub a3: f64,
-    /// `d3` in m.
+    /// `d3` in m, nominally 0.15005.
     pub d3: f64,
-    /// `d4` in m.
+    /// `d4` in m, nominally 0.4318.
     pub d4: f64,
 }
 impl ::core::default::Default for Puma560 {

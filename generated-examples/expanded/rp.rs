@@ -2,12 +2,22 @@
 
 /// Turn and slide: a point in polar coordinates.
 ///
-/// Denavit-Hartenberg parameters, modified, after Craig (alpha and a of the link before); lengths in m:
+/// Denavit-Hartenberg table, modified convention (Craig: alpha and a of the link before); bare lengths in m:
 ///
-/// | joint | alpha | a | d | theta | range |
-/// |---|---|---|---|---|---|
-/// | q1 | 0 | 0 | 0 | q1 | any |
-/// | q2 | -90 deg | 0 | q2 | 0 | any |
+/// | joint | alpha | a | d | theta |
+/// |---|---|---|---|---|
+/// | 1 | 0 | 0 | 0 | q1 |
+/// | 2 | -90deg | 0 | q2 | 0 |
+///
+/// Pose of the last frame in the base, rotation and translation:
+///
+/// ```text
+/// ⎡ c₁   0  −s₁  −q₂s₁ ⎤
+/// ⎢ s₁   0   c₁   q₂c₁ ⎥
+/// ⎣ 0   −1   0    0    ⎦
+///
+/// where c₁ = cos q₁, s₁ = sin q₁
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rp;
 impl ::core::default::Default for Rp {

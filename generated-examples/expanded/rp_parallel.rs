@@ -2,15 +2,25 @@
 
 /// Turn and slide along the same direction.
 ///
-/// Denavit-Hartenberg parameters, modified, after Craig (alpha and a of the link before); lengths in m:
+/// Denavit-Hartenberg table, modified convention (Craig: alpha and a of the link before); bare lengths in m:
 ///
-/// | joint | alpha | a | d | theta | range |
-/// |---|---|---|---|---|---|
-/// | q1 | 0 | 0 | 0 | q1 | any |
-/// | q2 | 0 | a1 | q2 | 0 | any |
+/// | joint | alpha | a | d | theta |
+/// |---|---|---|---|---|
+/// | 1 | 0 | 0 | 0 | q1 |
+/// | 2 | 0 | a1 | q2 | 0 |
+///
+/// Pose of the last frame in the base, rotation and translation:
+///
+/// ```text
+/// ⎡ c₁  −s₁  0  a₁c₁ ⎤
+/// ⎢ s₁   c₁  0  a₁s₁ ⎥
+/// ⎣ 0    0   1  q₂   ⎦
+///
+/// where c₁ = cos q₁, s₁ = sin q₁
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RpParallel {
-    /// `a1` in m.
+    /// `a1` in m, nominally 0.5.
     pub a1: f64,
 }
 impl ::core::default::Default for RpParallel {

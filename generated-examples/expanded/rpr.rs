@@ -2,16 +2,26 @@
 
 /// Turn, slide, turn: the slide moves across the first axis and the third joint turns about the slide's direction.
 ///
-/// Denavit-Hartenberg parameters, modified, after Craig (alpha and a of the link before); lengths in m:
+/// Denavit-Hartenberg table, modified convention (Craig: alpha and a of the link before); bare lengths in m:
 ///
-/// | joint | alpha | a | d | theta | range |
-/// |---|---|---|---|---|---|
-/// | q1 | 0 | 0 | 0 | q1 | any |
-/// | q2 | 90 deg | 0 | q2 | 0 | any |
-/// | q3 | 0 | 0 | l2 | q3 | any |
+/// | joint | alpha | a | d | theta |
+/// |---|---|---|---|---|
+/// | 1 | 0 | 0 | 0 | q1 |
+/// | 2 | 90deg | 0 | q2 | 0 |
+/// | 3 | 0 | 0 | l2 | q3 |
+///
+/// Pose of the last frame in the base, rotation and translation:
+///
+/// ```text
+/// ⎡ c₁c₃  −c₁s₃   s₁   s₁(l₂ + q₂) ⎤
+/// ⎢ s₁c₃  −s₁s₃  −c₁  −c₁(l₂ + q₂) ⎥
+/// ⎣ s₃     c₃     0    0           ⎦
+///
+/// where c₁ = cos q₁, s₁ = sin q₁, c₃ = cos q₃, s₃ = sin q₃
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rpr {
-    /// `l2` in m.
+    /// `l2` in m, nominally 0.4.
     pub l2: f64,
 }
 impl ::core::default::Default for Rpr {

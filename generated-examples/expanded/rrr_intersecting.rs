@@ -2,20 +2,33 @@
 
 /// An arm whose first two axes intersect: a shoulder that turns and tilts, and an elbow.
 ///
-/// Denavit-Hartenberg parameters, modified, after Craig (alpha and a of the link before); lengths in m:
+/// Denavit-Hartenberg table, modified convention (Craig: alpha and a of the link before); bare lengths in m:
 ///
-/// | joint | alpha | a | d | theta | range |
-/// |---|---|---|---|---|---|
-/// | q1 | 0 | 0 | 0 | q1 | any |
-/// | q2 | -90 deg | 0 | d2 | q2 | any |
-/// | q3 | 0 | l2 | 0 | q3 | any |
+/// | joint | alpha | a | d | theta |
+/// |---|---|---|---|---|
+/// | 1 | 0 | 0 | 0 | q1 |
+/// | 2 | -90deg | 0 | d2 | q2 |
+/// | 3 | 0 | l2 | 0 | q3 |
+///
+/// `tool = tx(l3);`
+///
+/// Pose of the tool in the base, rotation and translation:
+///
+/// ```text
+/// ⎡  c₁c₂₃  −c₁s₂₃  −s₁   c₁(l₂c₂ + l₃c₂₃) − d₂s₁ ⎤
+/// ⎢  s₁c₂₃  −s₁s₂₃   c₁   s₁(l₂c₂ + l₃c₂₃) + d₂c₁ ⎥
+/// ⎣ −s₂₃    −c₂₃     0   −l₂s₂ − l₃s₂₃            ⎦
+///
+/// where c₁ = cos q₁, s₁ = sin q₁, c₂ = cos q₂, s₂ = sin q₂, c₂₃ = cos(q₂ + q₃),
+///      s₂₃ = sin(q₂ + q₃)
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RrrIntersecting {
-    /// `d2` in m.
+    /// `d2` in m, nominally 0.15.
     pub d2: f64,
-    /// `l2` in m.
+    /// `l2` in m, nominally 0.5.
     pub l2: f64,
-    /// `l3` in m.
+    /// `l3` in m, nominally 0.4.
     pub l3: f64,
 }
 impl ::core::default::Default for RrrIntersecting {

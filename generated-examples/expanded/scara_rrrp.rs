@@ -2,23 +2,34 @@
 
 /// A SCARA with its quill in the last joint.
 ///
-/// Denavit-Hartenberg parameters, modified, after Craig (alpha and a of the link before); lengths in m:
+/// Denavit-Hartenberg table, modified convention (Craig: alpha and a of the link before); bare lengths in m:
 ///
-/// | joint | alpha | a | d | theta | range |
-/// |---|---|---|---|---|---|
-/// | q1 | 0 | 0 | d1 | q1 | any |
-/// | q2 | 0 | a1 | d2 | q2 | any |
-/// | q3 | 0 | a2 | 0 | q3 | any |
-/// | q4 | 0 | 0 | q4 | 0 | any |
+/// | joint | alpha | a | d | theta |
+/// |---|---|---|---|---|
+/// | 1 | 0 | 0 | d1 | q1 |
+/// | 2 | 0 | a1 | d2 | q2 |
+/// | 3 | 0 | a2 | 0 | q3 |
+/// | 4 | 0 | 0 | q4 | 0 |
+///
+/// Pose of the last frame in the base, rotation and translation:
+///
+/// ```text
+/// ⎡ c₁₂₃  −s₁₂₃  0  a₁c₁ + a₂c₁₂ ⎤
+/// ⎢ s₁₂₃   c₁₂₃  0  a₁s₁ + a₂s₁₂ ⎥
+/// ⎣ 0      0     1  d₁ + d₂ + q₄ ⎦
+///
+/// where c₁ = cos q₁, s₁ = sin q₁, c₁₂ = cos(q₁ + q₂), s₁₂ = sin(q₁ + q₂),
+///      c₁₂₃ = cos(q₁ + q₂ + q₃), s₁₂₃ = sin(q₁ + q₂ + q₃)
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScaraRrrp {
-    /// `a1` in m.
+    /// `a1` in m, nominally 0.4.
     pub a1: f64,
-    /// `a2` in m.
+    /// `a2` in m, nominally 0.3.
     pub a2: f64,
-    /// `d1` in m.
+    /// `d1` in m, nominally 0.5.
     pub d1: f64,
-    /// `d2` in m.
+    /// `d2` in m, nominally 0.1.
     pub d2: f64,
 }
 impl ::core::default::Default for ScaraRrrp {

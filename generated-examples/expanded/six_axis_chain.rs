@@ -2,23 +2,43 @@
 
 /// A chain of six axes of which the second, third and fourth are parallel.
 ///
-/// Denavit-Hartenberg parameters, standard (theta, d, a, alpha of one link); lengths in m:
+/// Denavit-Hartenberg table, standard convention (theta, d, a and alpha of one link); bare lengths in m:
 ///
-/// | joint | theta | d | a | alpha | range |
-/// |---|---|---|---|---|---|
-/// | q1 | q1 | 0 | 0 | 90 deg | any |
-/// | q2 | q2 | 0 | a2 | 0 | any |
-/// | q3 | q3 | 0 | a3 | 0 | any |
-/// | q4 | q4 | 0 | a4 | -90 deg | any |
-/// | q5 | q5 | 0 | 0 | 90 deg | any |
-/// | q6 | q6 | 0 | 0 | 0 | any |
+/// | joint | theta | d | a | alpha |
+/// |---|---|---|---|---|
+/// | 1 | q1 | 0 | 0 | 90deg |
+/// | 2 | q2 | 0 | a2 | 0 |
+/// | 3 | q3 | 0 | a3 | 0 |
+/// | 4 | q4 | 0 | a4 | -90deg |
+/// | 5 | q5 | 0 | 0 | 90deg |
+/// | 6 | q6 | 0 | 0 | 0 |
+///
+/// Pose of the last frame in the base, rotation and translation:
+///
+/// ```text
+/// r₁₁ = c₁(c₂₃₄c₅c₆ − s₂₃₄s₆) − s₁s₅c₆
+/// r₂₁ = s₁(c₂₃₄c₅c₆ − s₂₃₄s₆) + c₁s₅c₆
+/// r₃₁ = s₂₃₄c₅c₆ + c₂₃₄s₆
+/// r₁₂ = −c₁(c₂₃₄c₅s₆ + s₂₃₄c₆) + s₁s₅s₆
+/// r₂₂ = −s₁(c₂₃₄c₅s₆ + s₂₃₄c₆) − c₁s₅s₆
+/// r₃₂ = c₂₃₄c₆ − s₂₃₄c₅s₆
+/// r₁₃ = c₁c₂₃₄s₅ + s₁c₅
+/// r₂₃ = s₁c₂₃₄s₅ − c₁c₅
+/// r₃₃ = s₂₃₄s₅
+/// px  = c₁(a₂c₂ + a₃c₂₃ + a₄c₂₃₄)
+/// py  = s₁(a₂c₂ + a₃c₂₃ + a₄c₂₃₄)
+/// pz  = a₂s₂ + a₃s₂₃ + a₄s₂₃₄
+///
+/// where cᵢ = cos qᵢ, sᵢ = sin qᵢ, i = 1, 2, 5, 6; c₂₃ = cos(q₂ + q₃), s₂₃ = sin(q₂ + q₃),
+///      c₂₃₄ = cos(q₂ + q₃ + q₄), s₂₃₄ = sin(q₂ + q₃ + q₄)
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SixAxisChain {
-    /// `a2` in m.
+    /// `a2` in m, nominally 0.5.
     pub a2: f64,
-    /// `a3` in m.
+    /// `a3` in m, nominally 0.4.
     pub a3: f64,
-    /// `a4` in m.
+    /// `a4` in m, nominally 0.2.
     pub a4: f64,
 }
 impl ::core::default::Default for SixAxisChain {

@@ -2,16 +2,35 @@
 
 /// The Stanford arm: its third joint slides.
 ///
-/// Denavit-Hartenberg parameters, standard (theta, d, a, alpha of one link); lengths in m:
+/// Denavit-Hartenberg table, standard convention (theta, d, a and alpha of one link); bare lengths in m:
 ///
 /// | joint | theta | d | a | alpha | range |
 /// |---|---|---|---|---|---|
-/// | q1 | q1 | d1 | 0 | -90 deg | -170.0 to 170.0 deg |
-/// | q2 | q2 | d2 | 0 | 90 deg | -170.0 to 170.0 deg |
-/// | q3 | -90 deg | q3 | a3 | 0 | 0.3048 to 1.27 |
-/// | q4 | q4 | 0 | 0 | -90 deg | -170.0 to 170.0 deg |
-/// | q5 | q5 | 0 | 0 | 90 deg | -90.0 to 90.0 deg |
-/// | q6 | q6 | 0 | 0 | 0 | -170.0 to 170.0 deg |
+/// | 1 | q1 | 412mm | 0 | -90deg | -170deg..=170deg |
+/// | 2 | q2 | 154mm | 0 | 90deg | -170deg..=170deg |
+/// | 3 | -90deg | q3 | 20.3mm | 0 | 304.8mm..=1270mm |
+/// | 4 | q4 | 0 | 0 | -90deg | -170deg..=170deg |
+/// | 5 | q5 | 0 | 0 | 90deg | -90deg..=90deg |
+/// | 6 | q6 | 0 | 0 | 0 | -170deg..=170deg |
+///
+/// Pose of the last frame in the base, rotation and translation:
+///
+/// ```text
+/// r₁₁ = c₁[c₂(s₄c₅c₆ + c₄s₆) − s₂s₅c₆] + s₁(c₄c₅c₆ − s₄s₆)
+/// r₂₁ = s₁[c₂(s₄c₅c₆ + c₄s₆) − s₂s₅c₆] − c₁(c₄c₅c₆ − s₄s₆)
+/// r₃₁ = −s₂(s₄c₅c₆ + c₄s₆) − c₂s₅c₆
+/// r₁₂ = −c₁[c₂(s₄c₅s₆ − c₄c₆) − s₂s₅s₆] − s₁(c₄c₅s₆ + s₄c₆)
+/// r₂₂ = −s₁[c₂(s₄c₅s₆ − c₄c₆) − s₂s₅s₆] + c₁(c₄c₅s₆ + s₄c₆)
+/// r₃₂ = s₂(s₄c₅s₆ − c₄c₆) + c₂s₅s₆
+/// r₁₃ = c₁(c₂s₄s₅ + s₂c₅) + s₁c₄s₅
+/// r₂₃ = s₁(c₂s₄s₅ + s₂c₅) − c₁c₄s₅
+/// r₃₃ = c₂c₅ − s₂s₄s₅
+/// px  = s₁(a₃ − d₂) + q₃c₁s₂
+/// py  = c₁(d₂ − a₃) + q₃s₁s₂
+/// pz  = d₁ + q₃c₂
+///
+/// where cᵢ = cos qᵢ, sᵢ = sin qᵢ, i = 1, 2, 4, 5, 6; d₁ = 0.412, d₂ = 0.154, a₃ = 0.0203
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stanford;
 impl ::core::default::Default for Stanford {

@@ -2,16 +2,37 @@
 
 /// Universal Robots UR5.
 ///
-/// Denavit-Hartenberg parameters, standard (theta, d, a, alpha of one link); lengths in m:
+/// Denavit-Hartenberg table, standard convention (theta, d, a and alpha of one link); bare lengths in m:
 ///
 /// | joint | theta | d | a | alpha | range |
 /// |---|---|---|---|---|---|
-/// | q1 | q1 | d1 | 0 | 90 deg | -360.0 to 360.0 deg |
-/// | q2 | q2 | 0 | -a2 | 0 | -360.0 to 360.0 deg |
-/// | q3 | q3 | 0 | -a3 | 0 | -180.0 to 180.0 deg |
-/// | q4 | q4 | d4 | 0 | 90 deg | -360.0 to 360.0 deg |
-/// | q5 | q5 | d5 | 0 | -90 deg | -360.0 to 360.0 deg |
-/// | q6 | q6 | d6 | 0 | 0 | -360.0 to 360.0 deg |
+/// | 1 | q1 | 89.459mm | 0 | 90deg | -360deg..=360deg |
+/// | 2 | q2 | 0 | -425mm | 0 | -360deg..=360deg |
+/// | 3 | q3 | 0 | -392.25mm | 0 | -180deg..=180deg |
+/// | 4 | q4 | 109.15mm | 0 | 90deg | -360deg..=360deg |
+/// | 5 | q5 | 94.65mm | 0 | -90deg | -360deg..=360deg |
+/// | 6 | q6 | 82.3mm | 0 | 0 | -360deg..=360deg |
+///
+/// Pose of the last frame in the base, rotation and translation:
+///
+/// ```text
+/// r₁₁ = c₁(c₂₃₄c₅c₆ − s₂₃₄s₆) + s₁s₅c₆
+/// r₂₁ = s₁(c₂₃₄c₅c₆ − s₂₃₄s₆) − c₁s₅c₆
+/// r₃₁ = s₂₃₄c₅c₆ + c₂₃₄s₆
+/// r₁₂ = −c₁(c₂₃₄c₅s₆ + s₂₃₄c₆) − s₁s₅s₆
+/// r₂₂ = −s₁(c₂₃₄c₅s₆ + s₂₃₄c₆) + c₁s₅s₆
+/// r₃₂ = c₂₃₄c₆ − s₂₃₄c₅s₆
+/// r₁₃ = s₁c₅ − c₁c₂₃₄s₅
+/// r₂₃ = −s₁c₂₃₄s₅ − c₁c₅
+/// r₃₃ = −s₂₃₄s₅
+/// px  = −c₁(a₂c₂ + a₃c₂₃ − d₅s₂₃₄ + d₆c₂₃₄s₅) + s₁(d₄ + d₆c₅)
+/// py  = −s₁(a₂c₂ + a₃c₂₃ − d₅s₂₃₄ + d₆c₂₃₄s₅) − c₁(d₄ + d₆c₅)
+/// pz  = d₁ − a₂s₂ − a₃s₂₃ − d₅c₂₃₄ − d₆s₂₃₄s₅
+///
+/// where cᵢ = cos qᵢ, sᵢ = sin qᵢ, i = 1, 2, 5, 6; c₂₃ = cos(q₂ + q₃), s₂₃ = sin(q₂ + q₃),
+///      c₂₃₄ = cos(q₂ + q₃ + q₄), s₂₃₄ = sin(q₂ + q₃ + q₄), d₁ = 0.089459, a₂ = 0.425,
+///      a₃ = 0.39225, d₄ = 0.10915, d₅ = 0.09465, d₆ = 0.0823
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ur5;
 impl ::core::default::Default for Ur5 {

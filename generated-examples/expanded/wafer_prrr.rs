@@ -2,25 +2,36 @@
 
 /// A wafer robot: a lift and a planar arm.
 ///
-/// Denavit-Hartenberg parameters, modified, after Craig (alpha and a of the link before); lengths in m:
+/// Denavit-Hartenberg table, modified convention (Craig: alpha and a of the link before); bare lengths in m:
 ///
 /// | joint | alpha | a | d | theta | range |
 /// |---|---|---|---|---|---|
-/// | q1 | 0 | 0 | q1 | 0 | 0.0 to 0.3 |
-/// | q2 | 0 | 0 | d2 | q2 | -360.0 to 360.0 deg |
-/// | q3 | 0 | a2 | d3 | q3 | -360.0 to 360.0 deg |
-/// | q4 | 0 | a3 | d4 | q4 | -360.0 to 360.0 deg |
+/// | 1 | 0 | 0 | q1 | 0 | 0mm..=300mm |
+/// | 2 | 0 | 0 | d2 | q2 | -1turn..=1turn |
+/// | 3 | 0 | a2 | d3 | q3 | -1turn..=1turn |
+/// | 4 | 0 | a3 | d4 | q4 | -1turn..=1turn |
+///
+/// Pose of the last frame in the base, rotation and translation:
+///
+/// ```text
+/// ⎡ c₂₃₄  −s₂₃₄  0  a₂c₂ + a₃c₂₃      ⎤
+/// ⎢ s₂₃₄   c₂₃₄  0  a₂s₂ + a₃s₂₃      ⎥
+/// ⎣ 0      0     1  d₂ + d₃ + d₄ + q₁ ⎦
+///
+/// where c₂ = cos q₂, s₂ = sin q₂, c₂₃ = cos(q₂ + q₃), s₂₃ = sin(q₂ + q₃),
+///      c₂₃₄ = cos(q₂ + q₃ + q₄), s₂₃₄ = sin(q₂ + q₃ + q₄)
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WaferPrrr {
-    /// `a2` in m.
+    /// `a2` in m, nominally 0.25.
     pub a2: f64,
-    /// `a3` in m.
+    /// `a3` in m, nominally 0.2.
     pub a3: f64,
-    /// `d2` in m.
+    /// `d2` in m, nominally 0.1.
     pub d2: f64,
-    /// `d3` in m.
+    /// `d3` in m, nominally 0.02.
     pub d3: f64,
-    /// `d4` in m.
+    /// `d4` in m, nominally 0.03.
     pub d4: f64,
 }
 impl ::core::default::Default for WaferPrrr {

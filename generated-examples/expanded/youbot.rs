@@ -2,15 +2,27 @@
 
 /// KUKA youBot arm: five joints, so the task is a point and a direction.
 ///
-/// Denavit-Hartenberg parameters, standard (theta, d, a, alpha of one link); lengths in m:
+/// Denavit-Hartenberg table, standard convention (theta, d, a and alpha of one link); bare lengths in m:
 ///
 /// | joint | theta | d | a | alpha | range |
 /// |---|---|---|---|---|---|
-/// | q1 | q1 | d1 | a1 | 90 deg | -169.0 to 169.0 deg |
-/// | q2 | q2 + 90 deg | 0 | a2 | 0 | -65.0 to 90.0 deg |
-/// | q3 | q3 | 0 | a3 | 0 | -151.0 to 146.0 deg |
-/// | q4 | q4 - 90 deg | 0 | 0 | -90 deg | -102.0 to 102.0 deg |
-/// | q5 | q5 | d5 | 0 | 0 | -167.0 to 167.0 deg |
+/// | 1 | q1 | 147mm | 33mm | 90deg | -169deg..=169deg |
+/// | 2 | q2 + 90deg | 0 | 155mm | 0 | -65deg..=90deg |
+/// | 3 | q3 | 0 | 135mm | 0 | -151deg..=146deg |
+/// | 4 | q4 - 90deg | 0 | 0 | -90deg | -102deg..=102deg |
+/// | 5 | q5 | 217.5mm | 0 | 0 | -167deg..=167deg |
+///
+/// Pose of the last frame in the base, rotation and translation:
+///
+/// ```text
+/// ⎡ c₁c₂₃₄c₅ − s₁s₅  −c₁c₂₃₄s₅ − s₁c₅  −c₁s₂₃₄  c₁(a₁ − a₂s₂ − a₃s₂₃ − d₅s₂₃₄) ⎤
+/// ⎢ s₁c₂₃₄c₅ + c₁s₅   c₁c₅ − s₁c₂₃₄s₅  −s₁s₂₃₄  s₁(a₁ − a₂s₂ − a₃s₂₃ − d₅s₂₃₄) ⎥
+/// ⎣ s₂₃₄c₅           −s₂₃₄s₅            c₂₃₄    d₁ + a₂c₂ + a₃c₂₃ + d₅c₂₃₄     ⎦
+///
+/// where cᵢ = cos qᵢ, sᵢ = sin qᵢ, i = 1, 2, 5; c₂₃ = cos(q₂ + q₃), s₂₃ = sin(q₂ + q₃),
+///      c₂₃₄ = cos(q₂ + q₃ + q₄), s₂₃₄ = sin(q₂ + q₃ + q₄), a₁ = 0.033, d₁ = 0.147, a₂ = 0.155,
+///      a₃ = 0.135, d₅ = 0.2175
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Youbot;
 impl ::core::default::Default for Youbot {

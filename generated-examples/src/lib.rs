@@ -1,7 +1,7 @@
 //! Every example robot: one module each, which holds the macro call and the source of its numbers.
 //!
-//! Read [`planar_2r`] first, then [`puma560`]. What the macro made of each table stands, formatted, in `expanded/`; `cargo
-//! regen` writes it and `cargo regen --check` compares.
+//! Read [`planar_2r`] first, then [`puma560`]. What the macro made of each table stands, formatted, in `expanded/`, its
+//! lecture notes in `notes/`; `cargo regen` writes both and `cargo regen --check` compares.
 
 pub mod source;
 

@@ -1,4 +1,5 @@
-//! Writes what is made from the example robots: `expanded/<robot>.rs`, exactly what the macro leaves behind, formatted.
+//! Writes what is made from the example robots: `expanded/<robot>.rs`, exactly what the macro leaves behind, formatted, and
+//! `notes/<robot>.md`, their lecture notes.
 //!
 //! `cargo regen` writes, `cargo regen --check` compares and fails where a file is stale.
 
@@ -9,13 +10,16 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::{fs, io};
 
+use dh_symbolic::chain::Chain;
+use dh_symbolic::chain::table::parse;
 use dh_symbolic::render::rust::pretty;
+use dh_symbolic::render::{Format, Options, notes};
 use generated_examples::source::{self, Source};
 use proc_macro2::TokenStream;
 
 const COMMAND: &str = "cargo regen";
 /// Folders whose files are all generated.
-const FOLDERS: [&str; 1] = ["expanded"];
+const FOLDERS: [&str; 2] = ["expanded", "notes"];
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -56,18 +60,31 @@ fn files() -> io::Result<Files> {
     for source in source::all()? {
         modules.push_str(&format!("pub mod {};\n", source.module));
         files.insert(format!("expanded/{}.rs", source.module).into(), expanded(&source)?);
+        files.insert(format!("notes/{}.md", source.module).into(), lecture(&source)?);
     }
     files.insert("expanded/mod.rs".into(), modules);
     Ok(files)
 }
 
+fn fail(source: &Source, error: &dyn std::fmt::Display) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidData, format!("{}: {error}", source.module))
+}
+
+fn tokens(source: &Source) -> io::Result<TokenStream> {
+    source.body.parse().map_err(|e: proc_macro2::LexError| fail(source, &e))
+}
+
+/// The lecture notes.
+fn lecture(source: &Source) -> io::Result<String> {
+    let parsed = parse(tokens(source)?);
+    let spec = parsed.spec.ok_or_else(|| fail(source, &"the table has errors"))?;
+    let text = notes(&Chain::new(spec), &Options::default()).print(Format::Markdown);
+    Ok(format!("<!-- The notes of src/{}.rs. Made by `{COMMAND}`; do not edit. -->\n\n{text}", source.module))
+}
+
 /// What the macro leaves behind.
 fn expanded(source: &Source) -> io::Result<String> {
-    let fail = |error: &dyn std::fmt::Display| {
-        io::Error::new(io::ErrorKind::InvalidData, format!("{}: {error}", source.module))
-    };
-    let body: TokenStream = source.body.parse().map_err(|e: proc_macro2::LexError| fail(&e))?;
-    let text = pretty(dh_symbolic::expand(body)).map_err(|e| fail(&e))?;
+    let text = pretty(dh_symbolic::expand(tokens(source)?)).map_err(|e| fail(source, &e))?;
     Ok(format!("// What `dh_robot!` makes of src/{}.rs. Made by `{COMMAND}`; do not edit.\n\n{text}", source.module))
 }
 
