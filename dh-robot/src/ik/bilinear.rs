@@ -100,16 +100,20 @@ fn first_angle(e: &[f64; 9], v: [f64; 2]) -> Angles<2> {
 fn second_angle_first(first: &[f64; 9], second: &[f64; 9]) -> Found<AnglePair, 8> {
     let vs = solve_sincos(first[1], first[2], -first[0], ZERO);
     let mut found = Found { roots: List::new(), outcome: vs.outcome };
+    let mut free = vs.is_free();
     for &v in &vs {
         let us = first_angle(second, v);
         for &u in &us {
             found.roots.push([u, v]);
         }
+        free |= us.is_free();
         if us.outcome != Outcome::Regular {
             found.outcome = us.outcome;
         }
     }
-    if !found.roots.is_empty() && matches!(found.outcome, Outcome::OutOfReach { .. }) {
+    if free {
+        found.outcome = Outcome::Free;
+    } else if !found.roots.is_empty() && matches!(found.outcome, Outcome::OutOfReach { .. }) {
         found.outcome = Outcome::Regular;
     }
     found
@@ -313,6 +317,10 @@ mod tests {
         e2[0] = -1.6;
         assert!(matches!(solve_bilinear(&e1, &e2, 1e-12).outcome, Outcome::OutOfReach { .. }));
         assert!(solve_bilinear(&[0.0; 9], &e1, 1e-12).is_free());
+        // Both in v alone, with one v in common: u is free there.
+        let (alone, again) =
+            ([0.5, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 3f64.sqrt(), 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+        assert!(solve_bilinear(&alone, &again, 1e-12).is_free() && solve_bilinear(&again, &alone, 1e-12).is_free());
         let e = [0.1, 0.2, 0.3, -0.4, 0.5, 0.6, 0.7, -0.8, 0.9];
         assert!(solve_bilinear(&e, &e.map(|x| -3.0 * x), 1e-12).is_free());
         assert!(solve_bilinear(&[f64::NAN; 9], &e, 1e-12).is_empty());
