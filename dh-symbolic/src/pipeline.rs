@@ -66,6 +66,15 @@ fn check_derivation(chain: &Chain, parsed: &mut Parsed) {
 
 /// The text of everything inverse; errors at the cells where the planner got stuck.
 fn inverse(head: &Head, chain: &Chain, forward: &Forward, parsed: &mut Parsed) -> String {
+    // Never more than six joints at once: a plan that leaves one to chance would be found, and fail.
+    let free = chain.dof() - usize::from(chain.redundant.is_some());
+    if free > 6 {
+        let text = format!(
+            "{free} joints leave the inverse open: say which one the caller chooses, `redundant = q3;`, or `ik = none;`"
+        );
+        parsed.errors.push(Error::new(parsed.origins.name, text));
+        return String::new();
+    }
     let plan = match planner::search(chain) {
         Ok(plan) => plan,
         Err(refusal) => {
@@ -87,14 +96,6 @@ fn inverse(head: &Head, chain: &Chain, forward: &Forward, parsed: &mut Parsed) -
 const SAMPLES: usize = 6;
 
 fn refuse(chain: &Chain, refusal: &planner::Refusal, parsed: &mut Parsed) {
-    let free = chain.dof() - usize::from(chain.redundant.is_some());
-    if free > 6 {
-        let text = format!(
-            "{free} joints leave the inverse open: say which one the caller chooses, `redundant = q3;`, or `ik = none;`"
-        );
-        parsed.errors.push(Error::new(parsed.origins.name, text));
-        return;
-    }
     let solved = if refusal.solved.is_empty() { "nothing".into() } else { refusal.solved.join(", ") };
     for joint in &refusal.open {
         let name = chain.joints.get(*joint).map_or("", |j| j.name.as_str());
