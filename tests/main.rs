@@ -3,6 +3,7 @@
 mod agreement;
 mod claims;
 mod fixtures;
+mod random;
 mod robots;
 mod soup;
 mod ui;
