@@ -67,7 +67,7 @@ impl RpParallel {
             ),
             ::dh_robot::pose::from_entries(
                 [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
-                [c1 * self.a1, s1 * self.a1, q[1]],
+                [self.a1 * c1, self.a1 * s1, q[1]],
             ),
         ]
     }

@@ -74,7 +74,7 @@ impl WaferPrrr {
             [
                 self.a3 * c23 + self.a2 * c2,
                 self.a3 * s23 + self.a2 * s2,
-                q[0] + self.d2 + self.d4 + self.d3,
+                self.d2 + self.d3 + self.d4 + q[0],
             ],
         )
     }
@@ -353,15 +353,16 @@ impl WaferPrrr {
         let t_8 = t_3 * t_3 + t_4 * t_4;
         let t_9 = self.d2 * 1.6415283908776575;
         let t_10 = self.d3 * 1.6415283908776575;
-        let t_11 = self.a2 * 1.6415283908776575;
-        let t_12 = self.a3 * 1.6415283908776575;
-        let t_13 = t_10 * (t_10 + t_9 * 2.0);
-        let t_14 = t_11 * t_11 + t_12 * t_12 + t_9 * t_9;
-        let t_15 = t_9 + t_2 + t_10;
+        let t_11 = t_9 + t_10;
+        let t_12 = self.a2 * 1.6415283908776575;
+        let t_13 = self.a3 * 1.6415283908776575;
+        let t_14 = t_10 * (t_10 + t_9 * 2.0);
+        let t_15 = t_12 * t_12 + t_13 * t_13 + t_9 * t_9;
+        let t_16 = t_2 + t_11;
         let mut m0 = [0.0; 1];
         let mut f0 = [[0.0; 1]; 2];
         for l in 0..1 {
-            let (x, m) = ::dh_robot::lanes::linear(1.0, -(t_5 - (t_9 + t_10)));
+            let (x, m) = ::dh_robot::lanes::linear(1.0, -(t_5 - t_11));
             f0[0][l] = x;
             f0[1][l] = x;
             m0[l] = m;
@@ -371,14 +372,14 @@ impl WaferPrrr {
         let mut v48_ = [0.0; 1];
         let mut v50_ = [0.0; 1];
         let mut v69_ = [0.0; 1];
-        let mut v105_ = [0.0; 1];
+        let mut v104_ = [0.0; 1];
         for l in 0..1 {
             let q1 = q1_[l];
-            let t_16 = t_5 - q1;
-            v48_[l] = t_6 + t[2][0] * t_16;
-            v50_[l] = t_7 + t[2][1] * t_16;
-            v69_[l] = t_13 - (t_8 + t_16 * t_16 - t_14);
-            v105_[l] = q1 + t_15;
+            let t_17 = t_5 - q1;
+            v48_[l] = t_6 + t[2][0] * t_17;
+            v50_[l] = t_7 + t[2][1] * t_17;
+            v69_[l] = t_14 - (t_8 + t_17 * t_17 - t_15);
+            v104_[l] = q1 + t_16;
         }
         let mut m1 = [0.0; 1];
         let mut f1 = [[0.0; 1]; 2];
@@ -404,7 +405,7 @@ impl WaferPrrr {
         for l in 0..1 {
             let v69 = v69_[l];
             let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
-                2.0 * t_11 * t_12,
+                2.0 * t_12 * t_13,
                 0.0,
                 -v69,
             );
@@ -420,21 +421,21 @@ impl WaferPrrr {
         let g2: [f64; 2] = ::dh_robot::atan2_batch(&f2[1], &f2[0]);
         let mut v72_ = [0.0; 2];
         let mut v74_ = [0.0; 2];
-        let mut v90_ = [0.0; 2];
-        let mut v93_ = [0.0; 2];
+        let mut v89_ = [0.0; 2];
+        let mut v92_ = [0.0; 2];
         for l in 0..2 {
             let c234 = c234_[l % 1];
             let s234 = s234_[l % 1];
             let c3 = c3_[l];
             let s3 = s3_[l];
-            let t_17 = t_12 + t_11 * c3;
-            let t_18 = t_11 * s3;
-            let t_19 = c3 * c234 + s3 * s234;
-            let t_20 = s3 * c234 - c3 * s234;
-            v72_[l] = t_17;
-            v74_[l] = t_18;
-            v90_[l] = t_19;
-            v93_[l] = t_20;
+            let t_18 = t_13 + t_12 * c3;
+            let t_19 = t_12 * s3;
+            let t_20 = c3 * c234 + s3 * s234;
+            let t_21 = s3 * c234 - c3 * s234;
+            v72_[l] = t_18;
+            v74_[l] = t_19;
+            v89_[l] = t_20;
+            v92_[l] = t_21;
         }
         let mut m3 = [0.0; 2];
         let mut f3 = [[0.0; 2]; 2];
@@ -451,32 +452,32 @@ impl WaferPrrr {
         let c4_ = f3[0];
         let s4_ = f3[1];
         let g3: [f64; 2] = ::dh_robot::atan2_batch(&f3[1], &f3[0]);
+        let mut v101_ = [0.0; 2];
         let mut v102_ = [0.0; 2];
-        let mut v103_ = [0.0; 2];
         for l in 0..2 {
             let c234 = c234_[l % 1];
             let s234 = s234_[l % 1];
-            let v90 = v90_[l];
-            let v93 = v93_[l];
+            let v89 = v89_[l];
+            let v92 = v92_[l];
             let c4 = c4_[l];
             let s4 = s4_[l];
-            let t_21 = t_12 * (c234 * c4 + s234 * s4) + t_11 * (c4 * v90 - s4 * v93);
-            let t_22 = t_12 * (c234 * s4 - s234 * c4) + t_11 * (s4 * v90 + c4 * v93);
-            v102_[l] = t_21;
-            v103_[l] = t_22;
+            let t_22 = t_13 * (c234 * c4 + s234 * s4) + t_12 * (c4 * v89 - s4 * v92);
+            let t_23 = t_13 * (c234 * s4 - s234 * c4) + t_12 * (s4 * v89 + c4 * v92);
+            v101_[l] = t_22;
+            v102_[l] = t_23;
         }
         let mut error = [0.0; 2];
         for l in 0..2 {
             let c234 = c234_[l % 1];
             let s234 = s234_[l % 1];
+            let v101 = v101_[l];
             let v102 = v102_[l];
-            let v103 = v103_[l];
-            let v105 = v105_[l % 1];
+            let v104 = v104_[l % 1];
             error[l] = (c234 - t[0][0]).abs() + (s234 - t[1][0]).abs()
                 + (0.0 - t[2][0]).abs() + (-s234 - t[0][1]).abs()
                 + (c234 - t[1][1]).abs() + (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs()
-                + (0.0 - t[1][2]).abs() + (1.0 - t[2][2]).abs() + (v102 - t[0][3]).abs()
-                + (-v103 - t[1][3]).abs() + (v105 - t[2][3]).abs();
+                + (0.0 - t[1][2]).abs() + (1.0 - t[2][2]).abs() + (v101 - t[0][3]).abs()
+                + (-v102 - t[1][3]).abs() + (v104 - t[2][3]).abs();
         }
         let valid: [f64; 2] = ::core::array::from_fn(|l| 1.0 * e2[l % 1 % 1]);
         let margin: [f64; 2] = ::core::array::from_fn(|l| {
@@ -526,7 +527,7 @@ impl ::dh_robot::ik::Kinematics<4> for WaferPrrr {
         [
             [c234, -s234, 0.0, self.a3 * c23 + self.a2 * c2],
             [s234, c234, 0.0, self.a3 * s23 + self.a2 * s2],
-            [0.0, 0.0, 1.0, q[0] + self.d2 + self.d4 + self.d3],
+            [0.0, 0.0, 1.0, self.d2 + self.d3 + self.d4 + q[0]],
         ]
     }
     fn forward_and_jacobian(
