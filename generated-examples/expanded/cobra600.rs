@@ -264,7 +264,15 @@ impl Cobra600 {
                     1e-11,
                 );
                 if r2.roots.is_empty() {
-                    attempt.note(r2.outcome, "q2", 0.987, "m");
+                    attempt
+                        .note_distance(
+                            r2.outcome,
+                            "elbow q2",
+                            t_2,
+                            q3 * (0.78419452887538 - q3) + t_3,
+                            0.987,
+                            "m",
+                        );
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;

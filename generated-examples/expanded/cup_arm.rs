@@ -310,9 +310,9 @@ impl CupArm {
     /// 1. `q1`: a cos + b sin = 0: two values half a turn apart.
     /// 2. `q3`: a cos + b sin = c: two values.
     /// 3. `q2`: two equations in its sine and cosine: one value.
-    /// 4. `q6`: a cos + b sin = 0: two values half a turn apart.
+    /// 4. `q4`: a cos + b sin = 0: two values half a turn apart.
     /// 5. `q5`: two equations in its sine and cosine: one value.
-    /// 6. `q4`: two equations in its sine and cosine: one value.
+    /// 6. `q6`: two equations in its sine and cosine: one value.
     #[must_use]
     pub fn inverse(
         &self,
@@ -355,7 +355,7 @@ impl CupArm {
         let t_5 = t_4 * t_4;
         let r0 = ::dh_robot::ik::solve_sincos(-t_3, t_2, 0.0, 1e-11);
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "q1", 954.0, "mm");
+            attempt.note(r0.outcome, "shoulder q1", 954.0, "mm");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -368,18 +368,29 @@ impl CupArm {
             let t_6 = t_2 * c1 + t_3 * s1;
             let t_7 = t_2 * s1 - t_3 * c1;
             let t_8 = t[0][0] * c1 + t[1][0] * s1;
-            let t_9 = t[0][1] * c1 + t[1][1] * s1;
-            let t_10 = t[0][2] * c1 + t[1][2] * s1;
-            let t_11 = 0.031446540880503145 * (0.031446540880503145 + t_6 * 2.0);
-            let t_12 = t_6 + 0.031446540880503145;
+            let t_9 = t[0][0] * s1 - t[1][0] * c1;
+            let t_10 = t[0][1] * c1 + t[1][1] * s1;
+            let t_11 = t[0][1] * s1 - t[1][1] * c1;
+            let t_12 = t[0][2] * c1 + t[1][2] * s1;
+            let t_13 = t[0][2] * s1 - t[1][2] * c1;
+            let t_14 = 0.031446540880503145 * (0.031446540880503145 + t_6 * 2.0);
+            let t_15 = t_6 + 0.031446540880503145;
             let r1 = ::dh_robot::ik::solve_sincos(
                 -0.02988630020788559,
                 -0.2525392367566332,
-                t_11 + t_5 + t_6 * t_6 + t_7 * t_7 - 0.25430164946006883,
+                t_14 + t_5 + t_6 * t_6 + t_7 * t_7 - 0.25430164946006883,
                 1e-11,
             );
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, "q3", 954.0, "mm");
+                attempt
+                    .note_distance(
+                        r1.outcome,
+                        "elbow q3",
+                        t_5 + t_6 * t_6 + t_7 * t_7,
+                        t_14 + t_5 + t_6 * t_6 + t_7 * t_7 - 0.25430164946006883,
+                        954.0,
+                        "mm",
+                    );
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -389,14 +400,14 @@ impl CupArm {
             };
             for (i1, &[c3, s3]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s3, c3);
-                let t_13 = 0.35639412997903563 - 0.041928721174004195 * c3
+                let t_16 = 0.35639412997903563 - 0.041928721174004195 * c3
                     - 0.35429769392033544 * s3;
                 let r2 = ::dh_robot::ik::solve_pair(
-                    -t_12,
+                    -t_15,
                     t_4,
-                    -t_13,
+                    -t_16,
                     t_4,
-                    t_12,
+                    t_15,
                     -(c3 * 0.35429769392033544 - 0.041928721174004195 * s3),
                     1e-11,
                 );
@@ -411,33 +422,34 @@ impl CupArm {
                 };
                 for (i2, &[c2, s2]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s2, c2);
-                    let t_14 = c3 * c2 - s3 * s2;
-                    let t_15 = c3 * s2 + s3 * c2;
-                    let t_16 = t_8 * t_14 - t[2][0] * t_15;
-                    let t_17 = t_8 * t_15 + t[2][0] * t_14;
-                    let t_18 = t_9 * t_14 - t[2][1] * t_15;
-                    let t_19 = t_9 * t_15 + t[2][1] * t_14;
-                    let t_20 = t_10 * t_14 - t[2][2] * t_15;
-                    let r3 = ::dh_robot::ik::solve_sincos(-t_19, -t_17, 0.0, 1e-11);
+                    let t_17 = c3 * c2 - s3 * s2;
+                    let t_18 = c3 * s2 + s3 * c2;
+                    let t_19 = t_8 * t_17 - t[2][0] * t_18;
+                    let t_20 = t_8 * t_18 + t[2][0] * t_17;
+                    let t_21 = t_10 * t_17 - t[2][1] * t_18;
+                    let t_22 = t_10 * t_18 + t[2][1] * t_17;
+                    let t_23 = t_12 * t_17 - t[2][2] * t_18;
+                    let r3 = ::dh_robot::ik::solve_sincos(-t_13, t_23, 0.0, 1e-11);
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "q6", 1.0, "");
+                        attempt.note(r3.outcome, "wrist q4", 1.0, "");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
-                        free.union(::dh_robot::FreeJoints::of(&[5]))
+                        free.union(::dh_robot::FreeJoints::of(&[3]))
                     } else {
                         free
                     };
-                    for (i3, &[c6, s6]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
-                        let a3 = ::dh_robot::math::atan2(s6, c6);
-                        let t_21 = t_16 * c6 - t_18 * s6;
+                    for (i3, &[c4, s4]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                        let a3 = ::dh_robot::math::atan2(s4, c4);
+                        let t_24 = t_19 * c4 + t_9 * s4;
+                        let t_25 = t_21 * c4 + t_11 * s4;
                         let r4 = ::dh_robot::ik::solve_pair(
                             0.0,
-                            1.0,
-                            -(t_17 * c6 - t_19 * s6),
+                            -1.0,
+                            t_23 * c4 + t_13 * s4,
                             1.0,
                             0.0,
-                            -(t_10 * t_15 + t[2][2] * t_14),
+                            -(t_12 * t_18 + t[2][2] * t_17),
                             1e-11,
                         );
                         if r4.roots.is_empty() {
@@ -458,27 +470,27 @@ impl CupArm {
                             let r5 = ::dh_robot::ik::solve_pair(
                                 1.0,
                                 0.0,
-                                t_21 * c5 - t_20 * s5,
+                                t_24 * c5 - t_20 * s5,
                                 0.0,
                                 -1.0,
-                                t_16 * s6 + t_18 * c6,
+                                t_25 * c5 - t_22 * s5,
                                 1e-11,
                             );
                             if r5.roots.is_empty() {
-                                attempt.note(r5.outcome, "q4", 1.0, "");
+                                attempt.note(r5.outcome, "q6", 1.0, "");
                             }
                             let free = if r5.is_free() {
                                 attempt.degenerate = true;
-                                free.union(::dh_robot::FreeJoints::of(&[3]))
+                                free.union(::dh_robot::FreeJoints::of(&[5]))
                             } else {
                                 free
                             };
-                            for (i5, &[c4, s4]) in r5
+                            for (i5, &[c6, s6]) in r5
                                 .or_if_free([1.0, 0.0])
                                 .iter()
                                 .enumerate()
                             {
-                                let a5 = ::dh_robot::math::atan2(s4, c4);
+                                let a5 = ::dh_robot::math::atan2(s6, c6);
                                 let branch = ::dh_robot::Branch::ANY
                                     .with_step(0, i0)
                                     .with_shoulder(
@@ -504,7 +516,7 @@ impl CupArm {
                                             ::dh_robot::Wrist::Flip
                                         },
                                     );
-                                found([a0, a2, a1, a5, a4, a3], branch, free);
+                                found([a0, a2, a1, a3, a4, a5], branch, free);
                             }
                         }
                     }
@@ -549,8 +561,11 @@ impl CupArm {
             }
         });
         let mut v53_ = [0.0; 2];
+        let mut v56_ = [0.0; 2];
         let mut v59_ = [0.0; 2];
+        let mut v62_ = [0.0; 2];
         let mut v65_ = [0.0; 2];
+        let mut v68_ = [0.0; 2];
         let mut v94_ = [0.0; 2];
         let mut v95_ = [0.0; 2];
         for l in 0..2 {
@@ -559,15 +574,21 @@ impl CupArm {
             let t_6 = t_2 * c1 + t_3 * s1;
             let t_7 = t_2 * s1 - t_3 * c1;
             let t_8 = t[0][0] * c1 + t[1][0] * s1;
-            let t_9 = t[0][1] * c1 + t[1][1] * s1;
-            let t_10 = t[0][2] * c1 + t[1][2] * s1;
-            let t_11 = 0.031446540880503145 * (0.031446540880503145 + t_6 * 2.0);
-            let t_12 = t_6 + 0.031446540880503145;
+            let t_9 = t[0][0] * s1 - t[1][0] * c1;
+            let t_10 = t[0][1] * c1 + t[1][1] * s1;
+            let t_11 = t[0][1] * s1 - t[1][1] * c1;
+            let t_12 = t[0][2] * c1 + t[1][2] * s1;
+            let t_13 = t[0][2] * s1 - t[1][2] * c1;
+            let t_14 = 0.031446540880503145 * (0.031446540880503145 + t_6 * 2.0);
+            let t_15 = t_6 + 0.031446540880503145;
             v53_[l] = t_8;
-            v59_[l] = t_9;
-            v65_[l] = t_10;
-            v94_[l] = t_11 + t_5 + t_6 * t_6 + t_7 * t_7 - 0.25430164946006883;
-            v95_[l] = t_12;
+            v56_[l] = t_9;
+            v59_[l] = t_10;
+            v62_[l] = t_11;
+            v65_[l] = t_12;
+            v68_[l] = t_13;
+            v94_[l] = t_14 + t_5 + t_6 * t_6 + t_7 * t_7 - 0.25430164946006883;
+            v95_[l] = t_15;
         }
         let mut m1 = [0.0; 2];
         let mut f1 = [[0.0; 4]; 2];
@@ -594,9 +615,9 @@ impl CupArm {
         for l in 0..4 {
             let c3 = c3_[l];
             let s3 = s3_[l];
-            let t_13 = 0.35639412997903563 - 0.041928721174004195 * c3
+            let t_16 = 0.35639412997903563 - 0.041928721174004195 * c3
                 - 0.35429769392033544 * s3;
-            v104_[l] = t_13;
+            v104_[l] = t_16;
             v107_[l] = c3 * 0.35429769392033544 - 0.041928721174004195 * s3;
         }
         let mut m2 = [0.0; 4];
@@ -621,9 +642,9 @@ impl CupArm {
         let mut v140_ = [0.0; 4];
         let mut v143_ = [0.0; 4];
         let mut v146_ = [0.0; 4];
-        let mut v295_ = [0.0; 4];
-        let mut v296_ = [0.0; 4];
-        let mut v297_ = [0.0; 4];
+        let mut v305_ = [0.0; 4];
+        let mut v306_ = [0.0; 4];
+        let mut v307_ = [0.0; 4];
         for l in 0..4 {
             let c1 = c1_[l % 2];
             let s1 = s1_[l % 2];
@@ -634,47 +655,47 @@ impl CupArm {
             let s3 = s3_[l];
             let c2 = c2_[l];
             let s2 = s2_[l];
-            let t_14 = c3 * c2 - s3 * s2;
-            let t_15 = c3 * s2 + s3 * c2;
-            let t_16 = v53 * t_14 - t[2][0] * t_15;
-            let t_17 = v53 * t_15 + t[2][0] * t_14;
-            let t_18 = v59 * t_14 - t[2][1] * t_15;
-            let t_19 = v59 * t_15 + t[2][1] * t_14;
-            let t_20 = v65 * t_14 - t[2][2] * t_15;
-            let t_21 = 0.041928721174004195 * t_14 + 0.35429769392033544 * t_15
+            let t_17 = c3 * c2 - s3 * s2;
+            let t_18 = c3 * s2 + s3 * c2;
+            let t_19 = v53 * t_17 - t[2][0] * t_18;
+            let t_20 = v53 * t_18 + t[2][0] * t_17;
+            let t_21 = v59 * t_17 - t[2][1] * t_18;
+            let t_22 = v59 * t_18 + t[2][1] * t_17;
+            let t_23 = v65 * t_17 - t[2][2] * t_18;
+            let t_24 = 0.041928721174004195 * t_17 + 0.35429769392033544 * t_18
                 - 0.35639412997903563 * c2;
-            let t_22 = 0.041928721174004195 * t_15 - 0.35429769392033544 * t_14
+            let t_25 = 0.041928721174004195 * t_18 - 0.35429769392033544 * t_17
                 - 0.35639412997903563 * s2;
-            let t_23 = 0.031446540880503145 + t_21;
-            let t_24 = c1 * t_23;
-            let t_25 = s1 * t_23;
-            let t_26 = 0.39098532494758914 + t_22;
-            v125_[l] = t_14;
-            v128_[l] = t_15;
-            v131_[l] = t_16;
-            v134_[l] = t_17;
-            v137_[l] = t_18;
-            v140_[l] = t_19;
-            v143_[l] = t_20;
-            v146_[l] = v65 * t_15 + t[2][2] * t_14;
-            v295_[l] = t_24;
-            v296_[l] = t_25;
-            v297_[l] = t_26;
+            let t_26 = 0.031446540880503145 + t_24;
+            let t_27 = c1 * t_26;
+            let t_28 = s1 * t_26;
+            let t_29 = 0.39098532494758914 + t_25;
+            v125_[l] = t_17;
+            v128_[l] = t_18;
+            v131_[l] = t_19;
+            v134_[l] = t_20;
+            v137_[l] = t_21;
+            v140_[l] = t_22;
+            v143_[l] = t_23;
+            v146_[l] = v65 * t_18 + t[2][2] * t_17;
+            v305_[l] = t_27;
+            v306_[l] = t_28;
+            v307_[l] = t_29;
         }
         let mut m3 = [0.0; 4];
         let mut f3 = [[0.0; 8]; 2];
         for l in 0..4 {
-            let v140 = v140_[l];
-            let v134 = v134_[l];
-            let ([x, y], m) = ::dh_robot::lanes::half_turn(-v140, -v134);
+            let v68 = v68_[l % 2];
+            let v143 = v143_[l];
+            let ([x, y], m) = ::dh_robot::lanes::half_turn(-v68, v143);
             f3[0][l] = x;
             f3[1][l] = y;
             f3[0][l + 4] = -x;
             f3[1][l + 4] = -y;
             m3[l] = m;
         }
-        let c6_ = f3[0];
-        let s6_ = f3[1];
+        let c4_ = f3[0];
+        let s4_ = f3[1];
         let half: [f64; 4] = ::dh_robot::atan2_batch(
             &::core::array::from_fn(|l| f3[1][l]),
             &::core::array::from_fn(|l| f3[0][l]),
@@ -688,27 +709,30 @@ impl CupArm {
                 half[k - 4] + ::core::f64::consts::PI
             }
         });
-        let mut v171_ = [0.0; 8];
-        let mut v172_ = [0.0; 8];
+        let mut v174_ = [0.0; 8];
         let mut v180_ = [0.0; 8];
+        let mut v186_ = [0.0; 8];
         for l in 0..8 {
+            let v56 = v56_[l % 2];
+            let v62 = v62_[l % 2];
+            let v68 = v68_[l % 2];
             let v131 = v131_[l % 4];
-            let v134 = v134_[l % 4];
             let v137 = v137_[l % 4];
-            let v140 = v140_[l % 4];
-            let c6 = c6_[l];
-            let s6 = s6_[l];
-            let t_27 = v131 * c6 - v137 * s6;
-            v171_[l] = t_27;
-            v172_[l] = v134 * c6 - v140 * s6;
-            v180_[l] = v131 * s6 + v137 * c6;
+            let v143 = v143_[l % 4];
+            let c4 = c4_[l];
+            let s4 = s4_[l];
+            let t_30 = v131 * c4 + v56 * s4;
+            let t_31 = v137 * c4 + v62 * s4;
+            v174_[l] = t_30;
+            v180_[l] = t_31;
+            v186_[l] = v143 * c4 + v68 * s4;
         }
         let mut m4 = [0.0; 8];
         let mut f4 = [[0.0; 8]; 2];
         for l in 0..8 {
-            let v172 = v172_[l];
+            let v186 = v186_[l];
             let v146 = v146_[l % 4];
-            let ([x, y], m) = ::dh_robot::lanes::pair(0.0, 1.0, -v172, 1.0, 0.0, -v146);
+            let ([x, y], m) = ::dh_robot::lanes::pair(0.0, -1.0, v186, 1.0, 0.0, -v146);
             f4[0][l] = x;
             f4[1][l] = y;
             m4[l] = m;
@@ -716,120 +740,113 @@ impl CupArm {
         let c5_ = f4[0];
         let s5_ = f4[1];
         let g4: [f64; 8] = ::dh_robot::atan2_batch(&f4[1], &f4[0]);
-        let mut v201_ = [0.0; 8];
-        let mut v239_ = [0.0; 8];
-        let mut v250_ = [0.0; 8];
-        let mut v253_ = [0.0; 8];
-        let mut v264_ = [0.0; 8];
-        let mut v267_ = [0.0; 8];
-        for l in 0..8 {
-            let v125 = v125_[l % 4];
-            let v128 = v128_[l % 4];
-            let v143 = v143_[l % 4];
-            let c6 = c6_[l];
-            let v171 = v171_[l];
-            let c5 = c5_[l];
-            let s5 = s5_[l];
-            let c6c5 = c6 * c5;
-            let c6s5 = c6 * s5;
-            let t_28 = v128 * c6s5;
-            let t_29 = v125 * c6s5;
-            let t_30 = v128 * c5;
-            let t_31 = v125 * c5;
-            v201_[l] = v171 * c5 - v143 * s5;
-            v239_[l] = c6c5;
-            v250_[l] = t_28;
-            v253_[l] = t_29;
-            v264_[l] = t_30;
-            v267_[l] = t_31;
-        }
-        let mut m5 = [0.0; 8];
-        let mut f5 = [[0.0; 8]; 2];
-        for l in 0..8 {
-            let v201 = v201_[l];
-            let v180 = v180_[l];
-            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v201, 0.0, -1.0, v180);
-            f5[0][l] = x;
-            f5[1][l] = y;
-            m5[l] = m;
-        }
-        let c4_ = f5[0];
-        let s4_ = f5[1];
-        let g5: [f64; 8] = ::dh_robot::atan2_batch(&f5[1], &f5[0]);
-        let mut v254_ = [0.0; 8];
-        let mut v257_ = [0.0; 8];
-        let mut v260_ = [0.0; 8];
-        let mut v268_ = [0.0; 8];
-        let mut v271_ = [0.0; 8];
-        let mut v274_ = [0.0; 8];
-        let mut v277_ = [0.0; 8];
-        let mut v280_ = [0.0; 8];
-        let mut v283_ = [0.0; 8];
-        let mut v301_ = [0.0; 8];
-        let mut v302_ = [0.0; 8];
-        let mut v303_ = [0.0; 8];
+        let mut v217_ = [0.0; 8];
+        let mut v223_ = [0.0; 8];
+        let mut v278_ = [0.0; 8];
+        let mut v281_ = [0.0; 8];
+        let mut v284_ = [0.0; 8];
+        let mut v311_ = [0.0; 8];
+        let mut v312_ = [0.0; 8];
+        let mut v313_ = [0.0; 8];
         for l in 0..8 {
             let c1 = c1_[l % 2];
             let s1 = s1_[l % 2];
             let v125 = v125_[l % 4];
             let v128 = v128_[l % 4];
-            let s6 = s6_[l];
-            let s5 = s5_[l];
-            let v239 = v239_[l];
-            let v250 = v250_[l];
-            let v253 = v253_[l];
-            let v264 = v264_[l];
-            let v267 = v267_[l];
-            let v295 = v295_[l % 4];
-            let v296 = v296_[l % 4];
-            let v297 = v297_[l % 4];
+            let v134 = v134_[l % 4];
+            let v140 = v140_[l % 4];
             let c4 = c4_[l];
             let s4 = s4_[l];
-            let t_32 = v239 * c4 - s6 * s4;
-            let t_33 = v239 * s4 + s6 * c4;
-            let t_34 = v125 * t_32 - v250;
-            let t_35 = v128 * t_32 + v253;
-            let t_36 = c1 * t_34 + s1 * t_33;
-            let t_37 = s1 * t_34 - c1 * t_33;
-            let s5c4 = s5 * c4;
-            let s5s4 = s5 * s4;
-            let t_38 = v125 * s5c4 + v264;
-            let t_39 = v128 * s5c4 - v267;
-            let t_40 = c1 * t_38 + s1 * s5s4;
-            let t_41 = s1 * t_38 - c1 * s5s4;
-            v254_[l] = t_35;
-            v257_[l] = t_36;
-            v260_[l] = t_37;
-            v268_[l] = t_39;
-            v271_[l] = t_40;
-            v274_[l] = t_41;
-            v277_[l] = t_35 * t_41 - t_37 * t_39;
-            v280_[l] = t_36 * t_39 - t_35 * t_40;
-            v283_[l] = t_37 * t_40 - t_36 * t_41;
-            v301_[l] = v295 + 0.2159329140461216 * t_40;
-            v302_[l] = v296 + 0.2159329140461216 * t_41;
-            v303_[l] = v297 + 0.2159329140461216 * t_39;
+            let v174 = v174_[l];
+            let v180 = v180_[l];
+            let v305 = v305_[l % 4];
+            let v306 = v306_[l % 4];
+            let v307 = v307_[l % 4];
+            let c5 = c5_[l];
+            let s5 = s5_[l];
+            let c4s5 = c4 * s5;
+            let s4s5 = s4 * s5;
+            let t_32 = v125 * c4s5 + v128 * c5;
+            let t_33 = v128 * c4s5 - v125 * c5;
+            let t_34 = c1 * t_32 + s1 * s4s5;
+            let t_35 = s1 * t_32 - c1 * s4s5;
+            v217_[l] = v174 * c5 - v134 * s5;
+            v223_[l] = v180 * c5 - v140 * s5;
+            v278_[l] = t_33;
+            v281_[l] = t_34;
+            v284_[l] = t_35;
+            v311_[l] = v305 + 0.2159329140461216 * t_34;
+            v312_[l] = v306 + 0.2159329140461216 * t_35;
+            v313_[l] = v307 + 0.2159329140461216 * t_33;
+        }
+        let mut m5 = [0.0; 8];
+        let mut f5 = [[0.0; 8]; 2];
+        for l in 0..8 {
+            let v217 = v217_[l];
+            let v223 = v223_[l];
+            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v217, 0.0, -1.0, v223);
+            f5[0][l] = x;
+            f5[1][l] = y;
+            m5[l] = m;
+        }
+        let c6_ = f5[0];
+        let s6_ = f5[1];
+        let g5: [f64; 8] = ::dh_robot::atan2_batch(&f5[1], &f5[0]);
+        let mut v264_ = [0.0; 8];
+        let mut v267_ = [0.0; 8];
+        let mut v270_ = [0.0; 8];
+        let mut v287_ = [0.0; 8];
+        let mut v290_ = [0.0; 8];
+        let mut v293_ = [0.0; 8];
+        for l in 0..8 {
+            let c1 = c1_[l % 2];
+            let s1 = s1_[l % 2];
+            let v125 = v125_[l % 4];
+            let v128 = v128_[l % 4];
+            let c4 = c4_[l];
+            let s4 = s4_[l];
+            let c5 = c5_[l];
+            let s5 = s5_[l];
+            let v278 = v278_[l];
+            let v281 = v281_[l];
+            let v284 = v284_[l];
+            let c6 = c6_[l];
+            let s6 = s6_[l];
+            let c5c6 = c5 * c6;
+            let s5c6 = s5 * c6;
+            let t_36 = c4 * c5c6 - s4 * s6;
+            let t_37 = s4 * c5c6 + c4 * s6;
+            let t_38 = v125 * t_36 - v128 * s5c6;
+            let t_39 = v128 * t_36 + v125 * s5c6;
+            let t_40 = c1 * t_38 + s1 * t_37;
+            let t_41 = s1 * t_38 - c1 * t_37;
+            v264_[l] = t_39;
+            v267_[l] = t_40;
+            v270_[l] = t_41;
+            v287_[l] = t_39 * v284 - t_41 * v278;
+            v290_[l] = t_40 * v278 - t_39 * v281;
+            v293_[l] = t_41 * v281 - t_40 * v284;
         }
         let mut error = [0.0; 8];
         for l in 0..8 {
-            let v257 = v257_[l];
-            let v260 = v260_[l];
-            let v254 = v254_[l];
-            let v277 = v277_[l];
-            let v280 = v280_[l];
-            let v283 = v283_[l];
-            let v271 = v271_[l];
-            let v274 = v274_[l];
-            let v268 = v268_[l];
-            let v301 = v301_[l];
-            let v302 = v302_[l];
-            let v303 = v303_[l];
-            error[l] = (v257 - t[0][0]).abs() + (v260 - t[1][0]).abs()
-                + (-v254 - t[2][0]).abs() + (v277 - t[0][1]).abs()
-                + (v280 - t[1][1]).abs() + (-v283 - t[2][1]).abs()
-                + (-v271 - t[0][2]).abs() + (-v274 - t[1][2]).abs()
-                + (v268 - t[2][2]).abs() + (-v301 - t[0][3]).abs()
-                + (-v302 - t[1][3]).abs() + (v303 - t[2][3]).abs();
+            let v267 = v267_[l];
+            let v270 = v270_[l];
+            let v264 = v264_[l];
+            let v287 = v287_[l];
+            let v290 = v290_[l];
+            let v293 = v293_[l];
+            let v281 = v281_[l];
+            let v284 = v284_[l];
+            let v278 = v278_[l];
+            let v311 = v311_[l];
+            let v312 = v312_[l];
+            let v313 = v313_[l];
+            error[l] = (v267 - t[0][0]).abs() + (v270 - t[1][0]).abs()
+                + (-v264 - t[2][0]).abs() + (v287 - t[0][1]).abs()
+                + (v290 - t[1][1]).abs() + (-v293 - t[2][1]).abs()
+                + (-v281 - t[0][2]).abs() + (-v284 - t[1][2]).abs()
+                + (v278 - t[2][2]).abs() + (-v311 - t[0][3]).abs()
+                + (-v312 - t[1][3]).abs() + (v313 - t[2][3]).abs();
         }
         let valid: [f64; 8] = ::core::array::from_fn(|l| 1.0 * e1[l % 2 % 2]);
         let margin: [f64; 8] = ::core::array::from_fn(|l| {
@@ -845,9 +862,9 @@ impl CupArm {
             ::core::array::from_fn(|l| g0[l / 1 % 2 * 1 + l % 1]),
             ::core::array::from_fn(|l| g2[l % 4]),
             ::core::array::from_fn(|l| g1[l / 2 % 2 * 2 + l % 2]),
-            ::core::array::from_fn(|l| g5[l % 8]),
-            ::core::array::from_fn(|l| g4[l % 8]),
             ::core::array::from_fn(|l| g3[l / 4 % 2 * 4 + l % 4]),
+            ::core::array::from_fn(|l| g4[l % 8]),
+            ::core::array::from_fn(|l| g5[l % 8]),
         ];
         ::dh_robot::lanes::collect(
             &Self::JOINTS,

@@ -210,12 +210,12 @@ impl GantryWrist {
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// Plan:
-    /// 1. `q2`: a linear equation.
-    /// 2. `q1`: a linear equation.
+    /// 1. `q1`: a linear equation.
+    /// 2. `q2`: a linear equation.
     /// 3. `q3`: a linear equation.
     /// 4. `q6`: a cos + b sin = 0: two values half a turn apart.
-    /// 5. `q5`: two equations in its sine and cosine: one value.
-    /// 6. `q4`: two equations in its sine and cosine: one value.
+    /// 5. `q4`: two equations in its sine and cosine: one value.
+    /// 6. `q5`: two equations in its sine and cosine: one value.
     #[must_use]
     pub fn inverse(
         &self,
@@ -252,45 +252,45 @@ impl GantryWrist {
     ) -> ::dh_robot::inverse::Attempt {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
-        let t_2 = t[1][0] * 0.8660254037844386 - t[1][1] * 0.5;
+        let t_2 = t[0][0] * 0.8660254037844386 - t[0][1] * 0.5;
         let t_3 = t[2][0] * 0.8660254037844386 - t[2][1] * 0.5;
-        let t_4 = t[1][0] * 0.5 + t[1][1] * 0.8660254037844386;
+        let t_4 = t[0][0] * 0.5 + t[0][1] * 0.8660254037844386;
         let t_5 = t[2][0] * 0.5 + t[2][1] * 0.8660254037844386;
         let t_6 = t[1][3] - t[1][2] * 0.6666666666666666 - 0.3333333333333333;
         let r0 = ::dh_robot::ik::solve_quadratic(
             0.0,
-            -1.0,
-            t[0][3] - t[0][2] * 0.6666666666666666,
+            1.0,
+            -(t[2][3] - t[2][2] * 0.6666666666666666),
             1e-11,
         );
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "q2", 0.30000000000000004, "m");
+            attempt.note(r0.outcome, "q1", 0.30000000000000004, "m");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
-            free.union(::dh_robot::FreeJoints::of(&[1]))
+            free.union(::dh_robot::FreeJoints::of(&[0]))
         } else {
             free
         };
-        for (i0, &q2) in r0.or_if_free(0.0).iter().enumerate() {
-            let a0 = q2 * 0.30000000000000004;
+        for (i0, &q1) in r0.or_if_free(0.0).iter().enumerate() {
+            let a0 = q1 * 0.30000000000000004;
             let r1 = ::dh_robot::ik::solve_quadratic(
                 0.0,
-                1.0,
-                -(t[2][3] - t[2][2] * 0.6666666666666666),
+                -1.0,
+                t[0][3] - t[0][2] * 0.6666666666666666,
                 1e-11,
             );
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, "q1", 0.30000000000000004, "m");
+                attempt.note(r1.outcome, "q2", 0.30000000000000004, "m");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
-                free.union(::dh_robot::FreeJoints::of(&[0]))
+                free.union(::dh_robot::FreeJoints::of(&[1]))
             } else {
                 free
             };
-            for (i1, &q1) in r1.or_if_free(0.0).iter().enumerate() {
-                let a1 = q1 * 0.30000000000000004;
+            for (i1, &q2) in r1.or_if_free(0.0).iter().enumerate() {
+                let a1 = q2 * 0.30000000000000004;
                 let r2 = ::dh_robot::ik::solve_quadratic(0.0, -1.0, t_6, 1e-11);
                 if r2.roots.is_empty() {
                     attempt.note(r2.outcome, "q3", 0.30000000000000004, "m");
@@ -303,9 +303,14 @@ impl GantryWrist {
                 };
                 for (i2, &q3) in r2.or_if_free(0.0).iter().enumerate() {
                     let a2 = q3 * 0.30000000000000004;
-                    let r3 = ::dh_robot::ik::solve_sincos(-t_4, -t_2, 0.0, 1e-11);
+                    let r3 = ::dh_robot::ik::solve_sincos(
+                        -(t[1][0] * 0.5 + t[1][1] * 0.8660254037844386),
+                        -(t[1][0] * 0.8660254037844386 - t[1][1] * 0.5),
+                        0.0,
+                        1e-11,
+                    );
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "q6", 1.0, "");
+                        attempt.note(r3.outcome, "wrist q6", 1.0, "");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
@@ -315,55 +320,54 @@ impl GantryWrist {
                     };
                     for (i3, &[c6, s6]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
                         let a3 = ::dh_robot::math::atan2(s6, c6);
-                        let t_7 = t_3 * c6 - t_5 * s6;
                         let r4 = ::dh_robot::ik::solve_pair(
                             0.0,
                             1.0,
-                            t_2 * c6 - t_4 * s6,
-                            1.0,
+                            -(t_3 * s6 + t_5 * c6),
+                            -1.0,
                             0.0,
-                            t[1][2],
+                            -(t_2 * s6 + t_4 * c6),
                             1e-11,
                         );
                         if r4.roots.is_empty() {
-                            attempt.note(r4.outcome, "q5", 1.0, "");
+                            attempt.note(r4.outcome, "q4", 1.0, "");
                         }
                         let free = if r4.is_free() {
                             attempt.degenerate = true;
-                            free.union(::dh_robot::FreeJoints::of(&[4]))
+                            free.union(::dh_robot::FreeJoints::of(&[3]))
                         } else {
                             free
                         };
-                        for (i4, &[c5, s5]) in r4
+                        for (i4, &[c4, s4]) in r4
                             .or_if_free([1.0, 0.0])
                             .iter()
                             .enumerate()
                         {
-                            let a4 = ::dh_robot::math::atan2(s5, c5);
+                            let a4 = ::dh_robot::math::atan2(s4, c4);
                             let r5 = ::dh_robot::ik::solve_pair(
                                 1.0,
                                 0.0,
-                                t_7 * c5 - t[2][2] * s5,
+                                c6 * (t_3 * c4 + t_2 * s4) - s6 * (t_5 * c4 + t_4 * s4),
                                 0.0,
                                 -1.0,
-                                t_3 * s6 + t_5 * c6,
+                                t[2][2] * c4 + t[0][2] * s4,
                                 1e-11,
                             );
                             if r5.roots.is_empty() {
-                                attempt.note(r5.outcome, "q4", 1.0, "");
+                                attempt.note(r5.outcome, "q5", 1.0, "");
                             }
                             let free = if r5.is_free() {
                                 attempt.degenerate = true;
-                                free.union(::dh_robot::FreeJoints::of(&[3]))
+                                free.union(::dh_robot::FreeJoints::of(&[4]))
                             } else {
                                 free
                             };
-                            for (i5, &[c4, s4]) in r5
+                            for (i5, &[c5, s5]) in r5
                                 .or_if_free([1.0, 0.0])
                                 .iter()
                                 .enumerate()
                             {
-                                let a5 = ::dh_robot::math::atan2(s4, c4);
+                                let a5 = ::dh_robot::math::atan2(s5, c5);
                                 let branch = ::dh_robot::Branch::ANY
                                     .with_step(0, i3)
                                     .with_wrist(
@@ -373,7 +377,7 @@ impl GantryWrist {
                                             ::dh_robot::Wrist::Flip
                                         },
                                     );
-                                found([a1, a0, a2, a5, a4, a3], branch, free);
+                                found([a0, a1, a2, a4, a5, a3], branch, free);
                             }
                         }
                     }
@@ -388,36 +392,36 @@ impl GantryWrist {
         &self,
         t: &::dh_robot::ik::Pose,
     ) -> Option<::dh_robot::Solutions<f64, 6, 2>> {
-        let t_2 = t[1][0] * 0.8660254037844386 - t[1][1] * 0.5;
+        let t_2 = t[0][0] * 0.8660254037844386 - t[0][1] * 0.5;
         let t_3 = t[2][0] * 0.8660254037844386 - t[2][1] * 0.5;
-        let t_4 = t[1][0] * 0.5 + t[1][1] * 0.8660254037844386;
+        let t_4 = t[0][0] * 0.5 + t[0][1] * 0.8660254037844386;
         let t_5 = t[2][0] * 0.5 + t[2][1] * 0.8660254037844386;
         let t_6 = t[1][3] - t[1][2] * 0.6666666666666666 - 0.3333333333333333;
         let mut m0 = [0.0; 1];
         let mut f0 = [[0.0; 1]; 2];
         for l in 0..1 {
             let (x, m) = ::dh_robot::lanes::linear(
-                -1.0,
-                t[0][3] - t[0][2] * 0.6666666666666666,
+                1.0,
+                -(t[2][3] - t[2][2] * 0.6666666666666666),
             );
             f0[0][l] = x;
             f0[1][l] = x;
             m0[l] = m;
         }
-        let q2_ = f0[0];
+        let q1_ = f0[0];
         let g0: [f64; 1] = f0[0].map(|d| d * 0.30000000000000004);
         let mut m1 = [0.0; 1];
         let mut f1 = [[0.0; 1]; 2];
         for l in 0..1 {
             let (x, m) = ::dh_robot::lanes::linear(
-                1.0,
-                -(t[2][3] - t[2][2] * 0.6666666666666666),
+                -1.0,
+                t[0][3] - t[0][2] * 0.6666666666666666,
             );
             f1[0][l] = x;
             f1[1][l] = x;
             m1[l] = m;
         }
-        let q1_ = f1[0];
+        let q2_ = f1[0];
         let g1: [f64; 1] = f1[0].map(|d| d * 0.30000000000000004);
         let mut m2 = [0.0; 1];
         let mut f2 = [[0.0; 1]; 2];
@@ -429,16 +433,19 @@ impl GantryWrist {
         }
         let q3_ = f2[0];
         let g2: [f64; 1] = f2[0].map(|d| d * 0.30000000000000004);
-        let mut v193_ = [0.0; 1];
+        let mut v201_ = [0.0; 1];
         for l in 0..1 {
             let q3 = q3_[l];
             let t_7 = 0.3333333333333333 + q3;
-            v193_[l] = t_7;
+            v201_[l] = t_7;
         }
         let mut m3 = [0.0; 1];
         let mut f3 = [[0.0; 2]; 2];
         for l in 0..1 {
-            let ([x, y], m) = ::dh_robot::lanes::half_turn(-t_4, -t_2);
+            let ([x, y], m) = ::dh_robot::lanes::half_turn(
+                -(t[1][0] * 0.5 + t[1][1] * 0.8660254037844386),
+                -(t[1][0] * 0.8660254037844386 - t[1][1] * 0.5),
+            );
             f3[0][l] = x;
             f3[1][l] = y;
             f3[0][l + 1] = -x;
@@ -460,119 +467,131 @@ impl GantryWrist {
                 half[k - 1] + ::core::f64::consts::PI
             }
         });
-        let mut v93_ = [0.0; 2];
-        let mut v95_ = [0.0; 2];
         let mut v102_ = [0.0; 2];
-        let mut v169_ = [0.0; 2];
-        let mut v172_ = [0.0; 2];
+        let mut v103_ = [0.0; 2];
+        let mut v177_ = [0.0; 2];
+        let mut v180_ = [0.0; 2];
         for l in 0..2 {
             let c6 = c6_[l];
             let s6 = s6_[l];
-            let t_8 = t_3 * c6 - t_5 * s6;
-            let t_9 = 0.8660254037844386 * c6 - 0.5 * s6;
-            let t_10 = 0.5 * c6 + 0.8660254037844386 * s6;
-            v93_[l] = t_8;
-            v95_[l] = t_2 * c6 - t_4 * s6;
+            let t_8 = 0.8660254037844386 * c6 - 0.5 * s6;
+            let t_9 = 0.5 * c6 + 0.8660254037844386 * s6;
             v102_[l] = t_3 * s6 + t_5 * c6;
-            v169_[l] = t_9;
-            v172_[l] = t_10;
+            v103_[l] = t_2 * s6 + t_4 * c6;
+            v177_[l] = t_8;
+            v180_[l] = t_9;
         }
         let mut m4 = [0.0; 2];
         let mut f4 = [[0.0; 2]; 2];
         for l in 0..2 {
-            let v95 = v95_[l];
-            let ([x, y], m) = ::dh_robot::lanes::pair(0.0, 1.0, v95, 1.0, 0.0, t[1][2]);
+            let v102 = v102_[l];
+            let v103 = v103_[l];
+            let ([x, y], m) = ::dh_robot::lanes::pair(0.0, 1.0, -v102, -1.0, 0.0, -v103);
             f4[0][l] = x;
             f4[1][l] = y;
             m4[l] = m;
         }
-        let c5_ = f4[0];
-        let s5_ = f4[1];
+        let c4_ = f4[0];
+        let s4_ = f4[1];
         let g4: [f64; 2] = ::dh_robot::atan2_batch(&f4[1], &f4[0]);
-        let mut v129_ = [0.0; 2];
-        let mut v173_ = [0.0; 2];
-        let mut v174_ = [0.0; 2];
-        let mut v183_ = [0.0; 2];
-        let mut v184_ = [0.0; 2];
-        let mut v198_ = [0.0; 2];
+        let mut v143_ = [0.0; 2];
+        let mut v151_ = [0.0; 2];
+        let mut v186_ = [0.0; 2];
+        let mut v189_ = [0.0; 2];
+        let mut v194_ = [0.0; 2];
+        let mut v197_ = [0.0; 2];
         for l in 0..2 {
-            let v93 = v93_[l];
-            let v169 = v169_[l];
-            let v172 = v172_[l];
-            let v193 = v193_[l % 1];
-            let c5 = c5_[l];
-            let s5 = s5_[l];
-            let t_11 = c5 * v169;
-            let t_12 = c5 * v172;
-            v129_[l] = v93 * c5 - t[2][2] * s5;
-            v173_[l] = t_11;
-            v174_[l] = s5 * v169;
-            v183_[l] = t_12;
-            v184_[l] = s5 * v172;
-            v198_[l] = v193 + 0.6666666666666666 * c5;
+            let c6 = c6_[l];
+            let s6 = s6_[l];
+            let v177 = v177_[l];
+            let v180 = v180_[l];
+            let c4 = c4_[l];
+            let s4 = s4_[l];
+            let t_10 = s4 * v180;
+            let t_11 = c4 * v180;
+            let t_12 = s4 * v177;
+            let t_13 = c4 * v177;
+            v143_[l] = t[2][2] * c4 + t[0][2] * s4;
+            v151_[l] = c6 * (t_3 * c4 + t_2 * s4) - s6 * (t_5 * c4 + t_4 * s4);
+            v186_[l] = t_10;
+            v189_[l] = t_11;
+            v194_[l] = t_12;
+            v197_[l] = t_13;
         }
         let mut m5 = [0.0; 2];
         let mut f5 = [[0.0; 2]; 2];
         for l in 0..2 {
-            let v129 = v129_[l];
-            let v102 = v102_[l];
-            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v129, 0.0, -1.0, v102);
+            let v151 = v151_[l];
+            let v143 = v143_[l];
+            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v151, 0.0, -1.0, v143);
             f5[0][l] = x;
             f5[1][l] = y;
             m5[l] = m;
         }
-        let c4_ = f5[0];
-        let s4_ = f5[1];
+        let c5_ = f5[0];
+        let s5_ = f5[1];
         let g5: [f64; 2] = ::dh_robot::atan2_batch(&f5[1], &f5[0]);
-        let mut v179_ = [0.0; 2];
-        let mut v182_ = [0.0; 2];
+        let mut v184_ = [0.0; 2];
         let mut v187_ = [0.0; 2];
         let mut v190_ = [0.0; 2];
-        let mut v191_ = [0.0; 2];
         let mut v192_ = [0.0; 2];
-        let mut v197_ = [0.0; 2];
+        let mut v195_ = [0.0; 2];
+        let mut v198_ = [0.0; 2];
         let mut v199_ = [0.0; 2];
+        let mut v200_ = [0.0; 2];
+        let mut v205_ = [0.0; 2];
+        let mut v206_ = [0.0; 2];
+        let mut v207_ = [0.0; 2];
         for l in 0..2 {
             let q1 = q1_[l % 1];
             let q2 = q2_[l % 1];
-            let s5 = s5_[l];
-            let v169 = v169_[l];
-            let v172 = v172_[l];
-            let v173 = v173_[l];
-            let v183 = v183_[l];
             let c4 = c4_[l];
             let s4 = s4_[l];
-            let s5c4 = s5 * c4;
-            let s5s4 = s5 * s4;
-            v179_[l] = v173 * c4 - v172 * s4;
-            v182_[l] = v173 * s4 + v172 * c4;
-            v187_[l] = c4 * v183 + v169 * s4;
-            v190_[l] = s4 * v183 - v169 * c4;
-            v191_[l] = s5c4;
-            v192_[l] = s5s4;
-            v197_[l] = q2 - 0.6666666666666666 * s5s4;
-            v199_[l] = q1 - 0.6666666666666666 * s5c4;
+            let v177 = v177_[l];
+            let v180 = v180_[l];
+            let v186 = v186_[l];
+            let v189 = v189_[l];
+            let v194 = v194_[l];
+            let v197 = v197_[l];
+            let v201 = v201_[l % 1];
+            let c5 = c5_[l];
+            let s5 = s5_[l];
+            let t_14 = v177 * c5;
+            let t_15 = v180 * c5;
+            let c4s5 = c4 * s5;
+            let s4s5 = s4 * s5;
+            v184_[l] = v177 * s5;
+            v187_[l] = c4 * t_14 - v186;
+            v190_[l] = s4 * t_14 + v189;
+            v192_[l] = v180 * s5;
+            v195_[l] = c4 * t_15 + v194;
+            v198_[l] = s4 * t_15 - v197;
+            v199_[l] = c4s5;
+            v200_[l] = s4s5;
+            v205_[l] = q2 - 0.6666666666666666 * s4s5;
+            v206_[l] = v201 + 0.6666666666666666 * c5;
+            v207_[l] = q1 - 0.6666666666666666 * c4s5;
         }
         let mut error = [0.0; 2];
         for l in 0..2 {
-            let v182 = v182_[l];
-            let v174 = v174_[l];
-            let v179 = v179_[l];
             let v190 = v190_[l];
             let v184 = v184_[l];
             let v187 = v187_[l];
-            let v192 = v192_[l];
-            let c5 = c5_[l];
-            let v191 = v191_[l];
-            let v197 = v197_[l];
             let v198 = v198_[l];
+            let v192 = v192_[l];
+            let v195 = v195_[l];
+            let v200 = v200_[l];
+            let c5 = c5_[l];
             let v199 = v199_[l];
-            error[l] = (v182 - t[0][0]).abs() + (v174 - t[1][0]).abs()
-                + (v179 - t[2][0]).abs() + (-v190 - t[0][1]).abs()
-                + (-v184 - t[1][1]).abs() + (-v187 - t[2][1]).abs()
-                + (-v192 - t[0][2]).abs() + (c5 - t[1][2]).abs()
-                + (-v191 - t[2][2]).abs() + (v197 - t[0][3]).abs()
-                + (v198 - t[1][3]).abs() + (v199 - t[2][3]).abs();
+            let v205 = v205_[l];
+            let v206 = v206_[l];
+            let v207 = v207_[l];
+            error[l] = (v190 - t[0][0]).abs() + (v184 - t[1][0]).abs()
+                + (v187 - t[2][0]).abs() + (-v198 - t[0][1]).abs()
+                + (-v192 - t[1][1]).abs() + (-v195 - t[2][1]).abs()
+                + (-v200 - t[0][2]).abs() + (c5 - t[1][2]).abs()
+                + (-v199 - t[2][2]).abs() + (v205 - t[0][3]).abs()
+                + (v206 - t[1][3]).abs() + (v207 - t[2][3]).abs();
         }
         let valid: [f64; 2] = ::core::array::from_fn(|l| 1.0);
         let margin: [f64; 2] = ::core::array::from_fn(|l| {
@@ -585,11 +604,11 @@ impl GantryWrist {
                 .min(m5[l % 2 % 2])
         });
         let q: [[f64; 2]; 6] = [
-            ::core::array::from_fn(|l| g1[l % 1]),
             ::core::array::from_fn(|l| g0[l % 1]),
+            ::core::array::from_fn(|l| g1[l % 1]),
             ::core::array::from_fn(|l| g2[l % 1]),
-            ::core::array::from_fn(|l| g5[l % 2]),
             ::core::array::from_fn(|l| g4[l % 2]),
+            ::core::array::from_fn(|l| g5[l % 2]),
             ::core::array::from_fn(|l| g3[l / 1 % 2 * 1 + l % 1]),
         ];
         ::dh_robot::lanes::collect(

@@ -316,9 +316,9 @@ impl KukaKr6R700 {
     /// 1. `q1`: a cos + b sin = 0: two values half a turn apart.
     /// 2. `q3`: a cos + b sin = c: two values.
     /// 3. `q2`: two equations in its sine and cosine: one value.
-    /// 4. `q6`: a cos + b sin = 0: two values half a turn apart.
+    /// 4. `q4`: a cos + b sin = 0: two values half a turn apart.
     /// 5. `q5`: two equations in its sine and cosine: one value.
-    /// 6. `q4`: two equations in its sine and cosine: one value.
+    /// 6. `q6`: two equations in its sine and cosine: one value.
     #[must_use]
     pub fn inverse(
         &self,
@@ -361,7 +361,7 @@ impl KukaKr6R700 {
         let t_5 = t_4 * t_4;
         let r0 = ::dh_robot::ik::solve_sincos(-t_3, t_2, 0.0, 1e-11);
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "q1", 1.2200000000000002, "m");
+            attempt.note(r0.outcome, "shoulder q1", 1.2200000000000002, "m");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -374,18 +374,29 @@ impl KukaKr6R700 {
             let t_6 = t_2 * c1 + t_3 * s1;
             let t_7 = t_2 * s1 - t_3 * c1;
             let t_8 = t[0][0] * c1 + t[1][0] * s1;
-            let t_9 = t[0][1] * c1 + t[1][1] * s1;
-            let t_10 = t[0][2] * c1 + t[1][2] * s1;
-            let t_11 = 0.020491803278688523 * (0.020491803278688523 - t_6 * 2.0);
-            let t_12 = t_6 - 0.020491803278688523;
+            let t_9 = t[0][0] * s1 - t[1][0] * c1;
+            let t_10 = t[0][1] * c1 + t[1][1] * s1;
+            let t_11 = t[0][1] * s1 - t[1][1] * c1;
+            let t_12 = t[0][2] * c1 + t[1][2] * s1;
+            let t_13 = t[0][2] * s1 - t[1][2] * c1;
+            let t_14 = 0.020491803278688523 * (0.020491803278688523 - t_6 * 2.0);
+            let t_15 = t_6 - 0.020491803278688523;
             let r1 = ::dh_robot::ik::solve_sincos(
                 0.014814565976887932,
                 -0.15449475947325983,
-                t_11 + t_6 * t_6 + t_7 * t_7 + t_5 - 0.15699744692287015,
+                t_14 + t_6 * t_6 + t_7 * t_7 + t_5 - 0.15699744692287015,
                 1e-11,
             );
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, "q3", 1.2200000000000002, "m");
+                attempt
+                    .note_distance(
+                        r1.outcome,
+                        "elbow q3",
+                        t_6 * t_6 + t_7 * t_7 + t_5,
+                        t_14 + t_6 * t_6 + t_7 * t_7 + t_5 - 0.15699744692287015,
+                        1.2200000000000002,
+                        "m",
+                    );
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -395,15 +406,15 @@ impl KukaKr6R700 {
             };
             for (i1, &[c3, s3]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s3, c3);
-                let t_13 = 0.25819672131147536 + c3 * 0.028688524590163935
+                let t_16 = 0.25819672131147536 + c3 * 0.028688524590163935
                     - 0.2991803278688524 * s3;
                 let r2 = ::dh_robot::ik::solve_pair(
-                    -t_12,
+                    -t_15,
                     t_4,
                     -(0.2991803278688524 * c3 + 0.028688524590163935 * s3),
                     t_4,
-                    t_12,
-                    t_13,
+                    t_15,
+                    t_16,
                     1e-11,
                 );
                 if r2.roots.is_empty() {
@@ -417,37 +428,38 @@ impl KukaKr6R700 {
                 };
                 for (i2, &[c2, s2]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s2, c2);
-                    let t_14 = t_8 * c2 - t[2][0] * s2;
-                    let t_15 = t_8 * s2 + t[2][0] * c2;
-                    let t_16 = t_9 * c2 - t[2][1] * s2;
-                    let t_17 = t_9 * s2 + t[2][1] * c2;
-                    let t_18 = t_10 * c2 - t[2][2] * s2;
-                    let t_19 = t_10 * s2 + t[2][2] * c2;
-                    let t_20 = c3 * t_15 + s3 * t_14;
-                    let t_21 = s3 * t_15 - c3 * t_14;
-                    let t_22 = c3 * t_17 + s3 * t_16;
-                    let t_23 = s3 * t_17 - c3 * t_16;
-                    let t_24 = c3 * t_19 + s3 * t_18;
-                    let r3 = ::dh_robot::ik::solve_sincos(-t_23, -t_21, 0.0, 1e-11);
+                    let t_17 = t_8 * c2 - t[2][0] * s2;
+                    let t_18 = t_8 * s2 + t[2][0] * c2;
+                    let t_19 = t_10 * c2 - t[2][1] * s2;
+                    let t_20 = t_10 * s2 + t[2][1] * c2;
+                    let t_21 = t_12 * c2 - t[2][2] * s2;
+                    let t_22 = t_12 * s2 + t[2][2] * c2;
+                    let t_23 = c3 * t_18 + s3 * t_17;
+                    let t_24 = s3 * t_18 - c3 * t_17;
+                    let t_25 = c3 * t_20 + s3 * t_19;
+                    let t_26 = s3 * t_20 - c3 * t_19;
+                    let t_27 = c3 * t_22 + s3 * t_21;
+                    let r3 = ::dh_robot::ik::solve_sincos(-t_13, t_27, 0.0, 1e-11);
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "q6", 1.0, "");
+                        attempt.note(r3.outcome, "wrist q4", 1.0, "");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
-                        free.union(::dh_robot::FreeJoints::of(&[5]))
+                        free.union(::dh_robot::FreeJoints::of(&[3]))
                     } else {
                         free
                     };
-                    for (i3, &[c6, s6]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
-                        let a3 = ::dh_robot::math::atan2(s6, c6);
-                        let t_25 = t_20 * c6 - t_22 * s6;
+                    for (i3, &[c4, s4]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                        let a3 = ::dh_robot::math::atan2(s4, c4);
+                        let t_28 = t_23 * c4 + t_9 * s4;
+                        let t_29 = t_25 * c4 + t_11 * s4;
                         let r4 = ::dh_robot::ik::solve_pair(
                             0.0,
-                            1.0,
-                            -(t_21 * c6 - t_23 * s6),
+                            -1.0,
+                            t_27 * c4 + t_13 * s4,
                             1.0,
                             0.0,
-                            -(s3 * t_19 - c3 * t_18),
+                            -(s3 * t_22 - c3 * t_21),
                             1e-11,
                         );
                         if r4.roots.is_empty() {
@@ -468,27 +480,27 @@ impl KukaKr6R700 {
                             let r5 = ::dh_robot::ik::solve_pair(
                                 1.0,
                                 0.0,
-                                t_25 * c5 - t_24 * s5,
+                                t_28 * c5 - t_24 * s5,
                                 0.0,
                                 -1.0,
-                                t_20 * s6 + t_22 * c6,
+                                t_29 * c5 - t_26 * s5,
                                 1e-11,
                             );
                             if r5.roots.is_empty() {
-                                attempt.note(r5.outcome, "q4", 1.0, "");
+                                attempt.note(r5.outcome, "q6", 1.0, "");
                             }
                             let free = if r5.is_free() {
                                 attempt.degenerate = true;
-                                free.union(::dh_robot::FreeJoints::of(&[3]))
+                                free.union(::dh_robot::FreeJoints::of(&[5]))
                             } else {
                                 free
                             };
-                            for (i5, &[c4, s4]) in r5
+                            for (i5, &[c6, s6]) in r5
                                 .or_if_free([1.0, 0.0])
                                 .iter()
                                 .enumerate()
                             {
-                                let a5 = ::dh_robot::math::atan2(s4, c4);
+                                let a5 = ::dh_robot::math::atan2(s6, c6);
                                 let branch = ::dh_robot::Branch::ANY
                                     .with_step(0, i0)
                                     .with_shoulder(
@@ -514,7 +526,7 @@ impl KukaKr6R700 {
                                             ::dh_robot::Wrist::Flip
                                         },
                                     );
-                                found([a0, a2, a1, a5, a4, a3], branch, free);
+                                found([a0, a2, a1, a3, a4, a5], branch, free);
                             }
                         }
                     }
@@ -559,8 +571,11 @@ impl KukaKr6R700 {
             }
         });
         let mut v53_ = [0.0; 2];
+        let mut v56_ = [0.0; 2];
         let mut v59_ = [0.0; 2];
+        let mut v62_ = [0.0; 2];
         let mut v65_ = [0.0; 2];
+        let mut v68_ = [0.0; 2];
         let mut v98_ = [0.0; 2];
         let mut v99_ = [0.0; 2];
         for l in 0..2 {
@@ -569,15 +584,21 @@ impl KukaKr6R700 {
             let t_6 = t_2 * c1 + t_3 * s1;
             let t_7 = t_2 * s1 - t_3 * c1;
             let t_8 = t[0][0] * c1 + t[1][0] * s1;
-            let t_9 = t[0][1] * c1 + t[1][1] * s1;
-            let t_10 = t[0][2] * c1 + t[1][2] * s1;
-            let t_11 = 0.020491803278688523 * (0.020491803278688523 - t_6 * 2.0);
-            let t_12 = t_6 - 0.020491803278688523;
+            let t_9 = t[0][0] * s1 - t[1][0] * c1;
+            let t_10 = t[0][1] * c1 + t[1][1] * s1;
+            let t_11 = t[0][1] * s1 - t[1][1] * c1;
+            let t_12 = t[0][2] * c1 + t[1][2] * s1;
+            let t_13 = t[0][2] * s1 - t[1][2] * c1;
+            let t_14 = 0.020491803278688523 * (0.020491803278688523 - t_6 * 2.0);
+            let t_15 = t_6 - 0.020491803278688523;
             v53_[l] = t_8;
-            v59_[l] = t_9;
-            v65_[l] = t_10;
-            v98_[l] = t_11 + t_6 * t_6 + t_7 * t_7 + t_5 - 0.15699744692287015;
-            v99_[l] = t_12;
+            v56_[l] = t_9;
+            v59_[l] = t_10;
+            v62_[l] = t_11;
+            v65_[l] = t_12;
+            v68_[l] = t_13;
+            v98_[l] = t_14 + t_6 * t_6 + t_7 * t_7 + t_5 - 0.15699744692287015;
+            v99_[l] = t_15;
         }
         let mut m1 = [0.0; 2];
         let mut f1 = [[0.0; 4]; 2];
@@ -604,10 +625,10 @@ impl KukaKr6R700 {
         for l in 0..4 {
             let c3 = c3_[l];
             let s3 = s3_[l];
-            let t_13 = 0.25819672131147536 + c3 * 0.028688524590163935
+            let t_16 = 0.25819672131147536 + c3 * 0.028688524590163935
                 - 0.2991803278688524 * s3;
             v106_[l] = 0.2991803278688524 * c3 + 0.028688524590163935 * s3;
-            v111_[l] = t_13;
+            v111_[l] = t_16;
         }
         let mut m2 = [0.0; 4];
         let mut f2 = [[0.0; 4]; 2];
@@ -629,11 +650,11 @@ impl KukaKr6R700 {
         let mut v156_ = [0.0; 4];
         let mut v159_ = [0.0; 4];
         let mut v162_ = [0.0; 4];
-        let mut v267_ = [0.0; 4];
-        let mut v270_ = [0.0; 4];
-        let mut v317_ = [0.0; 4];
-        let mut v318_ = [0.0; 4];
-        let mut v319_ = [0.0; 4];
+        let mut v277_ = [0.0; 4];
+        let mut v280_ = [0.0; 4];
+        let mut v327_ = [0.0; 4];
+        let mut v328_ = [0.0; 4];
+        let mut v329_ = [0.0; 4];
         for l in 0..4 {
             let c1 = c1_[l % 2];
             let s1 = s1_[l % 2];
@@ -644,53 +665,53 @@ impl KukaKr6R700 {
             let s3 = s3_[l];
             let c2 = c2_[l];
             let s2 = s2_[l];
-            let t_14 = v53 * c2 - t[2][0] * s2;
-            let t_15 = v53 * s2 + t[2][0] * c2;
-            let t_16 = v59 * c2 - t[2][1] * s2;
-            let t_17 = v59 * s2 + t[2][1] * c2;
-            let t_18 = v65 * c2 - t[2][2] * s2;
-            let t_19 = v65 * s2 + t[2][2] * c2;
-            let t_20 = c3 * t_15 + s3 * t_14;
-            let t_21 = s3 * t_15 - c3 * t_14;
-            let t_22 = c3 * t_17 + s3 * t_16;
-            let t_23 = s3 * t_17 - c3 * t_16;
-            let t_24 = c3 * t_19 + s3 * t_18;
-            let t_25 = c3 * c2 - s3 * s2;
-            let t_26 = c3 * s2 + s3 * c2;
-            let t_27 = 0.028688524590163935 * t_26 + 0.2991803278688524 * t_25
+            let t_17 = v53 * c2 - t[2][0] * s2;
+            let t_18 = v53 * s2 + t[2][0] * c2;
+            let t_19 = v59 * c2 - t[2][1] * s2;
+            let t_20 = v59 * s2 + t[2][1] * c2;
+            let t_21 = v65 * c2 - t[2][2] * s2;
+            let t_22 = v65 * s2 + t[2][2] * c2;
+            let t_23 = c3 * t_18 + s3 * t_17;
+            let t_24 = s3 * t_18 - c3 * t_17;
+            let t_25 = c3 * t_20 + s3 * t_19;
+            let t_26 = s3 * t_20 - c3 * t_19;
+            let t_27 = c3 * t_22 + s3 * t_21;
+            let t_28 = c3 * c2 - s3 * s2;
+            let t_29 = c3 * s2 + s3 * c2;
+            let t_30 = 0.028688524590163935 * t_29 + 0.2991803278688524 * t_28
                 + 0.25819672131147536 * s2;
-            let t_28 = 0.028688524590163935 * t_25 - 0.2991803278688524 * t_26
+            let t_31 = 0.028688524590163935 * t_28 - 0.2991803278688524 * t_29
                 + 0.25819672131147536 * c2;
-            let t_29 = 0.020491803278688523 + t_27;
-            let t_30 = 0.32786885245901637 + t_28;
-            let t_31 = c1 * t_29;
-            let t_32 = s1 * t_29;
-            v147_[l] = t_20;
-            v150_[l] = t_21;
-            v153_[l] = t_22;
-            v156_[l] = t_23;
-            v159_[l] = t_24;
-            v162_[l] = s3 * t_19 - c3 * t_18;
-            v267_[l] = t_25;
-            v270_[l] = t_26;
-            v317_[l] = t_30;
-            v318_[l] = t_31;
-            v319_[l] = t_32;
+            let t_32 = 0.020491803278688523 + t_30;
+            let t_33 = 0.32786885245901637 + t_31;
+            let t_34 = c1 * t_32;
+            let t_35 = s1 * t_32;
+            v147_[l] = t_23;
+            v150_[l] = t_24;
+            v153_[l] = t_25;
+            v156_[l] = t_26;
+            v159_[l] = t_27;
+            v162_[l] = s3 * t_22 - c3 * t_21;
+            v277_[l] = t_28;
+            v280_[l] = t_29;
+            v327_[l] = t_33;
+            v328_[l] = t_34;
+            v329_[l] = t_35;
         }
         let mut m3 = [0.0; 4];
         let mut f3 = [[0.0; 8]; 2];
         for l in 0..4 {
-            let v156 = v156_[l];
-            let v150 = v150_[l];
-            let ([x, y], m) = ::dh_robot::lanes::half_turn(-v156, -v150);
+            let v68 = v68_[l % 2];
+            let v159 = v159_[l];
+            let ([x, y], m) = ::dh_robot::lanes::half_turn(-v68, v159);
             f3[0][l] = x;
             f3[1][l] = y;
             f3[0][l + 4] = -x;
             f3[1][l + 4] = -y;
             m3[l] = m;
         }
-        let c6_ = f3[0];
-        let s6_ = f3[1];
+        let c4_ = f3[0];
+        let s4_ = f3[1];
         let half: [f64; 4] = ::dh_robot::atan2_batch(
             &::core::array::from_fn(|l| f3[1][l]),
             &::core::array::from_fn(|l| f3[0][l]),
@@ -704,27 +725,30 @@ impl KukaKr6R700 {
                 half[k - 4] + ::core::f64::consts::PI
             }
         });
-        let mut v187_ = [0.0; 8];
-        let mut v188_ = [0.0; 8];
+        let mut v190_ = [0.0; 8];
         let mut v196_ = [0.0; 8];
+        let mut v202_ = [0.0; 8];
         for l in 0..8 {
+            let v56 = v56_[l % 2];
+            let v62 = v62_[l % 2];
+            let v68 = v68_[l % 2];
             let v147 = v147_[l % 4];
-            let v150 = v150_[l % 4];
             let v153 = v153_[l % 4];
-            let v156 = v156_[l % 4];
-            let c6 = c6_[l];
-            let s6 = s6_[l];
-            let t_33 = v147 * c6 - v153 * s6;
-            v187_[l] = t_33;
-            v188_[l] = v150 * c6 - v156 * s6;
-            v196_[l] = v147 * s6 + v153 * c6;
+            let v159 = v159_[l % 4];
+            let c4 = c4_[l];
+            let s4 = s4_[l];
+            let t_36 = v147 * c4 + v56 * s4;
+            let t_37 = v153 * c4 + v62 * s4;
+            v190_[l] = t_36;
+            v196_[l] = t_37;
+            v202_[l] = v159 * c4 + v68 * s4;
         }
         let mut m4 = [0.0; 8];
         let mut f4 = [[0.0; 8]; 2];
         for l in 0..8 {
-            let v188 = v188_[l];
+            let v202 = v202_[l];
             let v162 = v162_[l % 4];
-            let ([x, y], m) = ::dh_robot::lanes::pair(0.0, 1.0, -v188, 1.0, 0.0, -v162);
+            let ([x, y], m) = ::dh_robot::lanes::pair(0.0, -1.0, v202, 1.0, 0.0, -v162);
             f4[0][l] = x;
             f4[1][l] = y;
             m4[l] = m;
@@ -732,120 +756,113 @@ impl KukaKr6R700 {
         let c5_ = f4[0];
         let s5_ = f4[1];
         let g4: [f64; 8] = ::dh_robot::atan2_batch(&f4[1], &f4[0]);
-        let mut v217_ = [0.0; 8];
-        let mut v255_ = [0.0; 8];
-        let mut v272_ = [0.0; 8];
-        let mut v275_ = [0.0; 8];
-        let mut v286_ = [0.0; 8];
-        let mut v289_ = [0.0; 8];
+        let mut v233_ = [0.0; 8];
+        let mut v239_ = [0.0; 8];
+        let mut v300_ = [0.0; 8];
+        let mut v303_ = [0.0; 8];
+        let mut v306_ = [0.0; 8];
+        let mut v333_ = [0.0; 8];
+        let mut v334_ = [0.0; 8];
+        let mut v335_ = [0.0; 8];
         for l in 0..8 {
-            let v159 = v159_[l % 4];
-            let c6 = c6_[l];
-            let v187 = v187_[l];
-            let v267 = v267_[l % 4];
-            let v270 = v270_[l % 4];
+            let c1 = c1_[l % 2];
+            let s1 = s1_[l % 2];
+            let v150 = v150_[l % 4];
+            let v156 = v156_[l % 4];
+            let c4 = c4_[l];
+            let s4 = s4_[l];
+            let v190 = v190_[l];
+            let v196 = v196_[l];
+            let v277 = v277_[l % 4];
+            let v280 = v280_[l % 4];
+            let v327 = v327_[l % 4];
+            let v328 = v328_[l % 4];
+            let v329 = v329_[l % 4];
             let c5 = c5_[l];
             let s5 = s5_[l];
-            let c6c5 = c6 * c5;
-            let c6s5 = c6 * s5;
-            let t_34 = c6s5 * v267;
-            let t_35 = c6s5 * v270;
-            let t_36 = c5 * v267;
-            let t_37 = c5 * v270;
-            v217_[l] = v187 * c5 - v159 * s5;
-            v255_[l] = c6c5;
-            v272_[l] = t_34;
-            v275_[l] = t_35;
-            v286_[l] = t_36;
-            v289_[l] = t_37;
+            let c4s5 = c4 * s5;
+            let s4s5 = s4 * s5;
+            let t_38 = v280 * c4s5 - c5 * v277;
+            let t_39 = v277 * c4s5 + c5 * v280;
+            let t_40 = c1 * t_38 + s1 * s4s5;
+            let t_41 = s1 * t_38 - c1 * s4s5;
+            v233_[l] = v190 * c5 - v150 * s5;
+            v239_[l] = v196 * c5 - v156 * s5;
+            v300_[l] = t_39;
+            v303_[l] = t_40;
+            v306_[l] = t_41;
+            v333_[l] = v328 - 0.06557377049180327 * t_40;
+            v334_[l] = v329 - 0.06557377049180327 * t_41;
+            v335_[l] = v327 - 0.06557377049180327 * t_39;
         }
         let mut m5 = [0.0; 8];
         let mut f5 = [[0.0; 8]; 2];
         for l in 0..8 {
-            let v217 = v217_[l];
-            let v196 = v196_[l];
-            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v217, 0.0, -1.0, v196);
+            let v233 = v233_[l];
+            let v239 = v239_[l];
+            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v233, 0.0, -1.0, v239);
             f5[0][l] = x;
             f5[1][l] = y;
             m5[l] = m;
         }
-        let c4_ = f5[0];
-        let s4_ = f5[1];
+        let c6_ = f5[0];
+        let s6_ = f5[1];
         let g5: [f64; 8] = ::dh_robot::atan2_batch(&f5[1], &f5[0]);
-        let mut v276_ = [0.0; 8];
-        let mut v279_ = [0.0; 8];
-        let mut v282_ = [0.0; 8];
-        let mut v290_ = [0.0; 8];
-        let mut v293_ = [0.0; 8];
-        let mut v296_ = [0.0; 8];
-        let mut v299_ = [0.0; 8];
-        let mut v302_ = [0.0; 8];
-        let mut v305_ = [0.0; 8];
-        let mut v323_ = [0.0; 8];
-        let mut v324_ = [0.0; 8];
-        let mut v325_ = [0.0; 8];
+        let mut v286_ = [0.0; 8];
+        let mut v289_ = [0.0; 8];
+        let mut v292_ = [0.0; 8];
+        let mut v309_ = [0.0; 8];
+        let mut v312_ = [0.0; 8];
+        let mut v315_ = [0.0; 8];
         for l in 0..8 {
             let c1 = c1_[l % 2];
             let s1 = s1_[l % 2];
-            let s6 = s6_[l];
-            let s5 = s5_[l];
-            let v255 = v255_[l];
-            let v267 = v267_[l % 4];
-            let v270 = v270_[l % 4];
-            let v272 = v272_[l];
-            let v275 = v275_[l];
-            let v286 = v286_[l];
-            let v289 = v289_[l];
-            let v317 = v317_[l % 4];
-            let v318 = v318_[l % 4];
-            let v319 = v319_[l % 4];
             let c4 = c4_[l];
             let s4 = s4_[l];
-            let t_38 = v255 * c4 - s6 * s4;
-            let t_39 = v255 * s4 + s6 * c4;
-            let t_40 = t_38 * v270 + v272;
-            let t_41 = t_38 * v267 - v275;
-            let t_42 = c1 * t_40 + s1 * t_39;
-            let t_43 = s1 * t_40 - c1 * t_39;
-            let s5c4 = s5 * c4;
-            let s5s4 = s5 * s4;
-            let t_44 = v270 * s5c4 - v286;
-            let t_45 = v267 * s5c4 + v289;
-            let t_46 = c1 * t_44 + s1 * s5s4;
-            let t_47 = s1 * t_44 - c1 * s5s4;
-            v276_[l] = t_41;
-            v279_[l] = t_42;
-            v282_[l] = t_43;
-            v290_[l] = t_45;
-            v293_[l] = t_46;
-            v296_[l] = t_47;
-            v299_[l] = t_41 * t_47 - t_43 * t_45;
-            v302_[l] = t_42 * t_45 - t_41 * t_46;
-            v305_[l] = t_43 * t_46 - t_42 * t_47;
-            v323_[l] = v318 - 0.06557377049180327 * t_46;
-            v324_[l] = v319 - 0.06557377049180327 * t_47;
-            v325_[l] = v317 - 0.06557377049180327 * t_45;
+            let c5 = c5_[l];
+            let s5 = s5_[l];
+            let v277 = v277_[l % 4];
+            let v280 = v280_[l % 4];
+            let v300 = v300_[l];
+            let v303 = v303_[l];
+            let v306 = v306_[l];
+            let c6 = c6_[l];
+            let s6 = s6_[l];
+            let c5c6 = c5 * c6;
+            let s5c6 = s5 * c6;
+            let t_42 = c4 * c5c6 - s4 * s6;
+            let t_43 = s4 * c5c6 + c4 * s6;
+            let t_44 = t_42 * v280 + s5c6 * v277;
+            let t_45 = t_42 * v277 - s5c6 * v280;
+            let t_46 = c1 * t_44 + s1 * t_43;
+            let t_47 = s1 * t_44 - c1 * t_43;
+            v286_[l] = t_45;
+            v289_[l] = t_46;
+            v292_[l] = t_47;
+            v309_[l] = t_45 * v306 - t_47 * v300;
+            v312_[l] = t_46 * v300 - t_45 * v303;
+            v315_[l] = t_47 * v303 - t_46 * v306;
         }
         let mut error = [0.0; 8];
         for l in 0..8 {
-            let v279 = v279_[l];
-            let v282 = v282_[l];
-            let v276 = v276_[l];
-            let v299 = v299_[l];
-            let v302 = v302_[l];
-            let v305 = v305_[l];
-            let v293 = v293_[l];
-            let v296 = v296_[l];
-            let v290 = v290_[l];
-            let v323 = v323_[l];
-            let v324 = v324_[l];
-            let v325 = v325_[l];
-            error[l] = (v279 - t[0][0]).abs() + (v282 - t[1][0]).abs()
-                + (v276 - t[2][0]).abs() + (-v299 - t[0][1]).abs()
-                + (-v302 - t[1][1]).abs() + (-v305 - t[2][1]).abs()
-                + (-v293 - t[0][2]).abs() + (-v296 - t[1][2]).abs()
-                + (-v290 - t[2][2]).abs() + (v323 - t[0][3]).abs()
-                + (v324 - t[1][3]).abs() + (v325 - t[2][3]).abs();
+            let v289 = v289_[l];
+            let v292 = v292_[l];
+            let v286 = v286_[l];
+            let v309 = v309_[l];
+            let v312 = v312_[l];
+            let v315 = v315_[l];
+            let v303 = v303_[l];
+            let v306 = v306_[l];
+            let v300 = v300_[l];
+            let v333 = v333_[l];
+            let v334 = v334_[l];
+            let v335 = v335_[l];
+            error[l] = (v289 - t[0][0]).abs() + (v292 - t[1][0]).abs()
+                + (v286 - t[2][0]).abs() + (-v309 - t[0][1]).abs()
+                + (-v312 - t[1][1]).abs() + (-v315 - t[2][1]).abs()
+                + (-v303 - t[0][2]).abs() + (-v306 - t[1][2]).abs()
+                + (-v300 - t[2][2]).abs() + (v333 - t[0][3]).abs()
+                + (v334 - t[1][3]).abs() + (v335 - t[2][3]).abs();
         }
         let valid: [f64; 8] = ::core::array::from_fn(|l| 1.0 * e1[l % 2 % 2]);
         let margin: [f64; 8] = ::core::array::from_fn(|l| {
@@ -861,9 +878,9 @@ impl KukaKr6R700 {
             ::core::array::from_fn(|l| g0[l / 1 % 2 * 1 + l % 1]),
             ::core::array::from_fn(|l| g2[l % 4]),
             ::core::array::from_fn(|l| g1[l / 2 % 2 * 2 + l % 2]),
-            ::core::array::from_fn(|l| g5[l % 8]),
-            ::core::array::from_fn(|l| g4[l % 8]),
             ::core::array::from_fn(|l| g3[l / 4 % 2 * 4 + l % 4]),
+            ::core::array::from_fn(|l| g4[l % 8]),
+            ::core::array::from_fn(|l| g5[l % 8]),
         ];
         ::dh_robot::lanes::collect(
             &Self::JOINTS,

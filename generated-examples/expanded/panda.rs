@@ -422,9 +422,9 @@ impl Panda {
     /// 1. `q4`: a cos + b sin = c: two values.
     /// 2. `q5`: a cos + b sin = c: two values.
     /// 3. `q6`: two equations in its sine and cosine: one value.
-    /// 4. `q3`: a cos + b sin = 0: two values half a turn apart.
-    /// 5. `q1`: two equations in its sine and cosine: one value.
-    /// 6. `q2`: two equations in its sine and cosine: one value.
+    /// 4. `q1`: a cos + b sin = 0: two values half a turn apart.
+    /// 5. `q2`: two equations in its sine and cosine: one value.
+    /// 6. `q3`: two equations in its sine and cosine: one value.
     #[must_use]
     pub fn inverse(
         &self,
@@ -487,7 +487,15 @@ impl Panda {
             1e-11,
         );
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "q4", 1.393, "m");
+            attempt
+                .note_distance(
+                    r0.outcome,
+                    "wrist q4",
+                    t_12 * t_12 + t_13 * t_13 + t_14 * t_14,
+                    t_16,
+                    1.393,
+                    "m",
+                );
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -515,9 +523,6 @@ impl Panda {
                 let t_22 = t_9 * s5;
                 let t_23 = t_10 * s5;
                 let t_24 = t_11 * s5;
-                let t_25 = t_9 * c5;
-                let t_26 = t_10 * c5;
-                let t_27 = t_11 * c5;
                 let r2 = ::dh_robot::ik::solve_pair(
                     t_18,
                     t_19,
@@ -538,88 +543,86 @@ impl Panda {
                 };
                 for (i2, &[c6, s6]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
                     let a3 = ::dh_robot::math::atan2(s6, c6);
-                    let t_28 = t_6 * c6 + t[0][2] * s6;
-                    let t_29 = t_7 * c6 + t[1][2] * s6;
-                    let t_30 = t_8 * c6 + t[2][2] * s6;
-                    let t_31 = t_28 * s5 - t_25;
-                    let t_32 = t_29 * s5 - t_26;
-                    let t_33 = c4 * (c5 * t_28 + t_22) - s4 * (t_6 * s6 - t[0][2] * c6);
-                    let t_34 = c4 * (c5 * t_29 + t_23) - s4 * (t_7 * s6 - t[1][2] * c6);
-                    let r3 = ::dh_robot::ik::solve_sincos(
-                        -(t_30 * s5 - t_27),
-                        -(c4 * (c5 * t_30 + t_24) - s4 * (t_8 * s6 - t[2][2] * c6)),
-                        0.0,
-                        1e-11,
-                    );
+                    let t_25 = s4 * (c5 * (t_6 * c6 + t[0][2] * s6) + t_22)
+                        + c4 * (t_6 * s6 - t[0][2] * c6);
+                    let t_26 = s4 * (c5 * (t_7 * c6 + t[1][2] * s6) + t_23)
+                        + c4 * (t_7 * s6 - t[1][2] * c6);
+                    let t_27 = s4 * (c5 * (t_8 * c6 + t[2][2] * s6) + t_24)
+                        + c4 * (t_8 * s6 - t[2][2] * c6);
+                    let r3 = ::dh_robot::ik::solve_sincos(-t_26, t_25, 0.0, 1e-11);
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "q3", 1.0, "");
+                        attempt.note(r3.outcome, "shoulder q1", 1.0, "");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
-                        free.union(::dh_robot::FreeJoints::of(&[2]))
+                        free.union(::dh_robot::FreeJoints::of(&[0]))
                     } else {
                         free
                     };
-                    for (i3, &[c3, s3]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
-                        let a4 = ::dh_robot::math::atan2(s3, c3);
+                    for (i3, &[c1, s1]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                        let a4 = ::dh_robot::math::atan2(s1, c1);
+                        let t_28 = t[0][0] * c1 + t[1][0] * s1;
+                        let t_29 = t[0][1] * c1 + t[1][1] * s1;
+                        let t_30 = t[0][2] * c1 + t[1][2] * s1;
+                        let t_31 = c7 * t_28 - s7 * t_29;
+                        let t_32 = c5 * (c6 * t_31 + s6 * t_30)
+                            + s5 * (s7 * t_28 + c7 * t_29);
                         let r4 = ::dh_robot::ik::solve_pair(
                             0.0,
-                            -1.0,
-                            t_33 * s3 + t_31 * c3,
+                            1.0,
+                            s4 * t_32 + c4 * (s6 * t_31 - c6 * t_30),
                             1.0,
                             0.0,
-                            t_34 * s3 + t_32 * c3,
+                            t_27,
                             1e-11,
                         );
                         if r4.roots.is_empty() {
-                            attempt.note(r4.outcome, "q1", 1.0, "");
+                            attempt.note(r4.outcome, "q2", 1.0, "");
                         }
                         let free = if r4.is_free() {
                             attempt.degenerate = true;
-                            free.union(::dh_robot::FreeJoints::of(&[0]))
+                            free.union(::dh_robot::FreeJoints::of(&[1]))
                         } else {
                             free
                         };
-                        for (i4, &[c1, s1]) in r4
+                        for (i4, &[c2, s2]) in r4
                             .or_if_free([1.0, 0.0])
                             .iter()
                             .enumerate()
                         {
-                            let a5 = ::dh_robot::math::atan2(s1, c1);
-                            let t_35 = t[0][0] * c1 + t[1][0] * s1;
-                            let t_36 = t[0][1] * c1 + t[1][1] * s1;
-                            let t_37 = t[0][2] * c1 + t[1][2] * s1;
-                            let t_38 = c7 * t_35 - s7 * t_36;
-                            let t_39 = s7 * t_35 + c7 * t_36;
-                            let t_40 = c6 * t_38 + s6 * t_37;
-                            let t_41 = s6 * t_38 - c6 * t_37;
-                            let t_42 = c5 * t_40 + s5 * t_39;
-                            let t_43 = c3 * (c4 * t_42 - s4 * t_41)
-                                - s3 * (s5 * t_40 - c5 * t_39);
+                            let a5 = ::dh_robot::math::atan2(s2, c2);
+                            let t_33 = t_28 * c2 - t[2][0] * s2;
+                            let t_34 = t_29 * c2 - t[2][1] * s2;
+                            let t_35 = t_30 * c2 - t[2][2] * s2;
+                            let t_36 = c7 * t_33 - s7 * t_34;
+                            let t_37 = s7 * t_33 + c7 * t_34;
+                            let t_38 = c6 * t_36 + s6 * t_35;
+                            let t_39 = c4 * (c5 * t_38 + s5 * t_37)
+                                - s4 * (s6 * t_36 - c6 * t_35);
                             let r5 = ::dh_robot::ik::solve_pair(
                                 1.0,
                                 0.0,
-                                t_43,
+                                t_39,
                                 0.0,
                                 -1.0,
-                                -(s4 * t_42 + c4 * t_41),
+                                s5 * t_38 - c5 * t_37,
                                 1e-11,
                             );
                             if r5.roots.is_empty() {
-                                attempt.note(r5.outcome, "q2", 1.0, "");
+                                attempt.note(r5.outcome, "q3", 1.0, "");
                             }
                             let free = if r5.is_free() {
                                 attempt.degenerate = true;
-                                free.union(::dh_robot::FreeJoints::of(&[1]))
+                                free.union(::dh_robot::FreeJoints::of(&[2]))
                             } else {
                                 free
                             };
-                            for (i5, &[c2, s2]) in r5
+                            for (i5, &[c3, s3]) in r5
                                 .or_if_free([1.0, 0.0])
                                 .iter()
                                 .enumerate()
                             {
-                                let a6 = ::dh_robot::math::atan2(s2, c2);
+                                let a6 = ::dh_robot::math::atan2(s3, c3);
                                 let branch = ::dh_robot::Branch::ANY
                                     .with_step(0, i0)
                                     .with_wrist(
@@ -631,14 +634,14 @@ impl Panda {
                                     )
                                     .with_step(1, i1)
                                     .with_step(2, i3)
-                                    .with_elbow(
+                                    .with_shoulder(
                                         if i3 == 0 {
-                                            ::dh_robot::Elbow::Up
+                                            ::dh_robot::Shoulder::Left
                                         } else {
-                                            ::dh_robot::Elbow::Down
+                                            ::dh_robot::Shoulder::Right
                                         },
                                     );
-                                found([a5, a6, a4, a1, a2, a3, a0], branch, free);
+                                found([a4, a5, a6, a1, a2, a3, a0], branch, free);
                             }
                         }
                     }

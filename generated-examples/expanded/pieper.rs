@@ -799,7 +799,7 @@ impl Pieper {
                     1e-11,
                 );
                 if r2.roots.is_empty() {
-                    attempt.note(r2.outcome, "q5", 1.0, "");
+                    attempt.note(r2.outcome, "wrist q5", 1.0, "");
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;

@@ -156,8 +156,7 @@ impl Planar2r {
     /// 1. `virtual_roll`: a cos + b sin = 0: two values half a turn apart.
     /// 2. `virtual_pitch`: two equations in its sine and cosine: one value.
     /// 3. `q2`: a cos + b sin = c: two values.
-    /// 4. `virtual_yaw`: two equations in its sine and cosine: one value.
-    /// 5. `q1 + q2`: two equations in its sine and cosine: one value.
+    /// 4. `q1`: two equations in its sine and cosine: one value.
     #[must_use]
     pub fn inverse(
         &self,
@@ -215,16 +214,10 @@ impl Planar2r {
             .enumerate()
         {
             let a0 = ::dh_robot::math::atan2(svirtual_roll, cvirtual_roll);
-            let t_5 = t[0][0] * cvirtual_roll - t[0][1] * svirtual_roll;
-            let t_6 = t[1][0] * cvirtual_roll - t[1][1] * svirtual_roll;
-            let t_7 = t[2][0] * cvirtual_roll - t[2][1] * svirtual_roll;
-            let t_8 = t[0][0] * svirtual_roll + t[0][1] * cvirtual_roll;
-            let t_9 = t[1][3] * (t[1][0] * svirtual_roll + t[1][1] * cvirtual_roll);
-            let t_10 = t[2][3] * (t[2][0] * svirtual_roll + t[2][1] * cvirtual_roll);
             let r1 = ::dh_robot::ik::solve_pair(
                 0.0,
                 1.0,
-                t_7,
+                t[2][0] * cvirtual_roll - t[2][1] * svirtual_roll,
                 1.0,
                 0.0,
                 -t[2][2],
@@ -245,10 +238,6 @@ impl Planar2r {
                 .enumerate()
             {
                 let a1 = ::dh_robot::math::atan2(svirtual_pitch, cvirtual_pitch);
-                let t_11 = t_5 * cvirtual_pitch + t[0][2] * svirtual_pitch;
-                let t_12 = t[1][3] * (t_6 * cvirtual_pitch + t[1][2] * svirtual_pitch);
-                let t_13 = t[2][3] * (t_7 * cvirtual_pitch + t[2][2] * svirtual_pitch);
-                let t_14 = t[0][3] * t_11 + t_12 + t_13;
                 let r2 = ::dh_robot::ik::solve_sincos(
                     2.0 * t_3 * t_4,
                     0.0,
@@ -256,7 +245,15 @@ impl Planar2r {
                     1e-11,
                 );
                 if r2.roots.is_empty() {
-                    attempt.note(r2.outcome, "q2", 1.6208883679528896, "m");
+                    attempt
+                        .note_distance(
+                            r2.outcome,
+                            "elbow q2",
+                            t_2,
+                            t_2 - (t_3 * t_3 + t_4 * t_4),
+                            1.6208883679528896,
+                            "m",
+                        );
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;
@@ -266,67 +263,37 @@ impl Planar2r {
                 };
                 for (i2, &[c2, s2]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s2, c2);
-                    let t_15 = t_3 * s2;
                     let r3 = ::dh_robot::ik::solve_pair(
-                        -(t_4 + t_3 * c2),
-                        t_15,
-                        -t_14,
-                        -(t[0][3] * t_8 + t_9 + t_10),
-                        t_14,
-                        -t_15,
+                        -t[0][3],
+                        -t[1][3],
+                        -(t_3 + t_4 * c2),
+                        -t[1][3],
+                        t[0][3],
+                        -t_4 * s2,
                         1e-11,
                     );
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "virtual_yaw", 1.6208883679528896, "m");
+                        attempt.note(r3.outcome, "q1", 1.6208883679528896, "m");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
-                        free.union(::dh_robot::FreeJoints::of(&[]))
+                        free.union(::dh_robot::FreeJoints::of(&[0]))
                     } else {
                         free
                     };
-                    for (i3, &[cvirtual_yaw, svirtual_yaw]) in r3
-                        .or_if_free([1.0, 0.0])
-                        .iter()
-                        .enumerate()
-                    {
-                        let a3 = ::dh_robot::math::atan2(svirtual_yaw, cvirtual_yaw);
-                        let r4 = ::dh_robot::ik::solve_pair(
-                            1.0,
-                            0.0,
-                            t_11 * cvirtual_yaw + t_8 * svirtual_yaw,
-                            0.0,
-                            -1.0,
-                            t_11 * svirtual_yaw - t_8 * cvirtual_yaw,
-                            1e-11,
-                        );
-                        if r4.roots.is_empty() {
-                            attempt.note(r4.outcome, "q1 + q2", 1.0, "");
-                        }
-                        let free = if r4.is_free() {
-                            attempt.degenerate = true;
-                            free.union(::dh_robot::FreeJoints::of(&[0, 1]))
-                        } else {
-                            free
-                        };
-                        for (i4, &[c12, s12]) in r4
-                            .or_if_free([1.0, 0.0])
-                            .iter()
-                            .enumerate()
-                        {
-                            let a4 = ::dh_robot::math::atan2(s12, c12);
-                            let branch = ::dh_robot::Branch::ANY
-                                .with_step(0, i0)
-                                .with_step(1, i2)
-                                .with_elbow(
-                                    if i2 == 0 {
-                                        ::dh_robot::Elbow::Up
-                                    } else {
-                                        ::dh_robot::Elbow::Down
-                                    },
-                                );
-                            found([-a2 + a4, a2], branch, free);
-                        }
+                    for (i3, &[c1, s1]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                        let a3 = ::dh_robot::math::atan2(s1, c1);
+                        let branch = ::dh_robot::Branch::ANY
+                            .with_step(0, i0)
+                            .with_step(1, i2)
+                            .with_elbow(
+                                if i2 == 0 {
+                                    ::dh_robot::Elbow::Up
+                                } else {
+                                    ::dh_robot::Elbow::Down
+                                },
+                            );
+                        found([a3, a2], branch, free);
                     }
                 }
             }

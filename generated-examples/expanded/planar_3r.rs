@@ -189,7 +189,7 @@ impl Planar3r {
     /// 1. `virtual_z`: a linear equation.
     /// 2. `q1 + q2 + q3`: two equations in its sine and cosine: one value.
     /// 3. `q2`: a cos + b sin = c: two values.
-    /// 4. `q3`: two equations in its sine and cosine: one value.
+    /// 4. `q1`: two equations in its sine and cosine: one value.
     #[must_use]
     pub fn inverse(&self, target: (f64, f64, f64)) -> ::dh_robot::Solutions<f64, 3, 2> {
         let (x, y, phi): (f64, f64, f64) = (
@@ -234,12 +234,10 @@ impl Planar3r {
         let t_3 = t[0][3] - t[0][0] * t_2;
         let t_4 = t[1][3] - t[1][0] * t_2;
         let t_5 = t[2][3] - t[2][0] * t_2;
-        let t_6 = t[0][0] * t_3 + t[1][0] * t_4;
-        let t_7 = t[0][1] * t_3 + t[1][1] * t_4;
-        let t_8 = t_3 * t_3 + t_4 * t_4;
-        let t_9 = self.l1 * 0.1233344697274758;
-        let t_10 = self.l2 * 0.1233344697274758;
-        let t_11 = t_9 * t_9 + t_10 * t_10;
+        let t_6 = t_3 * t_3 + t_4 * t_4;
+        let t_7 = self.l1 * 0.1233344697274758;
+        let t_8 = self.l2 * 0.1233344697274758;
+        let t_9 = t_7 * t_7 + t_8 * t_8;
         let r0 = ::dh_robot::ik::solve_quadratic(0.0, 1.0, -t_5, 1e-11);
         if r0.roots.is_empty() {
             attempt.note(r0.outcome, "virtual_z", 8.108033400635161, "m");
@@ -252,7 +250,7 @@ impl Planar3r {
         };
         for (i0, &virtual_z) in r0.or_if_free(0.0).iter().enumerate() {
             let a0 = virtual_z * 8.108033400635161;
-            let t_12 = t_5 - virtual_z;
+            let t_10 = t_5 - virtual_z;
             let r1 = ::dh_robot::ik::solve_pair(
                 1.0,
                 0.0,
@@ -274,13 +272,21 @@ impl Planar3r {
             for (i1, &[c123, s123]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s123, c123);
                 let r2 = ::dh_robot::ik::solve_sincos(
-                    2.0 * t_9 * t_10,
+                    2.0 * t_7 * t_8,
                     0.0,
-                    t_8 + t_12 * t_12 - t_11,
+                    t_6 + t_10 * t_10 - t_9,
                     1e-11,
                 );
                 if r2.roots.is_empty() {
-                    attempt.note(r2.outcome, "q2", 8.108033400635161, "m");
+                    attempt
+                        .note_distance(
+                            r2.outcome,
+                            "elbow q2",
+                            t_6 + t_10 * t_10,
+                            t_6 + t_10 * t_10 - t_9,
+                            8.108033400635161,
+                            "m",
+                        );
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;
@@ -290,28 +296,28 @@ impl Planar3r {
                 };
                 for (i2, &[c2, s2]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s2, c2);
-                    let t_13 = t_10 + t_9 * c2;
-                    let t_14 = t_9 * s2;
+                    let t_11 = t_7 + t_8 * c2;
+                    let t_12 = t_8 * s2;
                     let r3 = ::dh_robot::ik::solve_pair(
-                        -t_13,
-                        t_14,
-                        -(t_6 + t[2][0] * t_12),
-                        t_14,
-                        t_13,
-                        -(t_7 + t[2][1] * t_12),
+                        t_11,
+                        -t_12,
+                        t_3,
+                        t_12,
+                        t_11,
+                        t_4,
                         1e-11,
                     );
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "q3", 8.108033400635161, "m");
+                        attempt.note(r3.outcome, "q1", 8.108033400635161, "m");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
-                        free.union(::dh_robot::FreeJoints::of(&[2]))
+                        free.union(::dh_robot::FreeJoints::of(&[0]))
                     } else {
                         free
                     };
-                    for (i3, &[c3, s3]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
-                        let a3 = ::dh_robot::math::atan2(s3, c3);
+                    for (i3, &[c1, s1]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                        let a3 = ::dh_robot::math::atan2(s1, c1);
                         let branch = ::dh_robot::Branch::ANY
                             .with_step(0, i2)
                             .with_elbow(
@@ -321,7 +327,7 @@ impl Planar3r {
                                     ::dh_robot::Elbow::Down
                                 },
                             );
-                        found([a1 - a2 - a3, a2, a3], branch, free);
+                        found([a3, a2, a1 - a2 - a3], branch, free);
                     }
                 }
             }

@@ -171,7 +171,7 @@ impl Planar3rCraig {
     /// 1. `virtual_z`: a linear equation.
     /// 2. `q1 + q2 + q3`: two equations in its sine and cosine: one value.
     /// 3. `q2`: a cos + b sin = c: two values.
-    /// 4. `q3`: two equations in its sine and cosine: one value.
+    /// 4. `q1`: two equations in its sine and cosine: one value.
     #[must_use]
     pub fn inverse(&self, target: (f64, f64, f64)) -> ::dh_robot::Solutions<f64, 3, 2> {
         let (x, y, phi): (f64, f64, f64) = (
@@ -212,12 +212,10 @@ impl Planar3rCraig {
     ) -> ::dh_robot::inverse::Attempt {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
-        let t_2 = t[0][0] * t[0][3] + t[1][0] * t[1][3];
-        let t_3 = t[0][1] * t[0][3] + t[1][1] * t[1][3];
-        let t_4 = t[0][3] * t[0][3] + t[1][3] * t[1][3];
-        let t_5 = self.l1 * 0.14107434153130033;
-        let t_6 = self.l2 * 0.14107434153130033;
-        let t_7 = t_5 * t_5 + t_6 * t_6;
+        let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3];
+        let t_3 = self.l1 * 0.14107434153130033;
+        let t_4 = self.l2 * 0.14107434153130033;
+        let t_5 = t_3 * t_3 + t_4 * t_4;
         let r0 = ::dh_robot::ik::solve_quadratic(0.0, 1.0, -t[2][3], 1e-11);
         if r0.roots.is_empty() {
             attempt.note(r0.outcome, "virtual_z", 7.088461226509633, "m");
@@ -230,7 +228,7 @@ impl Planar3rCraig {
         };
         for (i0, &virtual_z) in r0.or_if_free(0.0).iter().enumerate() {
             let a0 = virtual_z * 7.088461226509633;
-            let t_8 = t[2][3] - virtual_z;
+            let t_6 = t[2][3] - virtual_z;
             let r1 = ::dh_robot::ik::solve_pair(
                 1.0,
                 0.0,
@@ -252,13 +250,21 @@ impl Planar3rCraig {
             for (i1, &[c123, s123]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s123, c123);
                 let r2 = ::dh_robot::ik::solve_sincos(
-                    2.0 * t_5 * t_6,
+                    2.0 * t_3 * t_4,
                     0.0,
-                    t_4 + t_8 * t_8 - t_7,
+                    t_2 + t_6 * t_6 - t_5,
                     1e-11,
                 );
                 if r2.roots.is_empty() {
-                    attempt.note(r2.outcome, "q2", 7.088461226509633, "m");
+                    attempt
+                        .note_distance(
+                            r2.outcome,
+                            "elbow q2",
+                            t_2 + t_6 * t_6,
+                            t_2 + t_6 * t_6 - t_5,
+                            7.088461226509633,
+                            "m",
+                        );
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;
@@ -268,28 +274,28 @@ impl Planar3rCraig {
                 };
                 for (i2, &[c2, s2]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s2, c2);
-                    let t_9 = t_6 + t_5 * c2;
-                    let t_10 = t_5 * s2;
+                    let t_7 = t_3 + t_4 * c2;
+                    let t_8 = t_4 * s2;
                     let r3 = ::dh_robot::ik::solve_pair(
-                        -t_9,
-                        t_10,
-                        -(t_2 + t[2][0] * t_8),
-                        t_10,
-                        t_9,
-                        -(t_3 + t[2][1] * t_8),
+                        t_7,
+                        -t_8,
+                        t[0][3],
+                        t_8,
+                        t_7,
+                        t[1][3],
                         1e-11,
                     );
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "q3", 7.088461226509633, "m");
+                        attempt.note(r3.outcome, "q1", 7.088461226509633, "m");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
-                        free.union(::dh_robot::FreeJoints::of(&[2]))
+                        free.union(::dh_robot::FreeJoints::of(&[0]))
                     } else {
                         free
                     };
-                    for (i3, &[c3, s3]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
-                        let a3 = ::dh_robot::math::atan2(s3, c3);
+                    for (i3, &[c1, s1]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                        let a3 = ::dh_robot::math::atan2(s1, c1);
                         let branch = ::dh_robot::Branch::ANY
                             .with_step(0, i2)
                             .with_elbow(
@@ -299,7 +305,7 @@ impl Planar3rCraig {
                                     ::dh_robot::Elbow::Down
                                 },
                             );
-                        found([a1 - a2 - a3, a2, a3], branch, free);
+                        found([a3, a2, a1 - a2 - a3], branch, free);
                     }
                 }
             }

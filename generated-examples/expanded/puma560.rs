@@ -307,9 +307,9 @@ impl Puma560 {
     /// 1. `q1`: a cos + b sin = c: two values.
     /// 2. `q3`: a cos + b sin = c: two values.
     /// 3. `q2`: two equations in its sine and cosine: one value.
-    /// 4. `q6`: a cos + b sin = 0: two values half a turn apart.
+    /// 4. `q4`: a cos + b sin = 0: two values half a turn apart.
     /// 5. `q5`: two equations in its sine and cosine: one value.
-    /// 6. `q4`: two equations in its sine and cosine: one value.
+    /// 6. `q6`: two equations in its sine and cosine: one value.
     #[must_use]
     pub fn inverse(
         &self,
@@ -354,7 +354,7 @@ impl Puma560 {
         let t_7 = self.d4 * 0.9507065940252585;
         let r0 = ::dh_robot::ik::solve_sincos(-t[1][3], t[0][3], -t_3, 1e-11);
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "q1", 1.0518492311766083, "m");
+            attempt.note(r0.outcome, "shoulder q1", 1.0518492311766083, "m");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -366,8 +366,11 @@ impl Puma560 {
             let a0 = ::dh_robot::math::atan2(s1, c1);
             let t_8 = t[0][3] * c1 + t[1][3] * s1;
             let t_9 = t[0][0] * c1 + t[1][0] * s1;
-            let t_10 = t[0][1] * c1 + t[1][1] * s1;
-            let t_11 = t[0][2] * c1 + t[1][2] * s1;
+            let t_10 = t[0][0] * s1 - t[1][0] * c1;
+            let t_11 = t[0][1] * c1 + t[1][1] * s1;
+            let t_12 = t[0][1] * s1 - t[1][1] * c1;
+            let t_13 = t[0][2] * c1 + t[1][2] * s1;
+            let t_14 = t[0][2] * s1 - t[1][2] * c1;
             let r1 = ::dh_robot::ik::solve_sincos(
                 t_5 * t_6,
                 -t_5 * t_7,
@@ -375,7 +378,15 @@ impl Puma560 {
                 1e-11,
             );
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, "q3", 1.0518492311766083, "m");
+                attempt
+                    .note_distance(
+                        r1.outcome,
+                        "elbow q3",
+                        t_2,
+                        t_2 - (t_4 * t_4 + t_6 * t_6 + t_3 * t_3 + t_7 * t_7),
+                        1.0518492311766083,
+                        "m",
+                    );
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -405,33 +416,34 @@ impl Puma560 {
                 };
                 for (i2, &[c2, s2]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s2, c2);
-                    let t_12 = c3 * c2 - s3 * s2;
-                    let t_13 = c3 * s2 + s3 * c2;
-                    let t_14 = t_9 * t_12 - t[2][0] * t_13;
-                    let t_15 = t_9 * t_13 + t[2][0] * t_12;
-                    let t_16 = t_10 * t_12 - t[2][1] * t_13;
-                    let t_17 = t_10 * t_13 + t[2][1] * t_12;
-                    let t_18 = t_11 * t_12 - t[2][2] * t_13;
-                    let r3 = ::dh_robot::ik::solve_sincos(-t_17, -t_15, 0.0, 1e-11);
+                    let t_15 = c3 * c2 - s3 * s2;
+                    let t_16 = c3 * s2 + s3 * c2;
+                    let t_17 = t_9 * t_15 - t[2][0] * t_16;
+                    let t_18 = t_9 * t_16 + t[2][0] * t_15;
+                    let t_19 = t_11 * t_15 - t[2][1] * t_16;
+                    let t_20 = t_11 * t_16 + t[2][1] * t_15;
+                    let t_21 = t_13 * t_15 - t[2][2] * t_16;
+                    let r3 = ::dh_robot::ik::solve_sincos(-t_14, t_21, 0.0, 1e-11);
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "q6", 1.0, "");
+                        attempt.note(r3.outcome, "wrist q4", 1.0, "");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
-                        free.union(::dh_robot::FreeJoints::of(&[5]))
+                        free.union(::dh_robot::FreeJoints::of(&[3]))
                     } else {
                         free
                     };
-                    for (i3, &[c6, s6]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
-                        let a3 = ::dh_robot::math::atan2(s6, c6);
-                        let t_19 = t_14 * c6 - t_16 * s6;
+                    for (i3, &[c4, s4]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                        let a3 = ::dh_robot::math::atan2(s4, c4);
+                        let t_22 = t_17 * c4 + t_10 * s4;
+                        let t_23 = t_19 * c4 + t_12 * s4;
                         let r4 = ::dh_robot::ik::solve_pair(
                             0.0,
-                            1.0,
-                            -(t_15 * c6 - t_17 * s6),
+                            -1.0,
+                            t_21 * c4 + t_14 * s4,
                             1.0,
                             0.0,
-                            -(t_11 * t_13 + t[2][2] * t_12),
+                            -(t_13 * t_16 + t[2][2] * t_15),
                             1e-11,
                         );
                         if r4.roots.is_empty() {
@@ -452,27 +464,27 @@ impl Puma560 {
                             let r5 = ::dh_robot::ik::solve_pair(
                                 1.0,
                                 0.0,
-                                t_19 * c5 - t_18 * s5,
+                                t_22 * c5 - t_18 * s5,
                                 0.0,
                                 -1.0,
-                                t_14 * s6 + t_16 * c6,
+                                t_23 * c5 - t_20 * s5,
                                 1e-11,
                             );
                             if r5.roots.is_empty() {
-                                attempt.note(r5.outcome, "q4", 1.0, "");
+                                attempt.note(r5.outcome, "q6", 1.0, "");
                             }
                             let free = if r5.is_free() {
                                 attempt.degenerate = true;
-                                free.union(::dh_robot::FreeJoints::of(&[3]))
+                                free.union(::dh_robot::FreeJoints::of(&[5]))
                             } else {
                                 free
                             };
-                            for (i5, &[c4, s4]) in r5
+                            for (i5, &[c6, s6]) in r5
                                 .or_if_free([1.0, 0.0])
                                 .iter()
                                 .enumerate()
                             {
-                                let a5 = ::dh_robot::math::atan2(s4, c4);
+                                let a5 = ::dh_robot::math::atan2(s6, c6);
                                 let branch = ::dh_robot::Branch::ANY
                                     .with_step(0, i0)
                                     .with_shoulder(
@@ -498,7 +510,7 @@ impl Puma560 {
                                             ::dh_robot::Wrist::Flip
                                         },
                                     );
-                                found([a0, a2, a1, a5, a4, a3], branch, free);
+                                found([a0, a2, a1, a3, a4, a5], branch, free);
                             }
                         }
                     }
@@ -540,25 +552,34 @@ impl Puma560 {
         let g0: [f64; 2] = ::dh_robot::atan2_batch(&f0[1], &f0[0]);
         let mut v54_ = [0.0; 2];
         let mut v60_ = [0.0; 2];
+        let mut v63_ = [0.0; 2];
         let mut v66_ = [0.0; 2];
+        let mut v69_ = [0.0; 2];
         let mut v72_ = [0.0; 2];
-        let mut v288_ = [0.0; 2];
-        let mut v291_ = [0.0; 2];
+        let mut v75_ = [0.0; 2];
+        let mut v303_ = [0.0; 2];
+        let mut v306_ = [0.0; 2];
         for l in 0..2 {
             let c1 = c1_[l];
             let s1 = s1_[l];
             let t_8 = t[0][3] * c1 + t[1][3] * s1;
             let t_9 = t[0][0] * c1 + t[1][0] * s1;
-            let t_10 = t[0][1] * c1 + t[1][1] * s1;
-            let t_11 = t[0][2] * c1 + t[1][2] * s1;
-            let t_12 = t_3 * s1;
-            let t_13 = t_3 * c1;
+            let t_10 = t[0][0] * s1 - t[1][0] * c1;
+            let t_11 = t[0][1] * c1 + t[1][1] * s1;
+            let t_12 = t[0][1] * s1 - t[1][1] * c1;
+            let t_13 = t[0][2] * c1 + t[1][2] * s1;
+            let t_14 = t[0][2] * s1 - t[1][2] * c1;
+            let t_15 = t_3 * s1;
+            let t_16 = t_3 * c1;
             v54_[l] = t_8;
             v60_[l] = t_9;
-            v66_[l] = t_10;
-            v72_[l] = t_11;
-            v288_[l] = t_12;
-            v291_[l] = t_13;
+            v63_[l] = t_10;
+            v66_[l] = t_11;
+            v69_[l] = t_12;
+            v72_[l] = t_13;
+            v75_[l] = t_14;
+            v303_[l] = t_15;
+            v306_[l] = t_16;
         }
         let mut m1 = [0.0; 1];
         let mut f1 = [[0.0; 2]; 2];
@@ -608,17 +629,17 @@ impl Puma560 {
         let c2_ = f2[0];
         let s2_ = f2[1];
         let g2: [f64; 4] = ::dh_robot::atan2_batch(&f2[1], &f2[0]);
-        let mut v118_ = [0.0; 4];
-        let mut v121_ = [0.0; 4];
-        let mut v124_ = [0.0; 4];
-        let mut v127_ = [0.0; 4];
-        let mut v130_ = [0.0; 4];
-        let mut v133_ = [0.0; 4];
-        let mut v136_ = [0.0; 4];
-        let mut v139_ = [0.0; 4];
-        let mut v286_ = [0.0; 4];
-        let mut v289_ = [0.0; 4];
-        let mut v292_ = [0.0; 4];
+        let mut v119_ = [0.0; 4];
+        let mut v122_ = [0.0; 4];
+        let mut v125_ = [0.0; 4];
+        let mut v128_ = [0.0; 4];
+        let mut v131_ = [0.0; 4];
+        let mut v134_ = [0.0; 4];
+        let mut v137_ = [0.0; 4];
+        let mut v140_ = [0.0; 4];
+        let mut v301_ = [0.0; 4];
+        let mut v304_ = [0.0; 4];
+        let mut v307_ = [0.0; 4];
         for l in 0..4 {
             let c1 = c1_[l % 2];
             let s1 = s1_[l % 2];
@@ -627,44 +648,44 @@ impl Puma560 {
             let v72 = v72_[l % 2];
             let c3 = c3_[l];
             let s3 = s3_[l];
-            let v288 = v288_[l % 2];
-            let v291 = v291_[l % 2];
+            let v303 = v303_[l % 2];
+            let v306 = v306_[l % 2];
             let c2 = c2_[l];
             let s2 = s2_[l];
-            let t_14 = c3 * c2 - s3 * s2;
-            let t_15 = c3 * s2 + s3 * c2;
-            let t_16 = v60 * t_14 - t[2][0] * t_15;
-            let t_17 = v60 * t_15 + t[2][0] * t_14;
-            let t_18 = v66 * t_14 - t[2][1] * t_15;
-            let t_19 = v66 * t_15 + t[2][1] * t_14;
-            let t_20 = v72 * t_14 - t[2][2] * t_15;
-            let t_21 = t_6 * t_14 - t_7 * t_15 + t_4 * c2;
-            v118_[l] = t_14;
-            v121_[l] = t_15;
-            v124_[l] = t_16;
-            v127_[l] = t_17;
-            v130_[l] = t_18;
-            v133_[l] = t_19;
-            v136_[l] = t_20;
-            v139_[l] = v72 * t_15 + t[2][2] * t_14;
-            v286_[l] = t_6 * t_15 + t_7 * t_14 + t_4 * s2;
-            v289_[l] = c1 * t_21 - v288;
-            v292_[l] = s1 * t_21 + v291;
+            let t_17 = c3 * c2 - s3 * s2;
+            let t_18 = c3 * s2 + s3 * c2;
+            let t_19 = v60 * t_17 - t[2][0] * t_18;
+            let t_20 = v60 * t_18 + t[2][0] * t_17;
+            let t_21 = v66 * t_17 - t[2][1] * t_18;
+            let t_22 = v66 * t_18 + t[2][1] * t_17;
+            let t_23 = v72 * t_17 - t[2][2] * t_18;
+            let t_24 = t_6 * t_17 - t_7 * t_18 + t_4 * c2;
+            v119_[l] = t_17;
+            v122_[l] = t_18;
+            v125_[l] = t_19;
+            v128_[l] = t_20;
+            v131_[l] = t_21;
+            v134_[l] = t_22;
+            v137_[l] = t_23;
+            v140_[l] = v72 * t_18 + t[2][2] * t_17;
+            v301_[l] = t_6 * t_18 + t_7 * t_17 + t_4 * s2;
+            v304_[l] = c1 * t_24 - v303;
+            v307_[l] = s1 * t_24 + v306;
         }
         let mut m3 = [0.0; 4];
         let mut f3 = [[0.0; 8]; 2];
         for l in 0..4 {
-            let v133 = v133_[l];
-            let v127 = v127_[l];
-            let ([x, y], m) = ::dh_robot::lanes::half_turn(-v133, -v127);
+            let v75 = v75_[l % 2];
+            let v137 = v137_[l];
+            let ([x, y], m) = ::dh_robot::lanes::half_turn(-v75, v137);
             f3[0][l] = x;
             f3[1][l] = y;
             f3[0][l + 4] = -x;
             f3[1][l + 4] = -y;
             m3[l] = m;
         }
-        let c6_ = f3[0];
-        let s6_ = f3[1];
+        let c4_ = f3[0];
+        let s4_ = f3[1];
         let half: [f64; 4] = ::dh_robot::atan2_batch(
             &::core::array::from_fn(|l| f3[1][l]),
             &::core::array::from_fn(|l| f3[0][l]),
@@ -678,27 +699,30 @@ impl Puma560 {
                 half[k - 4] + ::core::f64::consts::PI
             }
         });
-        let mut v164_ = [0.0; 8];
-        let mut v165_ = [0.0; 8];
-        let mut v173_ = [0.0; 8];
+        let mut v172_ = [0.0; 8];
+        let mut v178_ = [0.0; 8];
+        let mut v184_ = [0.0; 8];
         for l in 0..8 {
-            let v124 = v124_[l % 4];
-            let v127 = v127_[l % 4];
-            let v130 = v130_[l % 4];
-            let v133 = v133_[l % 4];
-            let c6 = c6_[l];
-            let s6 = s6_[l];
-            let t_22 = v124 * c6 - v130 * s6;
-            v164_[l] = t_22;
-            v165_[l] = v127 * c6 - v133 * s6;
-            v173_[l] = v124 * s6 + v130 * c6;
+            let v63 = v63_[l % 2];
+            let v69 = v69_[l % 2];
+            let v75 = v75_[l % 2];
+            let v125 = v125_[l % 4];
+            let v131 = v131_[l % 4];
+            let v137 = v137_[l % 4];
+            let c4 = c4_[l];
+            let s4 = s4_[l];
+            let t_25 = v125 * c4 + v63 * s4;
+            let t_26 = v131 * c4 + v69 * s4;
+            v172_[l] = t_25;
+            v178_[l] = t_26;
+            v184_[l] = v137 * c4 + v75 * s4;
         }
         let mut m4 = [0.0; 8];
         let mut f4 = [[0.0; 8]; 2];
         for l in 0..8 {
-            let v165 = v165_[l];
-            let v139 = v139_[l % 4];
-            let ([x, y], m) = ::dh_robot::lanes::pair(0.0, 1.0, -v165, 1.0, 0.0, -v139);
+            let v184 = v184_[l];
+            let v140 = v140_[l % 4];
+            let ([x, y], m) = ::dh_robot::lanes::pair(0.0, -1.0, v184, 1.0, 0.0, -v140);
             f4[0][l] = x;
             f4[1][l] = y;
             m4[l] = m;
@@ -706,111 +730,104 @@ impl Puma560 {
         let c5_ = f4[0];
         let s5_ = f4[1];
         let g4: [f64; 8] = ::dh_robot::atan2_batch(&f4[1], &f4[0]);
-        let mut v194_ = [0.0; 8];
-        let mut v232_ = [0.0; 8];
-        let mut v243_ = [0.0; 8];
-        let mut v246_ = [0.0; 8];
-        let mut v257_ = [0.0; 8];
-        let mut v260_ = [0.0; 8];
+        let mut v215_ = [0.0; 8];
+        let mut v221_ = [0.0; 8];
+        let mut v276_ = [0.0; 8];
+        let mut v279_ = [0.0; 8];
+        let mut v282_ = [0.0; 8];
         for l in 0..8 {
-            let v118 = v118_[l % 4];
-            let v121 = v121_[l % 4];
-            let v136 = v136_[l % 4];
-            let c6 = c6_[l];
-            let v164 = v164_[l];
+            let c1 = c1_[l % 2];
+            let s1 = s1_[l % 2];
+            let v119 = v119_[l % 4];
+            let v122 = v122_[l % 4];
+            let v128 = v128_[l % 4];
+            let v134 = v134_[l % 4];
+            let c4 = c4_[l];
+            let s4 = s4_[l];
+            let v172 = v172_[l];
+            let v178 = v178_[l];
             let c5 = c5_[l];
             let s5 = s5_[l];
-            let c6c5 = c6 * c5;
-            let c6s5 = c6 * s5;
-            let t_23 = v121 * c6s5;
-            let t_24 = v118 * c6s5;
-            let t_25 = v121 * c5;
-            let t_26 = v118 * c5;
-            v194_[l] = v164 * c5 - v136 * s5;
-            v232_[l] = c6c5;
-            v243_[l] = t_23;
-            v246_[l] = t_24;
-            v257_[l] = t_25;
-            v260_[l] = t_26;
+            let c4s5 = c4 * s5;
+            let s4s5 = s4 * s5;
+            let t_27 = v119 * c4s5 + v122 * c5;
+            let t_28 = v122 * c4s5 - v119 * c5;
+            let t_29 = c1 * t_27 + s1 * s4s5;
+            let t_30 = s1 * t_27 - c1 * s4s5;
+            v215_[l] = v172 * c5 - v128 * s5;
+            v221_[l] = v178 * c5 - v134 * s5;
+            v276_[l] = t_28;
+            v279_[l] = t_29;
+            v282_[l] = t_30;
         }
         let mut m5 = [0.0; 8];
         let mut f5 = [[0.0; 8]; 2];
         for l in 0..8 {
-            let v194 = v194_[l];
-            let v173 = v173_[l];
-            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v194, 0.0, -1.0, v173);
+            let v215 = v215_[l];
+            let v221 = v221_[l];
+            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v215, 0.0, -1.0, v221);
             f5[0][l] = x;
             f5[1][l] = y;
             m5[l] = m;
         }
-        let c4_ = f5[0];
-        let s4_ = f5[1];
+        let c6_ = f5[0];
+        let s6_ = f5[1];
         let g5: [f64; 8] = ::dh_robot::atan2_batch(&f5[1], &f5[0]);
-        let mut v247_ = [0.0; 8];
-        let mut v250_ = [0.0; 8];
-        let mut v253_ = [0.0; 8];
-        let mut v261_ = [0.0; 8];
-        let mut v264_ = [0.0; 8];
-        let mut v267_ = [0.0; 8];
-        let mut v270_ = [0.0; 8];
-        let mut v273_ = [0.0; 8];
-        let mut v276_ = [0.0; 8];
+        let mut v262_ = [0.0; 8];
+        let mut v265_ = [0.0; 8];
+        let mut v268_ = [0.0; 8];
+        let mut v285_ = [0.0; 8];
+        let mut v288_ = [0.0; 8];
+        let mut v291_ = [0.0; 8];
         for l in 0..8 {
             let c1 = c1_[l % 2];
             let s1 = s1_[l % 2];
-            let v118 = v118_[l % 4];
-            let v121 = v121_[l % 4];
-            let s6 = s6_[l];
-            let s5 = s5_[l];
-            let v232 = v232_[l];
-            let v243 = v243_[l];
-            let v246 = v246_[l];
-            let v257 = v257_[l];
-            let v260 = v260_[l];
+            let v119 = v119_[l % 4];
+            let v122 = v122_[l % 4];
             let c4 = c4_[l];
             let s4 = s4_[l];
-            let t_27 = v232 * c4 - s6 * s4;
-            let t_28 = v232 * s4 + s6 * c4;
-            let t_29 = v118 * t_27 - v243;
-            let t_30 = v121 * t_27 + v246;
-            let t_31 = c1 * t_29 + s1 * t_28;
-            let t_32 = s1 * t_29 - c1 * t_28;
-            let s5c4 = s5 * c4;
-            let s5s4 = s5 * s4;
-            let t_33 = v118 * s5c4 + v257;
-            let t_34 = v121 * s5c4 - v260;
-            let t_35 = c1 * t_33 + s1 * s5s4;
-            let t_36 = s1 * t_33 - c1 * s5s4;
-            v247_[l] = t_30;
-            v250_[l] = t_31;
-            v253_[l] = t_32;
-            v261_[l] = t_34;
-            v264_[l] = t_35;
-            v267_[l] = t_36;
-            v270_[l] = t_30 * t_36 - t_32 * t_34;
-            v273_[l] = t_31 * t_34 - t_30 * t_35;
-            v276_[l] = t_32 * t_35 - t_31 * t_36;
+            let c5 = c5_[l];
+            let s5 = s5_[l];
+            let v276 = v276_[l];
+            let v279 = v279_[l];
+            let v282 = v282_[l];
+            let c6 = c6_[l];
+            let s6 = s6_[l];
+            let c5c6 = c5 * c6;
+            let s5c6 = s5 * c6;
+            let t_31 = c4 * c5c6 - s4 * s6;
+            let t_32 = s4 * c5c6 + c4 * s6;
+            let t_33 = v119 * t_31 - v122 * s5c6;
+            let t_34 = v122 * t_31 + v119 * s5c6;
+            let t_35 = c1 * t_33 + s1 * t_32;
+            let t_36 = s1 * t_33 - c1 * t_32;
+            v262_[l] = t_34;
+            v265_[l] = t_35;
+            v268_[l] = t_36;
+            v285_[l] = t_34 * v282 - t_36 * v276;
+            v288_[l] = t_35 * v276 - t_34 * v279;
+            v291_[l] = t_36 * v279 - t_35 * v282;
         }
         let mut error = [0.0; 8];
         for l in 0..8 {
-            let v250 = v250_[l];
-            let v253 = v253_[l];
-            let v247 = v247_[l];
-            let v270 = v270_[l];
-            let v273 = v273_[l];
+            let v265 = v265_[l];
+            let v268 = v268_[l];
+            let v262 = v262_[l];
+            let v285 = v285_[l];
+            let v288 = v288_[l];
+            let v291 = v291_[l];
+            let v279 = v279_[l];
+            let v282 = v282_[l];
             let v276 = v276_[l];
-            let v264 = v264_[l];
-            let v267 = v267_[l];
-            let v261 = v261_[l];
-            let v289 = v289_[l % 4];
-            let v292 = v292_[l % 4];
-            let v286 = v286_[l % 4];
-            error[l] = (v250 - t[0][0]).abs() + (v253 - t[1][0]).abs()
-                + (-v247 - t[2][0]).abs() + (v270 - t[0][1]).abs()
-                + (v273 - t[1][1]).abs() + (-v276 - t[2][1]).abs()
-                + (-v264 - t[0][2]).abs() + (-v267 - t[1][2]).abs()
-                + (v261 - t[2][2]).abs() + (v289 - t[0][3]).abs()
-                + (v292 - t[1][3]).abs() + (-v286 - t[2][3]).abs();
+            let v304 = v304_[l % 4];
+            let v307 = v307_[l % 4];
+            let v301 = v301_[l % 4];
+            error[l] = (v265 - t[0][0]).abs() + (v268 - t[1][0]).abs()
+                + (-v262 - t[2][0]).abs() + (v285 - t[0][1]).abs()
+                + (v288 - t[1][1]).abs() + (-v291 - t[2][1]).abs()
+                + (-v279 - t[0][2]).abs() + (-v282 - t[1][2]).abs()
+                + (v276 - t[2][2]).abs() + (v304 - t[0][3]).abs()
+                + (v307 - t[1][3]).abs() + (-v301 - t[2][3]).abs();
         }
         let valid: [f64; 8] = ::core::array::from_fn(|l| {
             1.0 * e0[l % 1 % 1] * e1[l % 2 % 1]
@@ -828,9 +845,9 @@ impl Puma560 {
             ::core::array::from_fn(|l| g0[l / 1 % 2 * 1 + l % 1]),
             ::core::array::from_fn(|l| g2[l % 4]),
             ::core::array::from_fn(|l| g1[l / 2 % 2 * 1 + l % 1]),
-            ::core::array::from_fn(|l| g5[l % 8]),
-            ::core::array::from_fn(|l| g4[l % 8]),
             ::core::array::from_fn(|l| g3[l / 4 % 2 * 4 + l % 4]),
+            ::core::array::from_fn(|l| g4[l % 8]),
+            ::core::array::from_fn(|l| g5[l % 8]),
         ];
         ::dh_robot::lanes::collect(
             &Self::JOINTS,

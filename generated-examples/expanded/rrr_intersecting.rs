@@ -199,8 +199,7 @@ impl RrrIntersecting {
     /// 2. `virtual_roll`: a cos + b sin = 0: two values half a turn apart.
     /// 3. `virtual_pitch`: two equations in its sine and cosine: one value.
     /// 4. `q3`: a cos + b sin = c: two values.
-    /// 5. `virtual_yaw`: two equations in its sine and cosine: one value.
-    /// 6. `q2`: two equations in its sine and cosine: one value.
+    /// 5. `q2`: two equations in its sine and cosine: one value.
     #[must_use]
     pub fn inverse(
         &self,
@@ -245,7 +244,7 @@ impl RrrIntersecting {
         let t_5 = self.l3 * 0.9367557098744688;
         let r0 = ::dh_robot::ik::solve_sincos(-t[1][3], t[0][3], -t_3, 1e-11);
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "q1", 1.0675141762776192, "m");
+            attempt.note(r0.outcome, "shoulder q1", 1.0675141762776192, "m");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -256,14 +255,9 @@ impl RrrIntersecting {
         for (i0, &[c1, s1]) in r0.or_if_free([1.0, 0.0]).iter().enumerate() {
             let a0 = ::dh_robot::math::atan2(s1, c1);
             let t_6 = t[0][3] * c1 + t[1][3] * s1;
-            let t_7 = t[0][3] * s1 - t[1][3] * c1;
-            let t_8 = t[0][0] * c1 + t[1][0] * s1;
-            let t_9 = t[0][0] * s1 - t[1][0] * c1;
-            let t_10 = t[0][1] * c1 + t[1][1] * s1;
-            let t_11 = t[0][1] * s1 - t[1][1] * c1;
-            let t_12 = t[0][2] * c1 + t[1][2] * s1;
-            let t_13 = t[0][2] * s1 - t[1][2] * c1;
-            let r1 = ::dh_robot::ik::solve_sincos(t_11, t_9, 0.0, 1e-11);
+            let t_7 = t[0][0] * s1 - t[1][0] * c1;
+            let t_8 = t[0][1] * s1 - t[1][1] * c1;
+            let r1 = ::dh_robot::ik::solve_sincos(t_8, t_7, 0.0, 1e-11);
             if r1.roots.is_empty() {
                 attempt.note(r1.outcome, "virtual_roll", 1.0, "");
             }
@@ -279,21 +273,13 @@ impl RrrIntersecting {
                 .enumerate()
             {
                 let a1 = ::dh_robot::math::atan2(svirtual_roll, cvirtual_roll);
-                let t_14 = t_8 * cvirtual_roll - t_10 * svirtual_roll;
-                let t_15 = t_9 * cvirtual_roll - t_11 * svirtual_roll;
-                let t_16 = t[2][0] * cvirtual_roll - t[2][1] * svirtual_roll;
-                let t_17 = t_8 * svirtual_roll + t_10 * cvirtual_roll;
-                let t_18 = t_6 * t_17
-                    + t_7 * (t_9 * svirtual_roll + t_11 * cvirtual_roll);
-                let t_19 = t[2][3] * (t[2][0] * svirtual_roll + t[2][1] * cvirtual_roll);
-                let t_20 = t_18 + t_19;
                 let r2 = ::dh_robot::ik::solve_pair(
                     0.0,
                     1.0,
-                    -t_15,
+                    -(t_7 * cvirtual_roll - t_8 * svirtual_roll),
                     1.0,
                     0.0,
-                    t_13,
+                    t[0][2] * s1 - t[1][2] * c1,
                     1e-11,
                 );
                 if r2.roots.is_empty() {
@@ -311,12 +297,6 @@ impl RrrIntersecting {
                     .enumerate()
                 {
                     let a2 = ::dh_robot::math::atan2(svirtual_pitch, cvirtual_pitch);
-                    let t_21 = t_14 * cvirtual_pitch + t_12 * svirtual_pitch;
-                    let t_22 = t_6 * t_21
-                        + t_7 * (t_15 * cvirtual_pitch + t_13 * svirtual_pitch);
-                    let t_23 = t[2][3]
-                        * (t_16 * cvirtual_pitch + t[2][2] * svirtual_pitch);
-                    let t_24 = t_22 + t_23;
                     let r3 = ::dh_robot::ik::solve_sincos(
                         2.0 * t_4 * t_5,
                         0.0,
@@ -324,7 +304,15 @@ impl RrrIntersecting {
                         1e-11,
                     );
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "q3", 1.0675141762776192, "m");
+                        attempt
+                            .note_distance(
+                                r3.outcome,
+                                "elbow q3",
+                                t_2,
+                                t_2 - (t_3 * t_3 + t_4 * t_4 + t_5 * t_5),
+                                1.0675141762776192,
+                                "m",
+                            );
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
@@ -335,76 +323,48 @@ impl RrrIntersecting {
                     for (i3, &[c3, s3]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
                         let a3 = ::dh_robot::math::atan2(s3, c3);
                         let r4 = ::dh_robot::ik::solve_pair(
-                            t_24,
-                            t_20,
-                            t_5 + t_4 * c3,
-                            -t_20,
-                            t_24,
-                            -t_4 * s3,
+                            -t_6,
+                            t[2][3],
+                            -(t_4 + t_5 * c3),
+                            t[2][3],
+                            t_6,
+                            -t_5 * s3,
                             1e-11,
                         );
                         if r4.roots.is_empty() {
-                            attempt
-                                .note(r4.outcome, "virtual_yaw", 1.0675141762776192, "m");
+                            attempt.note(r4.outcome, "q2", 1.0675141762776192, "m");
                         }
                         let free = if r4.is_free() {
                             attempt.degenerate = true;
-                            free.union(::dh_robot::FreeJoints::of(&[]))
+                            free.union(::dh_robot::FreeJoints::of(&[1]))
                         } else {
                             free
                         };
-                        for (i4, &[cvirtual_yaw, svirtual_yaw]) in r4
+                        for (i4, &[c2, s2]) in r4
                             .or_if_free([1.0, 0.0])
                             .iter()
                             .enumerate()
                         {
-                            let a4 = ::dh_robot::math::atan2(svirtual_yaw, cvirtual_yaw);
-                            let t_25 = t_21 * cvirtual_yaw + t_17 * svirtual_yaw;
-                            let t_26 = t_21 * svirtual_yaw - t_17 * cvirtual_yaw;
-                            let r5 = ::dh_robot::ik::solve_pair(
-                                1.0,
-                                0.0,
-                                c3 * t_25 - s3 * t_26,
-                                0.0,
-                                -1.0,
-                                s3 * t_25 + c3 * t_26,
-                                1e-11,
-                            );
-                            if r5.roots.is_empty() {
-                                attempt.note(r5.outcome, "q2", 1.0, "");
-                            }
-                            let free = if r5.is_free() {
-                                attempt.degenerate = true;
-                                free.union(::dh_robot::FreeJoints::of(&[1]))
-                            } else {
-                                free
-                            };
-                            for (i5, &[c2, s2]) in r5
-                                .or_if_free([1.0, 0.0])
-                                .iter()
-                                .enumerate()
-                            {
-                                let a5 = ::dh_robot::math::atan2(s2, c2);
-                                let branch = ::dh_robot::Branch::ANY
-                                    .with_step(0, i0)
-                                    .with_shoulder(
-                                        if i0 == 0 {
-                                            ::dh_robot::Shoulder::Left
-                                        } else {
-                                            ::dh_robot::Shoulder::Right
-                                        },
-                                    )
-                                    .with_step(1, i1)
-                                    .with_step(2, i3)
-                                    .with_elbow(
-                                        if i3 == 0 {
-                                            ::dh_robot::Elbow::Up
-                                        } else {
-                                            ::dh_robot::Elbow::Down
-                                        },
-                                    );
-                                found([a0, a5, a3], branch, free);
-                            }
+                            let a4 = ::dh_robot::math::atan2(s2, c2);
+                            let branch = ::dh_robot::Branch::ANY
+                                .with_step(0, i0)
+                                .with_shoulder(
+                                    if i0 == 0 {
+                                        ::dh_robot::Shoulder::Left
+                                    } else {
+                                        ::dh_robot::Shoulder::Right
+                                    },
+                                )
+                                .with_step(1, i1)
+                                .with_step(2, i3)
+                                .with_elbow(
+                                    if i3 == 0 {
+                                        ::dh_robot::Elbow::Up
+                                    } else {
+                                        ::dh_robot::Elbow::Down
+                                    },
+                                );
+                            found([a0, a4, a3], branch, free);
                         }
                     }
                 }

@@ -285,7 +285,15 @@ impl ScaraRrrp {
                     1e-11,
                 );
                 if r2.roots.is_empty() {
-                    attempt.note(r2.outcome, "q2", 1.321360271039209, "m");
+                    attempt
+                        .note_distance(
+                            r2.outcome,
+                            "elbow q2",
+                            t_8 * t_8 + t_9 * t_9 + t_10 * t_10,
+                            -(t_6 - (t_8 * t_8 + t_9 * t_9 + t_10 * t_10 - t_7)),
+                            1.321360271039209,
+                            "m",
+                        );
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;

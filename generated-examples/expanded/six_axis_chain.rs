@@ -272,11 +272,11 @@ impl SixAxisChain {
     ///
     /// Plan:
     /// 1. `q1`: a cos + b sin = 0: two values half a turn apart.
-    /// 2. `q6`: a cos + b sin = 0: two values half a turn apart.
+    /// 2. `q2 + q3 + q4`: a cos + b sin = 0: two values half a turn apart.
     /// 3. `q5`: two equations in its sine and cosine: one value.
-    /// 4. `q2 + q3 + q4`: two equations in its sine and cosine: one value.
+    /// 4. `q6`: two equations in its sine and cosine: one value.
     /// 5. `q3`: a cos + b sin = c: two values.
-    /// 6. `q4`: two equations in its sine and cosine: one value.
+    /// 6. `q2`: two equations in its sine and cosine: one value.
     #[must_use]
     pub fn inverse(
         &self,
@@ -319,7 +319,7 @@ impl SixAxisChain {
         let t_5 = t_3 * t_3 + t_4 * t_4;
         let r0 = ::dh_robot::ik::solve_sincos(-t[1][3], t[0][3], 0.0, 1e-11);
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "q1", 1.1159566801270322, "m");
+            attempt.note(r0.outcome, "shoulder q1", 1.1159566801270322, "m");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -330,40 +330,28 @@ impl SixAxisChain {
         for (i0, &[c1, s1]) in r0.or_if_free([1.0, 0.0]).iter().enumerate() {
             let a0 = ::dh_robot::math::atan2(s1, c1);
             let t_6 = t[0][3] * c1 + t[1][3] * s1;
-            let t_7 = t[0][3] * s1 - t[1][3] * c1;
-            let t_8 = t[0][0] * c1 + t[1][0] * s1;
-            let t_9 = t[0][0] * s1 - t[1][0] * c1;
-            let t_10 = t[0][1] * c1 + t[1][1] * s1;
-            let t_11 = t[0][1] * s1 - t[1][1] * c1;
-            let t_12 = t[0][2] * c1 + t[1][2] * s1;
-            let t_13 = t[0][2] * s1 - t[1][2] * c1;
-            let r1 = ::dh_robot::ik::solve_sincos(t_11, t_9, 0.0, 1e-11);
+            let t_7 = t[0][0] * c1 + t[1][0] * s1;
+            let t_8 = t[0][1] * c1 + t[1][1] * s1;
+            let t_9 = t[0][2] * c1 + t[1][2] * s1;
+            let r1 = ::dh_robot::ik::solve_sincos(-t[2][2], t_9, 0.0, 1e-11);
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, "q6", 1.0, "");
+                attempt.note(r1.outcome, "elbow q2 + q3 + q4", 1.0, "");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
-                free.union(::dh_robot::FreeJoints::of(&[5]))
+                free.union(::dh_robot::FreeJoints::of(&[1, 2, 3]))
             } else {
                 free
             };
-            for (i1, &[c6, s6]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
-                let a1 = ::dh_robot::math::atan2(s6, c6);
-                let t_14 = t_8 * c6 - t_10 * s6;
-                let t_15 = t_9 * c6 - t_11 * s6;
-                let t_16 = t[2][0] * c6 - t[2][1] * s6;
-                let t_17 = t_8 * s6 + t_10 * c6;
-                let t_18 = t_9 * s6 + t_11 * c6;
-                let t_19 = t[2][0] * s6 + t[2][1] * c6;
-                let t_20 = t[0][0] * c6 - t[0][1] * s6;
-                let t_21 = t[1][0] * c6 - t[1][1] * s6;
+            for (i1, &[c234, s234]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+                let a1 = ::dh_robot::math::atan2(s234, c234);
                 let r2 = ::dh_robot::ik::solve_pair(
+                    -1.0,
+                    0.0,
+                    -(t[0][2] * s1 - t[1][2] * c1),
                     0.0,
                     1.0,
-                    -t_15,
-                    1.0,
-                    0.0,
-                    t_13,
+                    t_9 * c234 + t[2][2] * s234,
                     1e-11,
                 );
                 if r2.roots.is_empty() {
@@ -377,46 +365,53 @@ impl SixAxisChain {
                 };
                 for (i2, &[c5, s5]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s5, c5);
-                    let t_22 = t_14 * c5 + t_12 * s5;
-                    let t_23 = t_15 * c5 + t_13 * s5;
-                    let t_24 = t_16 * c5 + t[2][2] * s5;
-                    let t_25 = t_6 - t_22 * t_2;
-                    let t_26 = t_7 - t_23 * t_2;
-                    let t_27 = t[2][3] - t_24 * t_2;
-                    let t_28 = t[0][3] - t_2 * (c5 * t_20 + t[0][2] * s5);
-                    let t_29 = t[1][3] - t_2 * (c5 * t_21 + t[1][2] * s5);
+                    let c234c5 = c234 * c5;
+                    let t_10 = t[0][2] * s5;
+                    let t_11 = t[1][2] * s5;
+                    let t_12 = t[2][2] * s5;
+                    let t_13 = t_9 * s5;
                     let r3 = ::dh_robot::ik::solve_pair(
-                        1.0,
-                        0.0,
-                        t_22,
-                        0.0,
-                        -1.0,
-                        t_17,
+                        c234c5,
+                        -s234,
+                        t_7,
+                        -s234,
+                        -c234c5,
+                        t_8,
                         1e-11,
                     );
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "q2 + q3 + q4", 1.0, "");
+                        attempt.note(r3.outcome, "q6", 1.0, "");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
-                        free.union(::dh_robot::FreeJoints::of(&[1, 2, 3]))
+                        free.union(::dh_robot::FreeJoints::of(&[5]))
                     } else {
                         free
                     };
-                    for (i3, &[c234, s234]) in r3
-                        .or_if_free([1.0, 0.0])
-                        .iter()
-                        .enumerate()
-                    {
-                        let a3 = ::dh_robot::math::atan2(s234, c234);
+                    for (i3, &[c6, s6]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                        let a3 = ::dh_robot::math::atan2(s6, c6);
+                        let t_14 = t[0][3]
+                            - (c5 * (t[0][0] * c6 - t[0][1] * s6) + t_10) * t_2;
+                        let t_15 = t[1][3]
+                            - (c5 * (t[1][0] * c6 - t[1][1] * s6) + t_11) * t_2;
+                        let t_16 = t[2][3]
+                            - (c5 * (t[2][0] * c6 - t[2][1] * s6) + t_12) * t_2;
                         let r4 = ::dh_robot::ik::solve_sincos(
                             2.0 * t_3 * t_4,
                             0.0,
-                            t_27 * t_27 + t_28 * t_28 + t_29 * t_29 - t_5,
+                            t_14 * t_14 + t_15 * t_15 + t_16 * t_16 - t_5,
                             1e-11,
                         );
                         if r4.roots.is_empty() {
-                            attempt.note(r4.outcome, "q3", 1.1159566801270322, "m");
+                            attempt
+                                .note_distance(
+                                    r4.outcome,
+                                    "q3",
+                                    t_14 * t_14 + t_15 * t_15 + t_16 * t_16,
+                                    t_14 * t_14 + t_15 * t_15 + t_16 * t_16 - t_5,
+                                    1.1159566801270322,
+                                    "m",
+                                );
                         }
                         let free = if r4.is_free() {
                             attempt.degenerate = true;
@@ -430,32 +425,32 @@ impl SixAxisChain {
                             .enumerate()
                         {
                             let a4 = ::dh_robot::math::atan2(s3, c3);
-                            let t_30 = t_4 + t_3 * c3;
-                            let t_31 = t_3 * s3;
+                            let t_17 = t_3 + t_4 * c3;
+                            let t_18 = t_4 * s3;
                             let r5 = ::dh_robot::ik::solve_pair(
-                                -t_30,
-                                t_31,
-                                -(t_22 * t_25 + t_23 * t_26 + t_24 * t_27),
-                                t_31,
-                                t_30,
-                                -(t_17 * t_25 + t_18 * t_26 + t_19 * t_27),
+                                t_17,
+                                -t_18,
+                                t_6 - t_2 * (c5 * (t_7 * c6 - t_8 * s6) + t_13),
+                                t_18,
+                                t_17,
+                                t_16,
                                 1e-11,
                             );
                             if r5.roots.is_empty() {
-                                attempt.note(r5.outcome, "q4", 1.1159566801270322, "m");
+                                attempt.note(r5.outcome, "q2", 1.1159566801270322, "m");
                             }
                             let free = if r5.is_free() {
                                 attempt.degenerate = true;
-                                free.union(::dh_robot::FreeJoints::of(&[3]))
+                                free.union(::dh_robot::FreeJoints::of(&[1]))
                             } else {
                                 free
                             };
-                            for (i5, &[c4, s4]) in r5
+                            for (i5, &[c2, s2]) in r5
                                 .or_if_free([1.0, 0.0])
                                 .iter()
                                 .enumerate()
                             {
-                                let a5 = ::dh_robot::math::atan2(s4, c4);
+                                let a5 = ::dh_robot::math::atan2(s2, c2);
                                 let branch = ::dh_robot::Branch::ANY
                                     .with_step(0, i0)
                                     .with_shoulder(
@@ -466,22 +461,15 @@ impl SixAxisChain {
                                         },
                                     )
                                     .with_step(1, i1)
-                                    .with_wrist(
-                                        if i1 == 0 {
-                                            ::dh_robot::Wrist::NoFlip
-                                        } else {
-                                            ::dh_robot::Wrist::Flip
-                                        },
-                                    )
-                                    .with_step(2, i4)
                                     .with_elbow(
-                                        if i4 == 0 {
+                                        if i1 == 0 {
                                             ::dh_robot::Elbow::Up
                                         } else {
                                             ::dh_robot::Elbow::Down
                                         },
-                                    );
-                                found([a0, a3 - a4 - a5, a4, a5, a2, a1], branch, free);
+                                    )
+                                    .with_step(2, i4);
+                                found([a0, a5, a4, a1 - a4 - a5, a2, a3], branch, free);
                             }
                         }
                     }
@@ -526,47 +514,36 @@ impl SixAxisChain {
             }
         });
         let mut v38_ = [0.0; 2];
-        let mut v41_ = [0.0; 2];
         let mut v44_ = [0.0; 2];
-        let mut v47_ = [0.0; 2];
         let mut v50_ = [0.0; 2];
-        let mut v53_ = [0.0; 2];
         let mut v56_ = [0.0; 2];
         let mut v59_ = [0.0; 2];
         for l in 0..2 {
             let c1 = c1_[l];
             let s1 = s1_[l];
             let t_6 = t[0][3] * c1 + t[1][3] * s1;
-            let t_7 = t[0][3] * s1 - t[1][3] * c1;
-            let t_8 = t[0][0] * c1 + t[1][0] * s1;
-            let t_9 = t[0][0] * s1 - t[1][0] * c1;
-            let t_10 = t[0][1] * c1 + t[1][1] * s1;
-            let t_11 = t[0][1] * s1 - t[1][1] * c1;
-            let t_12 = t[0][2] * c1 + t[1][2] * s1;
-            let t_13 = t[0][2] * s1 - t[1][2] * c1;
+            let t_7 = t[0][0] * c1 + t[1][0] * s1;
+            let t_8 = t[0][1] * c1 + t[1][1] * s1;
+            let t_9 = t[0][2] * c1 + t[1][2] * s1;
             v38_[l] = t_6;
-            v41_[l] = t_7;
-            v44_[l] = t_8;
-            v47_[l] = t_9;
-            v50_[l] = t_10;
-            v53_[l] = t_11;
-            v56_[l] = t_12;
-            v59_[l] = t_13;
+            v44_[l] = t_7;
+            v50_[l] = t_8;
+            v56_[l] = t_9;
+            v59_[l] = t[0][2] * s1 - t[1][2] * c1;
         }
         let mut m1 = [0.0; 2];
         let mut f1 = [[0.0; 4]; 2];
         for l in 0..2 {
-            let v53 = v53_[l];
-            let v47 = v47_[l];
-            let ([x, y], m) = ::dh_robot::lanes::half_turn(v53, v47);
+            let v56 = v56_[l];
+            let ([x, y], m) = ::dh_robot::lanes::half_turn(-t[2][2], v56);
             f1[0][l] = x;
             f1[1][l] = y;
             f1[0][l + 2] = -x;
             f1[1][l + 2] = -y;
             m1[l] = m;
         }
-        let c6_ = f1[0];
-        let s6_ = f1[1];
+        let c234_ = f1[0];
+        let s234_ = f1[1];
         let half: [f64; 2] = ::dh_robot::atan2_batch(
             &::core::array::from_fn(|l| f1[1][l]),
             &::core::array::from_fn(|l| f1[0][l]),
@@ -580,44 +557,25 @@ impl SixAxisChain {
                 half[k - 2] + ::core::f64::consts::PI
             }
         });
-        let mut v84_ = [0.0; 4];
-        let mut v85_ = [0.0; 4];
-        let mut v86_ = [0.0; 4];
-        let mut v93_ = [0.0; 4];
-        let mut v94_ = [0.0; 4];
-        let mut v95_ = [0.0; 4];
-        let mut v157_ = [0.0; 4];
-        let mut v158_ = [0.0; 4];
+        let mut v80_ = [0.0; 4];
+        let mut v238_ = [0.0; 4];
+        let mut v239_ = [0.0; 4];
         for l in 0..4 {
-            let v44 = v44_[l % 2];
-            let v47 = v47_[l % 2];
-            let v50 = v50_[l % 2];
-            let v53 = v53_[l % 2];
-            let c6 = c6_[l];
-            let s6 = s6_[l];
-            let t_14 = v44 * c6 - v50 * s6;
-            let t_15 = v47 * c6 - v53 * s6;
-            let t_16 = t[2][0] * c6 - t[2][1] * s6;
-            let t_17 = v44 * s6 + v50 * c6;
-            let t_18 = v47 * s6 + v53 * c6;
-            let t_19 = t[2][0] * s6 + t[2][1] * c6;
-            let t_20 = t[0][0] * c6 - t[0][1] * s6;
-            let t_21 = t[1][0] * c6 - t[1][1] * s6;
-            v84_[l] = t_14;
-            v85_[l] = t_15;
-            v86_[l] = t_16;
-            v93_[l] = t_17;
-            v94_[l] = t_18;
-            v95_[l] = t_19;
-            v157_[l] = t_20;
-            v158_[l] = t_21;
+            let v56 = v56_[l % 2];
+            let c234 = c234_[l];
+            let s234 = s234_[l];
+            let t_10 = c234 * t_2;
+            let t_11 = s234 * t_2;
+            v80_[l] = v56 * c234 + t[2][2] * s234;
+            v238_[l] = t_10;
+            v239_[l] = t_11;
         }
         let mut m2 = [0.0; 4];
         let mut f2 = [[0.0; 4]; 2];
         for l in 0..4 {
-            let v85 = v85_[l];
             let v59 = v59_[l % 2];
-            let ([x, y], m) = ::dh_robot::lanes::pair(0.0, 1.0, -v85, 1.0, 0.0, v59);
+            let v80 = v80_[l];
+            let ([x, y], m) = ::dh_robot::lanes::pair(-1.0, 0.0, -v59, 0.0, 1.0, v80);
             f2[0][l] = x;
             f2[1][l] = y;
             m2[l] = m;
@@ -625,124 +583,111 @@ impl SixAxisChain {
         let c5_ = f2[0];
         let s5_ = f2[1];
         let g2: [f64; 4] = ::dh_robot::atan2_batch(&f2[1], &f2[0]);
-        let mut v114_ = [0.0; 4];
-        let mut v137_ = [0.0; 4];
-        let mut v142_ = [0.0; 4];
-        let mut v205_ = [0.0; 4];
-        let mut v211_ = [0.0; 4];
+        let mut v82_ = [0.0; 4];
+        let mut v107_ = [0.0; 4];
+        let mut v108_ = [0.0; 4];
+        let mut v109_ = [0.0; 4];
+        let mut v172_ = [0.0; 4];
         let mut v222_ = [0.0; 4];
         let mut v225_ = [0.0; 4];
-        let mut v230_ = [0.0; 4];
-        let mut v233_ = [0.0; 4];
+        let mut v228_ = [0.0; 4];
         for l in 0..4 {
             let c1 = c1_[l % 2];
             let s1 = s1_[l % 2];
-            let v38 = v38_[l % 2];
-            let v41 = v41_[l % 2];
             let v56 = v56_[l % 2];
-            let v59 = v59_[l % 2];
-            let c6 = c6_[l];
-            let v84 = v84_[l];
-            let v85 = v85_[l];
-            let v86 = v86_[l];
-            let v93 = v93_[l];
-            let v94 = v94_[l];
-            let v95 = v95_[l];
-            let v157 = v157_[l];
-            let v158 = v158_[l];
+            let c234 = c234_[l];
+            let s234 = s234_[l];
             let c5 = c5_[l];
             let s5 = s5_[l];
-            let t_22 = v84 * c5 + v56 * s5;
-            let t_23 = v85 * c5 + v59 * s5;
-            let t_24 = v86 * c5 + t[2][2] * s5;
-            let t_25 = v38 - t_22 * t_2;
-            let t_26 = v41 - t_23 * t_2;
-            let t_27 = t[2][3] - t_24 * t_2;
-            let t_28 = t[0][3] - t_2 * (c5 * v157 + t[0][2] * s5);
-            let t_29 = t[1][3] - t_2 * (c5 * v158 + t[1][2] * s5);
-            let c6c5 = c6 * c5;
-            let c6s5 = c6 * s5;
-            let s1c6s5 = s1 * c6s5;
-            let c1c6s5 = c1 * c6s5;
-            let s1c5 = s1 * c5;
-            let c1c5 = c1 * c5;
-            v114_[l] = t_22;
-            v137_[l] = t_22 * t_25 + t_23 * t_26 + t_24 * t_27;
-            v142_[l] = v93 * t_25 + v94 * t_26 + v95 * t_27;
-            v205_[l] = t_27 * t_27 + t_28 * t_28 + t_29 * t_29 - t_5;
-            v211_[l] = c6c5;
-            v222_[l] = s1c6s5;
-            v225_[l] = c1c6s5;
-            v230_[l] = s1c5;
-            v233_[l] = c1c5;
+            let c234c5 = c234 * c5;
+            let t_12 = t[0][2] * s5;
+            let t_13 = t[1][2] * s5;
+            let t_14 = t[2][2] * s5;
+            let t_15 = v56 * s5;
+            let c234s5 = c234 * s5;
+            let s234s5 = s234 * s5;
+            let t_16 = c1 * c234s5 + s1 * c5;
+            let t_17 = s1 * c234s5 - c1 * c5;
+            v82_[l] = c234c5;
+            v107_[l] = t_12;
+            v108_[l] = t_13;
+            v109_[l] = t_14;
+            v172_[l] = t_15;
+            v222_[l] = s234s5;
+            v225_[l] = t_16;
+            v228_[l] = t_17;
         }
         let mut m3 = [0.0; 4];
         let mut f3 = [[0.0; 4]; 2];
         for l in 0..4 {
-            let v114 = v114_[l];
-            let v93 = v93_[l];
-            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v114, 0.0, -1.0, v93);
+            let v82 = v82_[l];
+            let s234 = s234_[l];
+            let v44 = v44_[l % 2];
+            let v50 = v50_[l % 2];
+            let ([x, y], m) = ::dh_robot::lanes::pair(v82, -s234, v44, -s234, -v82, v50);
             f3[0][l] = x;
             f3[1][l] = y;
             m3[l] = m;
         }
-        let c234_ = f3[0];
-        let s234_ = f3[1];
+        let c6_ = f3[0];
+        let s6_ = f3[1];
         let g3: [f64; 4] = ::dh_robot::atan2_batch(&f3[1], &f3[0]);
+        let mut v128_ = [0.0; 4];
+        let mut v157_ = [0.0; 4];
+        let mut v184_ = [0.0; 4];
+        let mut v214_ = [0.0; 4];
+        let mut v217_ = [0.0; 4];
         let mut v220_ = [0.0; 4];
-        let mut v223_ = [0.0; 4];
-        let mut v226_ = [0.0; 4];
-        let mut v228_ = [0.0; 4];
         let mut v231_ = [0.0; 4];
         let mut v234_ = [0.0; 4];
         let mut v237_ = [0.0; 4];
-        let mut v240_ = [0.0; 4];
-        let mut v243_ = [0.0; 4];
-        let mut v244_ = [0.0; 4];
-        let mut v245_ = [0.0; 4];
         for l in 0..4 {
             let c1 = c1_[l % 2];
             let s1 = s1_[l % 2];
-            let s6 = s6_[l];
-            let s5 = s5_[l];
-            let v211 = v211_[l];
-            let v222 = v222_[l];
-            let v225 = v225_[l];
-            let v230 = v230_[l];
-            let v233 = v233_[l];
+            let v38 = v38_[l % 2];
+            let v44 = v44_[l % 2];
+            let v50 = v50_[l % 2];
             let c234 = c234_[l];
             let s234 = s234_[l];
-            let t_30 = v211 * c234 - s6 * s234;
-            let t_31 = v211 * s234 + s6 * c234;
-            let t_32 = c1 * t_30 - v222;
-            let t_33 = s1 * t_30 + v225;
-            let s5c234 = s5 * c234;
-            let s5s234 = s5 * s234;
-            let t_34 = c1 * s5c234 + v230;
-            let t_35 = s1 * s5c234 - v233;
-            let t_36 = t_2 * c234;
-            let t_37 = t_2 * s234;
-            v220_[l] = t_31;
-            v223_[l] = t_32;
-            v226_[l] = t_33;
-            v228_[l] = s5s234;
-            v231_[l] = t_34;
-            v234_[l] = t_35;
-            v237_[l] = t_31 * t_35 - t_33 * s5s234;
-            v240_[l] = t_32 * s5s234 - t_31 * t_34;
-            v243_[l] = t_33 * t_34 - t_32 * t_35;
-            v244_[l] = t_36;
-            v245_[l] = t_37;
+            let c5 = c5_[l];
+            let s5 = s5_[l];
+            let v107 = v107_[l];
+            let v108 = v108_[l];
+            let v109 = v109_[l];
+            let v172 = v172_[l];
+            let v222 = v222_[l];
+            let v225 = v225_[l];
+            let v228 = v228_[l];
+            let c6 = c6_[l];
+            let s6 = s6_[l];
+            let t_18 = t[0][3] - (c5 * (t[0][0] * c6 - t[0][1] * s6) + v107) * t_2;
+            let t_19 = t[1][3] - (c5 * (t[1][0] * c6 - t[1][1] * s6) + v108) * t_2;
+            let t_20 = t[2][3] - (c5 * (t[2][0] * c6 - t[2][1] * s6) + v109) * t_2;
+            let c5c6 = c5 * c6;
+            let c6s5 = c6 * s5;
+            let t_21 = c234 * c5c6 - s234 * s6;
+            let t_22 = s234 * c5c6 + c234 * s6;
+            let t_23 = c1 * t_21 - s1 * c6s5;
+            let t_24 = s1 * t_21 + c1 * c6s5;
+            v128_[l] = t_20;
+            v157_[l] = t_18 * t_18 + t_19 * t_19 + t_20 * t_20 - t_5;
+            v184_[l] = v38 - t_2 * (c5 * (v44 * c6 - v50 * s6) + v172);
+            v214_[l] = t_22;
+            v217_[l] = t_23;
+            v220_[l] = t_24;
+            v231_[l] = t_22 * v228 - t_24 * v222;
+            v234_[l] = t_23 * v222 - t_22 * v225;
+            v237_[l] = t_24 * v225 - t_23 * v228;
         }
         let mut m4 = [0.0; 4];
         let mut f4 = [[0.0; 8]; 2];
         let mut e4 = [0.0; 4];
         for l in 0..4 {
-            let v205 = v205_[l];
+            let v157 = v157_[l];
             let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
                 2.0 * t_3 * t_4,
                 0.0,
-                v205,
+                v157,
             );
             f4[0][l] = x;
             f4[1][l] = y;
@@ -754,88 +699,75 @@ impl SixAxisChain {
         let c3_ = f4[0];
         let s3_ = f4[1];
         let g4: [f64; 8] = ::dh_robot::atan2_batch(&f4[1], &f4[0]);
-        let mut v208_ = [0.0; 8];
-        let mut v210_ = [0.0; 8];
-        let mut v260_ = [0.0; 8];
-        let mut v263_ = [0.0; 8];
+        let mut v204_ = [0.0; 8];
+        let mut v206_ = [0.0; 8];
         for l in 0..8 {
-            let c234 = c234_[l % 4];
-            let s234 = s234_[l % 4];
             let c3 = c3_[l];
             let s3 = s3_[l];
-            let t_38 = t_4 + t_3 * c3;
-            let t_39 = t_3 * s3;
-            let t_40 = c3 * c234 + s3 * s234;
-            let t_41 = s3 * c234 - c3 * s234;
-            v208_[l] = t_38;
-            v210_[l] = t_39;
-            v260_[l] = t_40;
-            v263_[l] = t_41;
+            let t_25 = t_3 + t_4 * c3;
+            let t_26 = t_4 * s3;
+            v204_[l] = t_25;
+            v206_[l] = t_26;
         }
         let mut m5 = [0.0; 8];
         let mut f5 = [[0.0; 8]; 2];
         for l in 0..8 {
-            let v208 = v208_[l];
-            let v210 = v210_[l];
-            let v137 = v137_[l % 4];
-            let v142 = v142_[l % 4];
+            let v204 = v204_[l];
+            let v206 = v206_[l];
+            let v184 = v184_[l % 4];
+            let v128 = v128_[l % 4];
             let ([x, y], m) = ::dh_robot::lanes::pair(
-                -v208,
-                v210,
-                -v137,
-                v210,
-                v208,
-                -v142,
+                v204,
+                -v206,
+                v184,
+                v206,
+                v204,
+                v128,
             );
             f5[0][l] = x;
             f5[1][l] = y;
             m5[l] = m;
         }
-        let c4_ = f5[0];
-        let s4_ = f5[1];
+        let c2_ = f5[0];
+        let s2_ = f5[1];
         let g5: [f64; 8] = ::dh_robot::atan2_batch(&f5[1], &f5[0]);
-        let mut v273_ = [0.0; 8];
-        let mut v274_ = [0.0; 8];
-        let mut v275_ = [0.0; 8];
+        let mut v255_ = [0.0; 8];
+        let mut v256_ = [0.0; 8];
+        let mut v257_ = [0.0; 8];
         for l in 0..8 {
             let c1 = c1_[l % 2];
             let s1 = s1_[l % 2];
-            let c234 = c234_[l % 4];
-            let s234 = s234_[l % 4];
-            let v244 = v244_[l % 4];
-            let v245 = v245_[l % 4];
-            let v260 = v260_[l];
-            let v263 = v263_[l];
-            let c4 = c4_[l];
-            let s4 = s4_[l];
-            let t_42 = v244 + t_4 * (c234 * c4 + s234 * s4)
-                + t_3 * (c4 * v260 - s4 * v263);
-            let t_43 = v245 - t_4 * (c234 * s4 - s234 * c4)
-                - t_3 * (s4 * v260 + c4 * v263);
-            v273_[l] = t_43;
-            v274_[l] = c1 * t_42;
-            v275_[l] = s1 * t_42;
+            let c3 = c3_[l];
+            let s3 = s3_[l];
+            let v238 = v238_[l % 4];
+            let v239 = v239_[l % 4];
+            let c2 = c2_[l];
+            let s2 = s2_[l];
+            let t_27 = v238 + t_4 * (c3 * c2 - s3 * s2) + t_3 * c2;
+            v255_[l] = v239 + t_4 * (c3 * s2 + s3 * c2) + t_3 * s2;
+            v256_[l] = c1 * t_27;
+            v257_[l] = s1 * t_27;
         }
         let mut error = [0.0; 8];
         for l in 0..8 {
-            let v223 = v223_[l % 4];
-            let v226 = v226_[l % 4];
+            let v217 = v217_[l % 4];
             let v220 = v220_[l % 4];
-            let v237 = v237_[l % 4];
-            let v240 = v240_[l % 4];
-            let v243 = v243_[l % 4];
+            let v214 = v214_[l % 4];
             let v231 = v231_[l % 4];
             let v234 = v234_[l % 4];
+            let v237 = v237_[l % 4];
+            let v225 = v225_[l % 4];
             let v228 = v228_[l % 4];
-            let v274 = v274_[l];
-            let v275 = v275_[l];
-            let v273 = v273_[l];
-            error[l] = (v223 - t[0][0]).abs() + (v226 - t[1][0]).abs()
-                + (v220 - t[2][0]).abs() + (v237 - t[0][1]).abs()
-                + (v240 - t[1][1]).abs() + (v243 - t[2][1]).abs()
-                + (v231 - t[0][2]).abs() + (v234 - t[1][2]).abs()
-                + (v228 - t[2][2]).abs() + (v274 - t[0][3]).abs()
-                + (v275 - t[1][3]).abs() + (v273 - t[2][3]).abs();
+            let v222 = v222_[l % 4];
+            let v256 = v256_[l];
+            let v257 = v257_[l];
+            let v255 = v255_[l];
+            error[l] = (v217 - t[0][0]).abs() + (v220 - t[1][0]).abs()
+                + (v214 - t[2][0]).abs() + (v231 - t[0][1]).abs()
+                + (v234 - t[1][1]).abs() + (v237 - t[2][1]).abs()
+                + (v225 - t[0][2]).abs() + (v228 - t[1][2]).abs()
+                + (v222 - t[2][2]).abs() + (v256 - t[0][3]).abs()
+                + (v257 - t[1][3]).abs() + (v255 - t[2][3]).abs();
         }
         let valid: [f64; 8] = ::core::array::from_fn(|l| 1.0 * e4[l % 4 % 4]);
         let margin: [f64; 8] = ::core::array::from_fn(|l| {
@@ -849,13 +781,13 @@ impl SixAxisChain {
         });
         let q: [[f64; 8]; 6] = [
             ::core::array::from_fn(|l| g0[l / 1 % 2 * 1 + l % 1]),
-            ::core::array::from_fn(|l| ::dh_robot::lanes::wrap(
-                g3[l % 4] - g4[l / 4 % 2 * 4 + l % 4] - g5[l % 8],
-            )),
-            ::core::array::from_fn(|l| g4[l / 4 % 2 * 4 + l % 4]),
             ::core::array::from_fn(|l| g5[l % 8]),
+            ::core::array::from_fn(|l| g4[l / 4 % 2 * 4 + l % 4]),
+            ::core::array::from_fn(|l| ::dh_robot::lanes::wrap(
+                g1[l / 2 % 2 * 2 + l % 2] - g4[l / 4 % 2 * 4 + l % 4] - g5[l % 8],
+            )),
             ::core::array::from_fn(|l| g2[l % 4]),
-            ::core::array::from_fn(|l| g1[l / 2 % 2 * 2 + l % 2]),
+            ::core::array::from_fn(|l| g3[l % 4]),
         ];
         ::dh_robot::lanes::collect(
             &Self::JOINTS,
@@ -877,21 +809,14 @@ impl SixAxisChain {
                         },
                     )
                     .with_step(1, i1)
-                    .with_wrist(
-                        if i1 == 0 {
-                            ::dh_robot::Wrist::NoFlip
-                        } else {
-                            ::dh_robot::Wrist::Flip
-                        },
-                    )
-                    .with_step(2, i4)
                     .with_elbow(
-                        if i4 == 0 {
+                        if i1 == 0 {
                             ::dh_robot::Elbow::Up
                         } else {
                             ::dh_robot::Elbow::Down
                         },
                     )
+                    .with_step(2, i4)
             },
         )
     }

@@ -291,8 +291,8 @@ impl Stanford {
     /// 2. `q2`: a cos + b sin = 0: two values half a turn apart.
     /// 3. `q3`: a linear equation.
     /// 4. `q6`: a cos + b sin = 0: two values half a turn apart.
-    /// 5. `q5`: two equations in its sine and cosine: one value.
-    /// 6. `q4`: two equations in its sine and cosine: one value.
+    /// 5. `q4`: two equations in its sine and cosine: one value.
+    /// 6. `q5`: two equations in its sine and cosine: one value.
     #[must_use]
     pub fn inverse(
         &self,
@@ -337,7 +337,7 @@ impl Stanford {
             1e-11,
         );
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "q1", 0.5862999999999999, "m");
+            attempt.note(r0.outcome, "shoulder q1", 0.5862999999999999, "m");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -356,7 +356,7 @@ impl Stanford {
             let t_9 = t[0][2] * s1 - t[1][2] * c1;
             let r1 = ::dh_robot::ik::solve_sincos(-t_3, t_2, 0.0, 1e-11);
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, "q2", 0.5862999999999999, "m");
+                attempt.note(r1.outcome, "elbow q2", 0.5862999999999999, "m");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -366,8 +366,9 @@ impl Stanford {
             };
             for (i1, &[c2, s2]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s2, c2);
-                let t_10 = t_4 * s2 + t[2][0] * c2;
-                let t_11 = t_6 * s2 + t[2][1] * c2;
+                let t_10 = t_4 * c2 - t[2][0] * s2;
+                let t_11 = t_6 * c2 - t[2][1] * s2;
+                let t_12 = t_8 * c2 - t[2][2] * s2;
                 let r2 = ::dh_robot::ik::solve_quadratic(
                     0.0,
                     -1.0,
@@ -385,9 +386,14 @@ impl Stanford {
                 };
                 for (i2, &q3) in r2.or_if_free(0.0).iter().enumerate() {
                     let a2 = q3 * 0.5862999999999999;
-                    let r3 = ::dh_robot::ik::solve_sincos(t_11, t_10, 0.0, 1e-11);
+                    let r3 = ::dh_robot::ik::solve_sincos(
+                        t_6 * s2 + t[2][1] * c2,
+                        t_4 * s2 + t[2][0] * c2,
+                        0.0,
+                        1e-11,
+                    );
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "q6", 1.0, "");
+                        attempt.note(r3.outcome, "wrist q6", 1.0, "");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
@@ -397,55 +403,56 @@ impl Stanford {
                     };
                     for (i3, &[c6, s6]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
                         let a3 = ::dh_robot::math::atan2(s6, c6);
-                        let t_12 = t_5 * c6 - t_7 * s6;
                         let r4 = ::dh_robot::ik::solve_pair(
                             0.0,
                             -1.0,
-                            t_10 * c6 - t_11 * s6,
-                            -1.0,
+                            t_5 * s6 + t_7 * c6,
+                            1.0,
                             0.0,
-                            -(t_8 * s2 + t[2][2] * c2),
+                            t_10 * s6 + t_11 * c6,
                             1e-11,
                         );
                         if r4.roots.is_empty() {
-                            attempt.note(r4.outcome, "q5", 1.0, "");
+                            attempt.note(r4.outcome, "q4", 1.0, "");
                         }
                         let free = if r4.is_free() {
                             attempt.degenerate = true;
-                            free.union(::dh_robot::FreeJoints::of(&[4]))
+                            free.union(::dh_robot::FreeJoints::of(&[3]))
                         } else {
                             free
                         };
-                        for (i4, &[c5, s5]) in r4
+                        for (i4, &[c4, s4]) in r4
                             .or_if_free([1.0, 0.0])
                             .iter()
                             .enumerate()
                         {
-                            let a4 = ::dh_robot::math::atan2(s5, c5);
+                            let a4 = ::dh_robot::math::atan2(s4, c4);
+                            let t_13 = c6 * (t_5 * c4 + t_10 * s4)
+                                - s6 * (t_7 * c4 + t_11 * s4);
                             let r5 = ::dh_robot::ik::solve_pair(
                                 1.0,
                                 0.0,
-                                t_12 * c5 + t_9 * s5,
+                                t_13,
                                 0.0,
                                 -1.0,
-                                t_5 * s6 + t_7 * c6,
+                                -(t_9 * c4 + t_12 * s4),
                                 1e-11,
                             );
                             if r5.roots.is_empty() {
-                                attempt.note(r5.outcome, "q4", 1.0, "");
+                                attempt.note(r5.outcome, "q5", 1.0, "");
                             }
                             let free = if r5.is_free() {
                                 attempt.degenerate = true;
-                                free.union(::dh_robot::FreeJoints::of(&[3]))
+                                free.union(::dh_robot::FreeJoints::of(&[4]))
                             } else {
                                 free
                             };
-                            for (i5, &[c4, s4]) in r5
+                            for (i5, &[c5, s5]) in r5
                                 .or_if_free([1.0, 0.0])
                                 .iter()
                                 .enumerate()
                             {
-                                let a5 = ::dh_robot::math::atan2(s4, c4);
+                                let a5 = ::dh_robot::math::atan2(s5, c5);
                                 let branch = ::dh_robot::Branch::ANY
                                     .with_step(0, i0)
                                     .with_shoulder(
@@ -471,7 +478,7 @@ impl Stanford {
                                             ::dh_robot::Wrist::Flip
                                         },
                                     );
-                                found([a0, a1, a2, a5, a4, a3], branch, free);
+                                found([a0, a1, a2, a4, a5, a3], branch, free);
                             }
                         }
                     }
@@ -513,8 +520,8 @@ impl Stanford {
         let mut v56_ = [0.0; 2];
         let mut v59_ = [0.0; 2];
         let mut v62_ = [0.0; 2];
-        let mut v246_ = [0.0; 2];
-        let mut v249_ = [0.0; 2];
+        let mut v272_ = [0.0; 2];
+        let mut v275_ = [0.0; 2];
         for l in 0..2 {
             let c1 = c1_[l];
             let s1 = s1_[l];
@@ -534,8 +541,8 @@ impl Stanford {
             v56_[l] = t_7;
             v59_[l] = t_8;
             v62_[l] = t_9;
-            v246_[l] = t_10;
-            v249_[l] = t_11;
+            v272_[l] = t_10;
+            v275_[l] = t_11;
         }
         let mut m1 = [0.0; 2];
         let mut f1 = [[0.0; 4]; 2];
@@ -564,9 +571,11 @@ impl Stanford {
             }
         });
         let mut v90_ = [0.0; 4];
+        let mut v93_ = [0.0; 4];
         let mut v96_ = [0.0; 4];
+        let mut v99_ = [0.0; 4];
         let mut v102_ = [0.0; 4];
-        let mut v108_ = [0.0; 4];
+        let mut v105_ = [0.0; 4];
         for l in 0..4 {
             let v39 = v39_[l % 2];
             let v47 = v47_[l % 2];
@@ -574,12 +583,15 @@ impl Stanford {
             let v59 = v59_[l % 2];
             let c2 = c2_[l];
             let s2 = s2_[l];
-            let t_12 = v47 * s2 + t[2][0] * c2;
-            let t_13 = v53 * s2 + t[2][1] * c2;
+            let t_12 = v47 * c2 - t[2][0] * s2;
+            let t_13 = v53 * c2 - t[2][1] * s2;
+            let t_14 = v59 * c2 - t[2][2] * s2;
             v90_[l] = v39 * s2 + t_2 * c2;
-            v96_[l] = t_12;
-            v102_[l] = t_13;
-            v108_[l] = v59 * s2 + t[2][2] * c2;
+            v93_[l] = t_12;
+            v96_[l] = v47 * s2 + t[2][0] * c2;
+            v99_[l] = t_13;
+            v102_[l] = v53 * s2 + t[2][1] * c2;
+            v105_[l] = t_14;
         }
         let mut m2 = [0.0; 4];
         let mut f2 = [[0.0; 4]; 2];
@@ -592,21 +604,21 @@ impl Stanford {
         }
         let q3_ = f2[0];
         let g2: [f64; 4] = f2[0].map(|d| d * 0.5862999999999999);
-        let mut v244_ = [0.0; 4];
-        let mut v247_ = [0.0; 4];
-        let mut v250_ = [0.0; 4];
+        let mut v270_ = [0.0; 4];
+        let mut v273_ = [0.0; 4];
+        let mut v276_ = [0.0; 4];
         for l in 0..4 {
             let c1 = c1_[l % 2];
             let s1 = s1_[l % 2];
             let c2 = c2_[l];
             let s2 = s2_[l];
-            let v246 = v246_[l % 2];
-            let v249 = v249_[l % 2];
+            let v272 = v272_[l % 2];
+            let v275 = v275_[l % 2];
             let q3 = q3_[l];
-            let t_14 = s2 * q3;
-            v244_[l] = 0.7027119222241174 + c2 * q3;
-            v247_[l] = c1 * t_14 - v246;
-            v250_[l] = s1 * t_14 + v249;
+            let t_15 = s2 * q3;
+            v270_[l] = 0.7027119222241174 + c2 * q3;
+            v273_[l] = c1 * t_15 - v272;
+            v276_[l] = s1 * t_15 + v275;
         }
         let mut m3 = [0.0; 4];
         let mut f3 = [[0.0; 8]; 2];
@@ -635,139 +647,131 @@ impl Stanford {
                 half[k - 4] + ::core::f64::consts::PI
             }
         });
-        let mut v137_ = [0.0; 8];
-        let mut v139_ = [0.0; 8];
         let mut v146_ = [0.0; 8];
+        let mut v147_ = [0.0; 8];
         for l in 0..8 {
             let v50 = v50_[l % 2];
             let v56 = v56_[l % 2];
-            let v96 = v96_[l % 4];
-            let v102 = v102_[l % 4];
+            let v93 = v93_[l % 4];
+            let v99 = v99_[l % 4];
             let c6 = c6_[l];
             let s6 = s6_[l];
-            let t_15 = v50 * c6 - v56 * s6;
-            v137_[l] = t_15;
-            v139_[l] = v96 * c6 - v102 * s6;
             v146_[l] = v50 * s6 + v56 * c6;
+            v147_[l] = v93 * s6 + v99 * c6;
         }
         let mut m4 = [0.0; 8];
         let mut f4 = [[0.0; 8]; 2];
         for l in 0..8 {
-            let v139 = v139_[l];
-            let v108 = v108_[l % 4];
-            let ([x, y], m) = ::dh_robot::lanes::pair(0.0, -1.0, v139, -1.0, 0.0, -v108);
+            let v146 = v146_[l];
+            let v147 = v147_[l];
+            let ([x, y], m) = ::dh_robot::lanes::pair(0.0, -1.0, v146, 1.0, 0.0, v147);
             f4[0][l] = x;
             f4[1][l] = y;
             m4[l] = m;
         }
-        let c5_ = f4[0];
-        let s5_ = f4[1];
+        let c4_ = f4[0];
+        let s4_ = f4[1];
         let g4: [f64; 8] = ::dh_robot::atan2_batch(&f4[1], &f4[0]);
-        let mut v175_ = [0.0; 8];
-        let mut v197_ = [0.0; 8];
-        let mut v208_ = [0.0; 8];
-        let mut v211_ = [0.0; 8];
-        let mut v222_ = [0.0; 8];
-        let mut v225_ = [0.0; 8];
+        let mut v191_ = [0.0; 8];
+        let mut v199_ = [0.0; 8];
+        let mut v228_ = [0.0; 8];
+        let mut v231_ = [0.0; 8];
         for l in 0..8 {
+            let v50 = v50_[l % 2];
+            let v56 = v56_[l % 2];
             let v62 = v62_[l % 2];
-            let c2 = c2_[l % 4];
-            let s2 = s2_[l % 4];
+            let v93 = v93_[l % 4];
+            let v99 = v99_[l % 4];
+            let v105 = v105_[l % 4];
             let c6 = c6_[l];
-            let v137 = v137_[l];
-            let c5 = c5_[l];
-            let s5 = s5_[l];
-            let c6c5 = c6 * c5;
-            let c6s5 = c6 * s5;
-            let s2c6s5 = s2 * c6s5;
-            let c2c6s5 = c2 * c6s5;
-            let s2c5 = s2 * c5;
-            let c2c5 = c2 * c5;
-            v175_[l] = v137 * c5 + v62 * s5;
-            v197_[l] = c6c5;
-            v208_[l] = s2c6s5;
-            v211_[l] = c2c6s5;
-            v222_[l] = s2c5;
-            v225_[l] = c2c5;
+            let s6 = s6_[l];
+            let c4 = c4_[l];
+            let s4 = s4_[l];
+            let s6c4 = s6 * c4;
+            let s6s4 = s6 * s4;
+            v191_[l] = v62 * c4 + v105 * s4;
+            v199_[l] = c6 * (v50 * c4 + v93 * s4) - s6 * (v56 * c4 + v99 * s4);
+            v228_[l] = s6c4;
+            v231_[l] = s6s4;
         }
         let mut m5 = [0.0; 8];
         let mut f5 = [[0.0; 8]; 2];
         for l in 0..8 {
-            let v175 = v175_[l];
-            let v146 = v146_[l];
-            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v175, 0.0, -1.0, v146);
+            let v199 = v199_[l];
+            let v191 = v191_[l];
+            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v199, 0.0, -1.0, -v191);
             f5[0][l] = x;
             f5[1][l] = y;
             m5[l] = m;
         }
-        let c4_ = f5[0];
-        let s4_ = f5[1];
+        let c5_ = f5[0];
+        let s5_ = f5[1];
         let g5: [f64; 8] = ::dh_robot::atan2_batch(&f5[1], &f5[0]);
-        let mut v212_ = [0.0; 8];
-        let mut v215_ = [0.0; 8];
-        let mut v218_ = [0.0; 8];
-        let mut v226_ = [0.0; 8];
-        let mut v229_ = [0.0; 8];
-        let mut v232_ = [0.0; 8];
-        let mut v235_ = [0.0; 8];
         let mut v238_ = [0.0; 8];
         let mut v241_ = [0.0; 8];
+        let mut v244_ = [0.0; 8];
+        let mut v252_ = [0.0; 8];
+        let mut v255_ = [0.0; 8];
+        let mut v258_ = [0.0; 8];
+        let mut v261_ = [0.0; 8];
+        let mut v264_ = [0.0; 8];
+        let mut v267_ = [0.0; 8];
         for l in 0..8 {
             let c1 = c1_[l % 2];
             let s1 = s1_[l % 2];
             let c2 = c2_[l % 4];
             let s2 = s2_[l % 4];
-            let s6 = s6_[l];
-            let s5 = s5_[l];
-            let v197 = v197_[l];
-            let v208 = v208_[l];
-            let v211 = v211_[l];
-            let v222 = v222_[l];
-            let v225 = v225_[l];
+            let c6 = c6_[l];
             let c4 = c4_[l];
             let s4 = s4_[l];
-            let t_16 = v197 * s4 + s6 * c4;
-            let t_17 = v197 * c4 - s6 * s4;
-            let t_18 = c2 * t_16 - v208;
-            let t_19 = s2 * t_16 + v211;
+            let v228 = v228_[l];
+            let v231 = v231_[l];
+            let c5 = c5_[l];
+            let s5 = s5_[l];
+            let c6c5 = c6 * c5;
+            let c6s5 = c6 * s5;
+            let t_16 = s4 * c6c5 + v228;
+            let t_17 = c4 * c6c5 - v231;
+            let t_18 = c2 * t_16 - s2 * c6s5;
+            let t_19 = s2 * t_16 + c2 * c6s5;
             let t_20 = c1 * t_18 + s1 * t_17;
             let t_21 = s1 * t_18 - c1 * t_17;
-            let s5s4 = s5 * s4;
-            let s5c4 = s5 * c4;
-            let t_22 = c2 * s5s4 + v222;
-            let t_23 = s2 * s5s4 - v225;
-            let t_24 = c1 * t_22 + s1 * s5c4;
-            let t_25 = s1 * t_22 - c1 * s5c4;
-            v212_[l] = t_19;
-            v215_[l] = t_20;
-            v218_[l] = t_21;
-            v226_[l] = t_23;
-            v229_[l] = t_24;
-            v232_[l] = t_25;
-            v235_[l] = t_19 * t_25 - t_21 * t_23;
-            v238_[l] = t_20 * t_23 - t_19 * t_24;
-            v241_[l] = t_21 * t_24 - t_20 * t_25;
+            let s4s5 = s4 * s5;
+            let c4s5 = c4 * s5;
+            let t_22 = c2 * s4s5 + s2 * c5;
+            let t_23 = s2 * s4s5 - c2 * c5;
+            let t_24 = c1 * t_22 + s1 * c4s5;
+            let t_25 = s1 * t_22 - c1 * c4s5;
+            v238_[l] = t_19;
+            v241_[l] = t_20;
+            v244_[l] = t_21;
+            v252_[l] = t_23;
+            v255_[l] = t_24;
+            v258_[l] = t_25;
+            v261_[l] = t_19 * t_25 - t_21 * t_23;
+            v264_[l] = t_20 * t_23 - t_19 * t_24;
+            v267_[l] = t_21 * t_24 - t_20 * t_25;
         }
         let mut error = [0.0; 8];
         for l in 0..8 {
-            let v215 = v215_[l];
-            let v218 = v218_[l];
-            let v212 = v212_[l];
-            let v235 = v235_[l];
-            let v238 = v238_[l];
             let v241 = v241_[l];
-            let v229 = v229_[l];
-            let v232 = v232_[l];
-            let v226 = v226_[l];
-            let v247 = v247_[l % 4];
-            let v250 = v250_[l % 4];
-            let v244 = v244_[l % 4];
-            error[l] = (v215 - t[0][0]).abs() + (v218 - t[1][0]).abs()
-                + (-v212 - t[2][0]).abs() + (-v235 - t[0][1]).abs()
-                + (-v238 - t[1][1]).abs() + (v241 - t[2][1]).abs()
-                + (v229 - t[0][2]).abs() + (v232 - t[1][2]).abs()
-                + (-v226 - t[2][2]).abs() + (v247 - t[0][3]).abs()
-                + (v250 - t[1][3]).abs() + (v244 - t[2][3]).abs();
+            let v244 = v244_[l];
+            let v238 = v238_[l];
+            let v261 = v261_[l];
+            let v264 = v264_[l];
+            let v267 = v267_[l];
+            let v255 = v255_[l];
+            let v258 = v258_[l];
+            let v252 = v252_[l];
+            let v273 = v273_[l % 4];
+            let v276 = v276_[l % 4];
+            let v270 = v270_[l % 4];
+            error[l] = (v241 - t[0][0]).abs() + (v244 - t[1][0]).abs()
+                + (-v238 - t[2][0]).abs() + (-v261 - t[0][1]).abs()
+                + (-v264 - t[1][1]).abs() + (v267 - t[2][1]).abs()
+                + (v255 - t[0][2]).abs() + (v258 - t[1][2]).abs()
+                + (-v252 - t[2][2]).abs() + (v273 - t[0][3]).abs()
+                + (v276 - t[1][3]).abs() + (v270 - t[2][3]).abs();
         }
         let valid: [f64; 8] = ::core::array::from_fn(|l| 1.0 * e0[l % 1 % 1]);
         let margin: [f64; 8] = ::core::array::from_fn(|l| {
@@ -783,8 +787,8 @@ impl Stanford {
             ::core::array::from_fn(|l| g0[l / 1 % 2 * 1 + l % 1]),
             ::core::array::from_fn(|l| g1[l / 2 % 2 * 2 + l % 2]),
             ::core::array::from_fn(|l| g2[l % 4]),
-            ::core::array::from_fn(|l| g5[l % 8]),
             ::core::array::from_fn(|l| g4[l % 8]),
+            ::core::array::from_fn(|l| g5[l % 8]),
             ::core::array::from_fn(|l| g3[l / 4 % 2 * 4 + l % 4]),
         ];
         ::dh_robot::lanes::collect(

@@ -305,9 +305,9 @@ impl Ur5 {
     ///
     /// Plan:
     /// 1. `q1`: a cos + b sin = c: two values.
-    /// 2. `q6`: a cos + b sin = 0: two values half a turn apart.
+    /// 2. `q2 + q3 + q4`: a cos + b sin = 0: two values half a turn apart.
     /// 3. `q5`: two equations in its sine and cosine: one value.
-    /// 4. `q2 + q3 + q4`: two equations in its sine and cosine: one value.
+    /// 4. `q6`: two equations in its sine and cosine: one value.
     /// 5. `q3`: a cos + b sin = c: two values.
     /// 6. `q2`: two equations in its sine and cosine: one value.
     #[must_use]
@@ -352,7 +352,7 @@ impl Ur5 {
         let t_5 = t_4 - 0.07499859575170878;
         let r0 = ::dh_robot::ik::solve_sincos(-t_3, t_2, 0.09150668715611636, 1e-11);
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "q1", 1.192809, "m");
+            attempt.note(r0.outcome, "shoulder q1", 1.192809, "m");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -369,34 +369,24 @@ impl Ur5 {
             let t_10 = t[0][1] * c1 + t[1][1] * s1;
             let t_11 = t[0][1] * s1 - t[1][1] * c1;
             let t_12 = t[0][2] * c1 + t[1][2] * s1;
-            let r1 = ::dh_robot::ik::solve_sincos(-t_11, -t_9, 0.0, 1e-11);
+            let r1 = ::dh_robot::ik::solve_sincos(-t[2][2], t_12, 0.0, 1e-11);
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, "q6", 1.0, "");
+                attempt.note(r1.outcome, "elbow q2 + q3 + q4", 1.0, "");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
-                free.union(::dh_robot::FreeJoints::of(&[5]))
+                free.union(::dh_robot::FreeJoints::of(&[1, 2, 3]))
             } else {
                 free
             };
-            for (i1, &[c6, s6]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
-                let a1 = ::dh_robot::math::atan2(s6, c6);
-                let t_13 = t_8 * c6 - t_10 * s6;
-                let t_14 = t[2][0] * c6 - t[2][1] * s6;
-                let t_15 = t_8 * s6 + t_10 * c6;
-                let t_16 = (t[2][0] * s6 + t[2][1] * c6) * 0.07935050791870282;
-                let t_17 = t_6 + t_15 * 0.07935050791870282;
-                let t_18 = t_7 + (t_9 * s6 + t_11 * c6) * 0.07935050791870282;
-                let t_19 = t_4 + t_16;
-                let t_20 = t_16 + t_5;
-                let t_21 = t_17 * t_17 + t_18 * t_18 + t_20 * t_20 - 0.2434638836493361;
-                let r2 = ::dh_robot::ik::solve_pair(
-                    0.0,
-                    -1.0,
-                    -(t_9 * c6 - t_11 * s6),
-                    -1.0,
-                    0.0,
-                    -(t[0][2] * s1 - t[1][2] * c1),
+            for (i1, &[c234, s234]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+                let a1 = ::dh_robot::math::atan2(s234, c234);
+                let r2 = ::dh_robot::ik::solve_many(
+                    &[
+                        [-1.0, 0.0, -(t[0][2] * s1 - t[1][2] * c1)],
+                        [0.0, -s234, t[2][2]],
+                        [0.0, -c234, t_12],
+                    ],
                     1e-11,
                 );
                 if r2.roots.is_empty() {
@@ -410,39 +400,55 @@ impl Ur5 {
                 };
                 for (i2, &[c5, s5]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s5, c5);
-                    let t_22 = 0.09150668715611636 * (t_14 * s5 + t[2][2] * c5);
+                    let c234c5 = c234 * c5;
+                    let t_13 = t_12 * c5;
+                    let t_14 = t[2][2] * c5;
                     let r3 = ::dh_robot::ik::solve_pair(
-                        1.0,
-                        0.0,
-                        t_13 * c5 - t_12 * s5,
-                        0.0,
-                        -1.0,
-                        t_15,
+                        c234c5,
+                        -s234,
+                        t_8,
+                        -s234,
+                        -c234c5,
+                        t_10,
                         1e-11,
                     );
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "q2 + q3 + q4", 1.0, "");
+                        attempt.note(r3.outcome, "q6", 1.0, "");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
-                        free.union(::dh_robot::FreeJoints::of(&[1, 2, 3]))
+                        free.union(::dh_robot::FreeJoints::of(&[5]))
                     } else {
                         free
                     };
-                    for (i3, &[c234, s234]) in r3
-                        .or_if_free([1.0, 0.0])
-                        .iter()
-                        .enumerate()
-                    {
-                        let a3 = ::dh_robot::math::atan2(s234, c234);
+                    for (i3, &[c6, s6]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                        let a3 = ::dh_robot::math::atan2(s6, c6);
+                        let t_15 = (t[2][0] * s6 + t[2][1] * c6) * 0.07935050791870282;
+                        let t_16 = t_6 + (t_8 * s6 + t_10 * c6) * 0.07935050791870282;
+                        let t_17 = t_7 + (t_9 * s6 + t_11 * c6) * 0.07935050791870282;
+                        let t_18 = t_5 + t_15;
+                        let t_19 = t_16 * t_16 + t_17 * t_17 + t_18 * t_18
+                            - 0.2434638836493361;
+                        let t_20 = 0.09150668715611636
+                            * ((t_8 * c6 - t_10 * s6) * s5 + t_13);
+                        let t_21 = 0.09150668715611636
+                            * ((t[2][0] * c6 - t[2][1] * s6) * s5 + t_14);
                         let r4 = ::dh_robot::ik::solve_sincos(
                             0.23433656705012487,
                             0.0,
-                            t_21,
+                            t_19,
                             1e-11,
                         );
                         if r4.roots.is_empty() {
-                            attempt.note(r4.outcome, "q3", 1.192809, "m");
+                            attempt
+                                .note_distance(
+                                    r4.outcome,
+                                    "q3",
+                                    t_16 * t_16 + t_17 * t_17 + t_18 * t_18,
+                                    t_19,
+                                    1.192809,
+                                    "m",
+                                );
                         }
                         let free = if r4.is_free() {
                             attempt.degenerate = true;
@@ -456,17 +462,13 @@ impl Ur5 {
                             .enumerate()
                         {
                             let a4 = ::dh_robot::math::atan2(s3, c3);
-                            let t_23 = 0.3563018052345346 + 0.32884560730175577 * c3;
-                            let t_24 = 0.32884560730175577 * s3;
+                            let t_22 = 0.3563018052345346 + 0.32884560730175577 * c3;
+                            let t_23 = 0.32884560730175577 * s3;
                             let r5 = ::dh_robot::ik::solve_many(
                                 &[
-                                    [
-                                        -t_23,
-                                        t_24,
-                                        t_17 - 0.09150668715611636 * (t_13 * s5 + t_12 * c5),
-                                    ],
-                                    [-t_24, -t_23, -(t_22 - t_20)],
-                                    [-t_24, -t_23, t_19 - t_22 - 0.07499859575170878],
+                                    [-t_22, t_23, t_16 - t_20],
+                                    [-t_23, -t_22, t_18 - t_21],
+                                    [-t_23, -t_22, -(0.07499859575170878 + t_21 - (t_4 + t_15))],
                                 ],
                                 1e-11,
                             );
@@ -495,22 +497,15 @@ impl Ur5 {
                                         },
                                     )
                                     .with_step(1, i1)
-                                    .with_wrist(
-                                        if i1 == 0 {
-                                            ::dh_robot::Wrist::NoFlip
-                                        } else {
-                                            ::dh_robot::Wrist::Flip
-                                        },
-                                    )
-                                    .with_step(2, i4)
                                     .with_elbow(
-                                        if i4 == 0 {
+                                        if i1 == 0 {
                                             ::dh_robot::Elbow::Up
                                         } else {
                                             ::dh_robot::Elbow::Down
                                         },
-                                    );
-                                found([a0, a5, a4, a3 - a4 - a5, a2, a1], branch, free);
+                                    )
+                                    .with_step(2, i4);
+                                found([a0, a5, a4, a1 - a4 - a5, a2, a3], branch, free);
                             }
                         }
                     }
@@ -550,14 +545,14 @@ impl Ur5 {
         let g0: [f64; 2] = ::dh_robot::atan2_batch(&f0[1], &f0[0]);
         let mut v46_ = [0.0; 2];
         let mut v49_ = [0.0; 2];
-        let mut v52_ = [0.0; 2];
-        let mut v55_ = [0.0; 2];
-        let mut v58_ = [0.0; 2];
-        let mut v61_ = [0.0; 2];
-        let mut v64_ = [0.0; 2];
-        let mut v67_ = [0.0; 2];
-        let mut v261_ = [0.0; 2];
-        let mut v264_ = [0.0; 2];
+        let mut v54_ = [0.0; 2];
+        let mut v57_ = [0.0; 2];
+        let mut v60_ = [0.0; 2];
+        let mut v63_ = [0.0; 2];
+        let mut v66_ = [0.0; 2];
+        let mut v69_ = [0.0; 2];
+        let mut v262_ = [0.0; 2];
+        let mut v265_ = [0.0; 2];
         for l in 0..2 {
             let c1 = c1_[l];
             let s1 = s1_[l];
@@ -572,29 +567,28 @@ impl Ur5 {
             let t_14 = 0.09150668715611636 * c1;
             v46_[l] = t_6;
             v49_[l] = t_7;
-            v52_[l] = t_8;
-            v55_[l] = t_9;
-            v58_[l] = t_10;
-            v61_[l] = t_11;
-            v64_[l] = t_12;
-            v67_[l] = t[0][2] * s1 - t[1][2] * c1;
-            v261_[l] = t_13;
-            v264_[l] = t_14;
+            v54_[l] = t_8;
+            v57_[l] = t_9;
+            v60_[l] = t_10;
+            v63_[l] = t_11;
+            v66_[l] = t_12;
+            v69_[l] = t[0][2] * s1 - t[1][2] * c1;
+            v262_[l] = t_13;
+            v265_[l] = t_14;
         }
         let mut m1 = [0.0; 2];
         let mut f1 = [[0.0; 4]; 2];
         for l in 0..2 {
-            let v61 = v61_[l];
-            let v55 = v55_[l];
-            let ([x, y], m) = ::dh_robot::lanes::half_turn(-v61, -v55);
+            let v66 = v66_[l];
+            let ([x, y], m) = ::dh_robot::lanes::half_turn(-t[2][2], v66);
             f1[0][l] = x;
             f1[1][l] = y;
             f1[0][l + 2] = -x;
             f1[1][l + 2] = -y;
             m1[l] = m;
         }
-        let c6_ = f1[0];
-        let s6_ = f1[1];
+        let c234_ = f1[0];
+        let s234_ = f1[1];
         let half: [f64; 2] = ::dh_robot::atan2_batch(
             &::core::array::from_fn(|l| f1[1][l]),
             &::core::array::from_fn(|l| f1[0][l]),
@@ -608,47 +602,31 @@ impl Ur5 {
                 half[k - 2] + ::core::f64::consts::PI
             }
         });
-        let mut v92_ = [0.0; 4];
-        let mut v93_ = [0.0; 4];
-        let mut v94_ = [0.0; 4];
-        let mut v101_ = [0.0; 4];
-        let mut v108_ = [0.0; 4];
-        let mut v110_ = [0.0; 4];
-        let mut v179_ = [0.0; 4];
-        let mut v190_ = [0.0; 4];
+        let mut v242_ = [0.0; 4];
+        let mut v243_ = [0.0; 4];
         for l in 0..4 {
-            let v46 = v46_[l % 2];
-            let v49 = v49_[l % 2];
-            let v52 = v52_[l % 2];
-            let v55 = v55_[l % 2];
-            let v58 = v58_[l % 2];
-            let v61 = v61_[l % 2];
-            let c6 = c6_[l];
-            let s6 = s6_[l];
-            let t_15 = v52 * c6 - v58 * s6;
-            let t_16 = t[2][0] * c6 - t[2][1] * s6;
-            let t_17 = v52 * s6 + v58 * c6;
-            let t_18 = (t[2][0] * s6 + t[2][1] * c6) * 0.07935050791870282;
-            let t_19 = v46 + t_17 * 0.07935050791870282;
-            let t_20 = v49 + (v55 * s6 + v61 * c6) * 0.07935050791870282;
-            let t_21 = t_4 + t_18;
-            let t_22 = t_18 + t_5;
-            let t_23 = t_19 * t_19 + t_20 * t_20 + t_22 * t_22 - 0.2434638836493361;
-            v92_[l] = t_15;
-            v93_[l] = v55 * c6 - v61 * s6;
-            v94_[l] = t_16;
-            v101_[l] = t_17;
-            v108_[l] = t_19;
-            v110_[l] = t_21;
-            v179_[l] = t_22;
-            v190_[l] = t_23;
+            let s234 = s234_[l];
+            let c234 = c234_[l];
+            let t_15 = s234 * 0.07935050791870282;
+            let t_16 = c234 * 0.07935050791870282;
+            v242_[l] = t_15;
+            v243_[l] = t_16;
         }
         let mut m2 = [0.0; 4];
         let mut f2 = [[0.0; 4]; 2];
         for l in 0..4 {
-            let v93 = v93_[l];
-            let v67 = v67_[l % 2];
-            let ([x, y], m) = ::dh_robot::lanes::pair(0.0, -1.0, -v93, -1.0, 0.0, -v67);
+            let v69 = v69_[l % 2];
+            let s234 = s234_[l];
+            let c234 = c234_[l];
+            let v66 = v66_[l % 2];
+            let ([x, y], m) = ::dh_robot::lanes::pair(
+                -1.0,
+                0.0,
+                -v69,
+                0.0,
+                -s234,
+                t[2][2],
+            );
             f2[0][l] = x;
             f2[1][l] = y;
             m2[l] = m;
@@ -656,120 +634,121 @@ impl Ur5 {
         let c5_ = f2[0];
         let s5_ = f2[1];
         let g2: [f64; 4] = ::dh_robot::atan2_batch(&f2[1], &f2[0]);
-        let mut v139_ = [0.0; 4];
-        let mut v154_ = [0.0; 4];
-        let mut v191_ = [0.0; 4];
-        let mut v207_ = [0.0; 4];
-        let mut v208_ = [0.0; 4];
-        let mut v219_ = [0.0; 4];
-        let mut v222_ = [0.0; 4];
-        let mut v227_ = [0.0; 4];
-        let mut v230_ = [0.0; 4];
+        let mut v97_ = [0.0; 4];
+        let mut v161_ = [0.0; 4];
+        let mut v163_ = [0.0; 4];
+        let mut v226_ = [0.0; 4];
+        let mut v229_ = [0.0; 4];
+        let mut v232_ = [0.0; 4];
+        let mut v267_ = [0.0; 4];
+        let mut v268_ = [0.0; 4];
+        let mut v269_ = [0.0; 4];
         for l in 0..4 {
             let c1 = c1_[l % 2];
             let s1 = s1_[l % 2];
-            let v64 = v64_[l % 2];
-            let c6 = c6_[l];
-            let v92 = v92_[l];
-            let v94 = v94_[l];
-            let v108 = v108_[l];
-            let v110 = v110_[l];
-            let v179 = v179_[l];
+            let v66 = v66_[l % 2];
+            let s234 = s234_[l];
+            let c234 = c234_[l];
             let c5 = c5_[l];
             let s5 = s5_[l];
-            let t_24 = 0.09150668715611636 * (v94 * s5 + t[2][2] * c5);
-            let c6c5 = c6 * c5;
-            let c6s5 = c6 * s5;
-            let s1c6s5 = s1 * c6s5;
-            let c1c6s5 = c1 * c6s5;
-            let s1c5 = s1 * c5;
-            let c1c5 = c1 * c5;
-            v139_[l] = v92 * c5 - v64 * s5;
-            v154_[l] = v108 - 0.09150668715611636 * (v92 * s5 + v64 * c5);
-            v191_[l] = t_24 - v179;
-            v207_[l] = v110 - t_24 - 0.07499859575170878;
-            v208_[l] = c6c5;
-            v219_[l] = s1c6s5;
-            v222_[l] = c1c6s5;
-            v227_[l] = s1c5;
-            v230_[l] = c1c5;
+            let c234c5 = c234 * c5;
+            let t_17 = v66 * c5;
+            let t_18 = t[2][2] * c5;
+            let c234s5 = c234 * s5;
+            let s234s5 = s234 * s5;
+            let t_19 = c1 * c234s5 - s1 * c5;
+            let t_20 = s1 * c234s5 + c1 * c5;
+            let t_21 = 0.06899679663718164 * t_19;
+            let t_22 = 0.06899679663718164 * t_20;
+            let t_23 = 0.06899679663718164 * s234s5;
+            v97_[l] = c234c5;
+            v161_[l] = t_17;
+            v163_[l] = t_18;
+            v226_[l] = s234s5;
+            v229_[l] = t_19;
+            v232_[l] = t_20;
+            v267_[l] = t_21;
+            v268_[l] = t_22;
+            v269_[l] = t_23;
         }
         let mut m3 = [0.0; 4];
         let mut f3 = [[0.0; 4]; 2];
         for l in 0..4 {
-            let v139 = v139_[l];
-            let v101 = v101_[l];
-            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v139, 0.0, -1.0, v101);
+            let v97 = v97_[l];
+            let s234 = s234_[l];
+            let v54 = v54_[l % 2];
+            let v60 = v60_[l % 2];
+            let ([x, y], m) = ::dh_robot::lanes::pair(v97, -s234, v54, -s234, -v97, v60);
             f3[0][l] = x;
             f3[1][l] = y;
             m3[l] = m;
         }
-        let c234_ = f3[0];
-        let s234_ = f3[1];
+        let c6_ = f3[0];
+        let s6_ = f3[1];
         let g3: [f64; 4] = ::dh_robot::atan2_batch(&f3[1], &f3[0]);
-        let mut v217_ = [0.0; 4];
-        let mut v220_ = [0.0; 4];
-        let mut v223_ = [0.0; 4];
-        let mut v225_ = [0.0; 4];
-        let mut v228_ = [0.0; 4];
-        let mut v231_ = [0.0; 4];
-        let mut v234_ = [0.0; 4];
-        let mut v237_ = [0.0; 4];
-        let mut v240_ = [0.0; 4];
+        let mut v147_ = [0.0; 4];
+        let mut v170_ = [0.0; 4];
+        let mut v172_ = [0.0; 4];
+        let mut v210_ = [0.0; 4];
+        let mut v218_ = [0.0; 4];
+        let mut v221_ = [0.0; 4];
+        let mut v224_ = [0.0; 4];
+        let mut v235_ = [0.0; 4];
+        let mut v238_ = [0.0; 4];
         let mut v241_ = [0.0; 4];
-        let mut v242_ = [0.0; 4];
-        let mut v266_ = [0.0; 4];
-        let mut v267_ = [0.0; 4];
-        let mut v268_ = [0.0; 4];
         for l in 0..4 {
             let c1 = c1_[l % 2];
             let s1 = s1_[l % 2];
-            let s6 = s6_[l];
-            let s5 = s5_[l];
-            let v208 = v208_[l];
-            let v219 = v219_[l];
-            let v222 = v222_[l];
-            let v227 = v227_[l];
-            let v230 = v230_[l];
-            let c234 = c234_[l];
+            let v46 = v46_[l % 2];
+            let v49 = v49_[l % 2];
+            let v54 = v54_[l % 2];
+            let v57 = v57_[l % 2];
+            let v60 = v60_[l % 2];
+            let v63 = v63_[l % 2];
             let s234 = s234_[l];
-            let t_25 = v208 * c234 - s6 * s234;
-            let t_26 = v208 * s234 + s6 * c234;
-            let t_27 = c1 * t_25 + v219;
-            let t_28 = s1 * t_25 - v222;
-            let s5c234 = s5 * c234;
-            let s5s234 = s5 * s234;
-            let t_29 = c1 * s5c234 - v227;
-            let t_30 = s1 * s5c234 + v230;
-            let t_31 = 0.07935050791870282 * s234;
-            let t_32 = 0.07935050791870282 * c234;
-            let t_33 = 0.06899679663718164 * t_29;
-            let t_34 = 0.06899679663718164 * t_30;
-            let t_35 = 0.06899679663718164 * s5s234;
-            v217_[l] = t_26;
-            v220_[l] = t_27;
-            v223_[l] = t_28;
-            v225_[l] = s5s234;
-            v228_[l] = t_29;
-            v231_[l] = t_30;
-            v234_[l] = t_26 * t_30 - t_28 * s5s234;
-            v237_[l] = t_27 * s5s234 - t_26 * t_29;
-            v240_[l] = t_28 * t_29 - t_27 * t_30;
-            v241_[l] = t_31;
-            v242_[l] = t_32;
-            v266_[l] = t_33;
-            v267_[l] = t_34;
-            v268_[l] = t_35;
+            let c234 = c234_[l];
+            let c5 = c5_[l];
+            let s5 = s5_[l];
+            let v161 = v161_[l];
+            let v163 = v163_[l];
+            let v226 = v226_[l];
+            let v229 = v229_[l];
+            let v232 = v232_[l];
+            let c6 = c6_[l];
+            let s6 = s6_[l];
+            let t_24 = (t[2][0] * s6 + t[2][1] * c6) * 0.07935050791870282;
+            let t_25 = v46 + (v54 * s6 + v60 * c6) * 0.07935050791870282;
+            let t_26 = v49 + (v57 * s6 + v63 * c6) * 0.07935050791870282;
+            let t_27 = t_5 + t_24;
+            let t_28 = t_25 * t_25 + t_26 * t_26 + t_27 * t_27 - 0.2434638836493361;
+            let t_29 = 0.09150668715611636 * ((v54 * c6 - v60 * s6) * s5 + v161);
+            let t_30 = 0.09150668715611636 * ((t[2][0] * c6 - t[2][1] * s6) * s5 + v163);
+            let c5c6 = c5 * c6;
+            let c6s5 = c6 * s5;
+            let t_31 = c234 * c5c6 - s234 * s6;
+            let t_32 = s234 * c5c6 + c234 * s6;
+            let t_33 = c1 * t_31 + s1 * c6s5;
+            let t_34 = s1 * t_31 - c1 * c6s5;
+            v147_[l] = t_28;
+            v170_[l] = t_25 - t_29;
+            v172_[l] = t_27 - t_30;
+            v210_[l] = 0.07499859575170878 + t_30 - (t_4 + t_24);
+            v218_[l] = t_32;
+            v221_[l] = t_33;
+            v224_[l] = t_34;
+            v235_[l] = t_32 * v232 - t_34 * v226;
+            v238_[l] = t_33 * v226 - t_32 * v229;
+            v241_[l] = t_34 * v229 - t_33 * v232;
         }
         let mut m4 = [0.0; 4];
         let mut f4 = [[0.0; 8]; 2];
         let mut e4 = [0.0; 4];
         for l in 0..4 {
-            let v190 = v190_[l];
+            let v147 = v147_[l];
             let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
                 0.23433656705012487,
                 0.0,
-                v190,
+                v147,
             );
             f4[0][l] = x;
             f4[1][l] = y;
@@ -781,31 +760,31 @@ impl Ur5 {
         let c3_ = f4[0];
         let s3_ = f4[1];
         let g4: [f64; 8] = ::dh_robot::atan2_batch(&f4[1], &f4[0]);
-        let mut v204_ = [0.0; 8];
-        let mut v206_ = [0.0; 8];
+        let mut v207_ = [0.0; 8];
+        let mut v209_ = [0.0; 8];
         for l in 0..8 {
             let c3 = c3_[l];
             let s3 = s3_[l];
-            let t_36 = 0.3563018052345346 + 0.32884560730175577 * c3;
-            let t_37 = 0.32884560730175577 * s3;
-            v204_[l] = t_36;
-            v206_[l] = t_37;
+            let t_35 = 0.3563018052345346 + 0.32884560730175577 * c3;
+            let t_36 = 0.32884560730175577 * s3;
+            v207_[l] = t_35;
+            v209_[l] = t_36;
         }
         let mut m5 = [0.0; 8];
         let mut f5 = [[0.0; 8]; 2];
         for l in 0..8 {
-            let v204 = v204_[l];
-            let v206 = v206_[l];
-            let v154 = v154_[l % 4];
-            let v191 = v191_[l % 4];
-            let v207 = v207_[l % 4];
+            let v207 = v207_[l];
+            let v209 = v209_[l];
+            let v170 = v170_[l % 4];
+            let v172 = v172_[l % 4];
+            let v210 = v210_[l % 4];
             let ([x, y], m) = ::dh_robot::lanes::pair(
-                -v204,
-                v206,
-                v154,
-                -v206,
-                -v204,
-                -v191,
+                -v207,
+                v209,
+                v170,
+                -v209,
+                -v207,
+                v172,
             );
             f5[0][l] = x;
             f5[1][l] = y;
@@ -814,51 +793,51 @@ impl Ur5 {
         let c2_ = f5[0];
         let s2_ = f5[1];
         let g5: [f64; 8] = ::dh_robot::atan2_batch(&f5[1], &f5[0]);
-        let mut v269_ = [0.0; 8];
         let mut v270_ = [0.0; 8];
         let mut v271_ = [0.0; 8];
+        let mut v272_ = [0.0; 8];
         for l in 0..8 {
             let c1 = c1_[l % 2];
             let s1 = s1_[l % 2];
             let c3 = c3_[l];
             let s3 = s3_[l];
-            let v241 = v241_[l % 4];
             let v242 = v242_[l % 4];
-            let v261 = v261_[l % 2];
-            let v264 = v264_[l % 2];
-            let v266 = v266_[l % 4];
+            let v243 = v243_[l % 4];
+            let v262 = v262_[l % 2];
+            let v265 = v265_[l % 2];
             let v267 = v267_[l % 4];
             let v268 = v268_[l % 4];
+            let v269 = v269_[l % 4];
             let c2 = c2_[l];
             let s2 = s2_[l];
-            let t_38 = v241 - 0.32884560730175577 * (c3 * c2 - s3 * s2)
+            let t_37 = v242 - 0.32884560730175577 * (c3 * c2 - s3 * s2)
                 - 0.3563018052345346 * c2;
-            let t_39 = v242 + 0.32884560730175577 * (c3 * s2 + s3 * c2)
+            let t_38 = v243 + 0.32884560730175577 * (c3 * s2 + s3 * c2)
                 + 0.3563018052345346 * s2;
-            v269_[l] = c1 * t_38 + v261 - v266;
-            v270_[l] = s1 * t_38 - v264 - v267;
-            v271_[l] = 0.07499859575170878 - t_39 - v268;
+            v270_[l] = c1 * t_37 + v262 - v267;
+            v271_[l] = s1 * t_37 - v265 - v268;
+            v272_[l] = 0.07499859575170878 - t_38 - v269;
         }
         let mut error = [0.0; 8];
         for l in 0..8 {
-            let v220 = v220_[l % 4];
-            let v223 = v223_[l % 4];
-            let v217 = v217_[l % 4];
-            let v234 = v234_[l % 4];
-            let v237 = v237_[l % 4];
-            let v240 = v240_[l % 4];
-            let v228 = v228_[l % 4];
-            let v231 = v231_[l % 4];
-            let v225 = v225_[l % 4];
-            let v269 = v269_[l];
+            let v221 = v221_[l % 4];
+            let v224 = v224_[l % 4];
+            let v218 = v218_[l % 4];
+            let v235 = v235_[l % 4];
+            let v238 = v238_[l % 4];
+            let v241 = v241_[l % 4];
+            let v229 = v229_[l % 4];
+            let v232 = v232_[l % 4];
+            let v226 = v226_[l % 4];
             let v270 = v270_[l];
             let v271 = v271_[l];
-            error[l] = (v220 - t[0][0]).abs() + (v223 - t[1][0]).abs()
-                + (v217 - t[2][0]).abs() + (-v234 - t[0][1]).abs()
-                + (-v237 - t[1][1]).abs() + (-v240 - t[2][1]).abs()
-                + (-v228 - t[0][2]).abs() + (-v231 - t[1][2]).abs()
-                + (-v225 - t[2][2]).abs() + (v269 - t[0][3]).abs()
-                + (v270 - t[1][3]).abs() + (v271 - t[2][3]).abs();
+            let v272 = v272_[l];
+            error[l] = (v221 - t[0][0]).abs() + (v224 - t[1][0]).abs()
+                + (v218 - t[2][0]).abs() + (-v235 - t[0][1]).abs()
+                + (-v238 - t[1][1]).abs() + (-v241 - t[2][1]).abs()
+                + (-v229 - t[0][2]).abs() + (-v232 - t[1][2]).abs()
+                + (-v226 - t[2][2]).abs() + (v270 - t[0][3]).abs()
+                + (v271 - t[1][3]).abs() + (v272 - t[2][3]).abs();
         }
         let valid: [f64; 8] = ::core::array::from_fn(|l| {
             1.0 * e0[l % 1 % 1] * e4[l % 4 % 4]
@@ -877,10 +856,10 @@ impl Ur5 {
             ::core::array::from_fn(|l| g5[l % 8]),
             ::core::array::from_fn(|l| g4[l / 4 % 2 * 4 + l % 4]),
             ::core::array::from_fn(|l| ::dh_robot::lanes::wrap(
-                g3[l % 4] - g4[l / 4 % 2 * 4 + l % 4] - g5[l % 8],
+                g1[l / 2 % 2 * 2 + l % 2] - g4[l / 4 % 2 * 4 + l % 4] - g5[l % 8],
             )),
             ::core::array::from_fn(|l| g2[l % 4]),
-            ::core::array::from_fn(|l| g1[l / 2 % 2 * 2 + l % 2]),
+            ::core::array::from_fn(|l| g3[l % 4]),
         ];
         ::dh_robot::lanes::collect(
             &Self::JOINTS,
@@ -902,21 +881,14 @@ impl Ur5 {
                         },
                     )
                     .with_step(1, i1)
-                    .with_wrist(
-                        if i1 == 0 {
-                            ::dh_robot::Wrist::NoFlip
-                        } else {
-                            ::dh_robot::Wrist::Flip
-                        },
-                    )
-                    .with_step(2, i4)
                     .with_elbow(
-                        if i4 == 0 {
+                        if i1 == 0 {
                             ::dh_robot::Elbow::Up
                         } else {
                             ::dh_robot::Elbow::Down
                         },
                     )
+                    .with_step(2, i4)
             },
         )
     }

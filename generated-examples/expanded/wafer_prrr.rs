@@ -200,7 +200,7 @@ impl WaferPrrr {
     /// 1. `q1`: a linear equation.
     /// 2. `q2 + q3 + q4`: two equations in its sine and cosine: one value.
     /// 3. `q3`: a cos + b sin = c: two values.
-    /// 4. `q4`: two equations in its sine and cosine: one value.
+    /// 4. `q2`: two equations in its sine and cosine: one value.
     #[must_use]
     pub fn inverse(
         &self,
@@ -241,16 +241,14 @@ impl WaferPrrr {
         let t_3 = t[0][3] - t[0][2] * t_2;
         let t_4 = t[1][3] - t[1][2] * t_2;
         let t_5 = t[2][3] - t[2][2] * t_2;
-        let t_6 = t[0][0] * t_3 + t[1][0] * t_4;
-        let t_7 = t[0][1] * t_3 + t[1][1] * t_4;
-        let t_8 = t_3 * t_3 + t_4 * t_4;
-        let t_9 = self.d2 * 1.6415283908776575;
-        let t_10 = self.d3 * 1.6415283908776575;
-        let t_11 = self.a2 * 1.6415283908776575;
-        let t_12 = self.a3 * 1.6415283908776575;
-        let t_13 = t_10 * (t_10 + t_9 * 2.0);
-        let t_14 = t_11 * t_11 + t_12 * t_12 + t_9 * t_9;
-        let r0 = ::dh_robot::ik::solve_quadratic(0.0, 1.0, -(t_5 - (t_9 + t_10)), 1e-11);
+        let t_6 = t_3 * t_3 + t_4 * t_4;
+        let t_7 = self.d2 * 1.6415283908776575;
+        let t_8 = self.d3 * 1.6415283908776575;
+        let t_9 = self.a2 * 1.6415283908776575;
+        let t_10 = self.a3 * 1.6415283908776575;
+        let t_11 = t_8 * (t_8 + t_7 * 2.0);
+        let t_12 = t_9 * t_9 + t_10 * t_10 + t_7 * t_7;
+        let r0 = ::dh_robot::ik::solve_quadratic(0.0, 1.0, -(t_5 - (t_7 + t_8)), 1e-11);
         if r0.roots.is_empty() {
             attempt.note(r0.outcome, "q1", 0.6091883671078886, "m");
         }
@@ -262,7 +260,7 @@ impl WaferPrrr {
         };
         for (i0, &q1) in r0.or_if_free(0.0).iter().enumerate() {
             let a0 = q1 * 0.6091883671078886;
-            let t_15 = t_5 - q1;
+            let t_13 = t_5 - q1;
             let r1 = ::dh_robot::ik::solve_pair(
                 1.0,
                 0.0,
@@ -284,13 +282,21 @@ impl WaferPrrr {
             for (i1, &[c234, s234]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s234, c234);
                 let r2 = ::dh_robot::ik::solve_sincos(
-                    2.0 * t_11 * t_12,
+                    2.0 * t_9 * t_10,
                     0.0,
-                    -(t_13 - (t_8 + t_15 * t_15 - t_14)),
+                    -(t_11 - (t_6 + t_13 * t_13 - t_12)),
                     1e-11,
                 );
                 if r2.roots.is_empty() {
-                    attempt.note(r2.outcome, "q3", 0.6091883671078886, "m");
+                    attempt
+                        .note_distance(
+                            r2.outcome,
+                            "elbow q3",
+                            t_6 + t_13 * t_13,
+                            -(t_11 - (t_6 + t_13 * t_13 - t_12)),
+                            0.6091883671078886,
+                            "m",
+                        );
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;
@@ -300,28 +306,28 @@ impl WaferPrrr {
                 };
                 for (i2, &[c3, s3]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s3, c3);
-                    let t_16 = t_12 + t_11 * c3;
-                    let t_17 = t_11 * s3;
+                    let t_14 = t_9 + t_10 * c3;
+                    let t_15 = t_10 * s3;
                     let r3 = ::dh_robot::ik::solve_pair(
-                        -t_16,
-                        t_17,
-                        -(t_6 + t[2][0] * t_15),
-                        t_17,
-                        t_16,
-                        -(t_7 + t[2][1] * t_15),
+                        t_14,
+                        -t_15,
+                        t_3,
+                        t_15,
+                        t_14,
+                        t_4,
                         1e-11,
                     );
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "q4", 0.6091883671078886, "m");
+                        attempt.note(r3.outcome, "q2", 0.6091883671078886, "m");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
-                        free.union(::dh_robot::FreeJoints::of(&[3]))
+                        free.union(::dh_robot::FreeJoints::of(&[1]))
                     } else {
                         free
                     };
-                    for (i3, &[c4, s4]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
-                        let a3 = ::dh_robot::math::atan2(s4, c4);
+                    for (i3, &[c2, s2]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                        let a3 = ::dh_robot::math::atan2(s2, c2);
                         let branch = ::dh_robot::Branch::ANY
                             .with_step(0, i2)
                             .with_elbow(
@@ -331,7 +337,7 @@ impl WaferPrrr {
                                     ::dh_robot::Elbow::Down
                                 },
                             );
-                        found([a0, a1 - a2 - a3, a2, a3], branch, free);
+                        found([a0, a3, a2, a1 - a2 - a3], branch, free);
                     }
                 }
             }
@@ -348,38 +354,32 @@ impl WaferPrrr {
         let t_3 = t[0][3] - t[0][2] * t_2;
         let t_4 = t[1][3] - t[1][2] * t_2;
         let t_5 = t[2][3] - t[2][2] * t_2;
-        let t_6 = t[0][0] * t_3 + t[1][0] * t_4;
-        let t_7 = t[0][1] * t_3 + t[1][1] * t_4;
-        let t_8 = t_3 * t_3 + t_4 * t_4;
-        let t_9 = self.d2 * 1.6415283908776575;
-        let t_10 = self.d3 * 1.6415283908776575;
-        let t_11 = t_9 + t_10;
-        let t_12 = self.a2 * 1.6415283908776575;
-        let t_13 = self.a3 * 1.6415283908776575;
-        let t_14 = t_10 * (t_10 + t_9 * 2.0);
-        let t_15 = t_12 * t_12 + t_13 * t_13 + t_9 * t_9;
-        let t_16 = t_2 + t_11;
+        let t_6 = t_3 * t_3 + t_4 * t_4;
+        let t_7 = self.d2 * 1.6415283908776575;
+        let t_8 = self.d3 * 1.6415283908776575;
+        let t_9 = t_7 + t_8;
+        let t_10 = self.a2 * 1.6415283908776575;
+        let t_11 = self.a3 * 1.6415283908776575;
+        let t_12 = t_8 * (t_8 + t_7 * 2.0);
+        let t_13 = t_10 * t_10 + t_11 * t_11 + t_7 * t_7;
+        let t_14 = t_2 + t_9;
         let mut m0 = [0.0; 1];
         let mut f0 = [[0.0; 1]; 2];
         for l in 0..1 {
-            let (x, m) = ::dh_robot::lanes::linear(1.0, -(t_5 - t_11));
+            let (x, m) = ::dh_robot::lanes::linear(1.0, -(t_5 - t_9));
             f0[0][l] = x;
             f0[1][l] = x;
             m0[l] = m;
         }
         let q1_ = f0[0];
         let g0: [f64; 1] = f0[0].map(|d| d * 0.6091883671078886);
-        let mut v48_ = [0.0; 1];
-        let mut v50_ = [0.0; 1];
         let mut v69_ = [0.0; 1];
-        let mut v104_ = [0.0; 1];
+        let mut v92_ = [0.0; 1];
         for l in 0..1 {
             let q1 = q1_[l];
-            let t_17 = t_5 - q1;
-            v48_[l] = t_6 + t[2][0] * t_17;
-            v50_[l] = t_7 + t[2][1] * t_17;
-            v69_[l] = t_14 - (t_8 + t_17 * t_17 - t_15);
-            v104_[l] = q1 + t_16;
+            let t_15 = t_5 - q1;
+            v69_[l] = t_12 - (t_6 + t_15 * t_15 - t_13);
+            v92_[l] = q1 + t_14;
         }
         let mut m1 = [0.0; 1];
         let mut f1 = [[0.0; 1]; 2];
@@ -405,7 +405,7 @@ impl WaferPrrr {
         for l in 0..1 {
             let v69 = v69_[l];
             let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
-                2.0 * t_12 * t_13,
+                2.0 * t_10 * t_11,
                 0.0,
                 -v69,
             );
@@ -421,63 +421,49 @@ impl WaferPrrr {
         let g2: [f64; 2] = ::dh_robot::atan2_batch(&f2[1], &f2[0]);
         let mut v72_ = [0.0; 2];
         let mut v74_ = [0.0; 2];
-        let mut v89_ = [0.0; 2];
-        let mut v92_ = [0.0; 2];
         for l in 0..2 {
-            let c234 = c234_[l % 1];
-            let s234 = s234_[l % 1];
             let c3 = c3_[l];
             let s3 = s3_[l];
-            let t_18 = t_13 + t_12 * c3;
-            let t_19 = t_12 * s3;
-            let t_20 = c3 * c234 + s3 * s234;
-            let t_21 = s3 * c234 - c3 * s234;
-            v72_[l] = t_18;
-            v74_[l] = t_19;
-            v89_[l] = t_20;
-            v92_[l] = t_21;
+            let t_16 = t_10 + t_11 * c3;
+            let t_17 = t_11 * s3;
+            v72_[l] = t_16;
+            v74_[l] = t_17;
         }
         let mut m3 = [0.0; 2];
         let mut f3 = [[0.0; 2]; 2];
         for l in 0..2 {
             let v72 = v72_[l];
             let v74 = v74_[l];
-            let v48 = v48_[l % 1];
-            let v50 = v50_[l % 1];
-            let ([x, y], m) = ::dh_robot::lanes::pair(-v72, v74, -v48, v74, v72, -v50);
+            let ([x, y], m) = ::dh_robot::lanes::pair(v72, -v74, t_3, v74, v72, t_4);
             f3[0][l] = x;
             f3[1][l] = y;
             m3[l] = m;
         }
-        let c4_ = f3[0];
-        let s4_ = f3[1];
+        let c2_ = f3[0];
+        let s2_ = f3[1];
         let g3: [f64; 2] = ::dh_robot::atan2_batch(&f3[1], &f3[0]);
-        let mut v101_ = [0.0; 2];
-        let mut v102_ = [0.0; 2];
+        let mut v89_ = [0.0; 2];
+        let mut v90_ = [0.0; 2];
         for l in 0..2 {
-            let c234 = c234_[l % 1];
-            let s234 = s234_[l % 1];
-            let v89 = v89_[l];
-            let v92 = v92_[l];
-            let c4 = c4_[l];
-            let s4 = s4_[l];
-            let t_22 = t_13 * (c234 * c4 + s234 * s4) + t_12 * (c4 * v89 - s4 * v92);
-            let t_23 = t_13 * (c234 * s4 - s234 * c4) + t_12 * (s4 * v89 + c4 * v92);
-            v101_[l] = t_22;
-            v102_[l] = t_23;
+            let c3 = c3_[l];
+            let s3 = s3_[l];
+            let c2 = c2_[l];
+            let s2 = s2_[l];
+            v89_[l] = t_11 * (c3 * c2 - s3 * s2) + t_10 * c2;
+            v90_[l] = t_11 * (c3 * s2 + s3 * c2) + t_10 * s2;
         }
         let mut error = [0.0; 2];
         for l in 0..2 {
             let c234 = c234_[l % 1];
             let s234 = s234_[l % 1];
-            let v101 = v101_[l];
-            let v102 = v102_[l];
-            let v104 = v104_[l % 1];
+            let v89 = v89_[l];
+            let v90 = v90_[l];
+            let v92 = v92_[l % 1];
             error[l] = (c234 - t[0][0]).abs() + (s234 - t[1][0]).abs()
                 + (0.0 - t[2][0]).abs() + (-s234 - t[0][1]).abs()
                 + (c234 - t[1][1]).abs() + (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs()
-                + (0.0 - t[1][2]).abs() + (1.0 - t[2][2]).abs() + (v101 - t[0][3]).abs()
-                + (-v102 - t[1][3]).abs() + (v104 - t[2][3]).abs();
+                + (0.0 - t[1][2]).abs() + (1.0 - t[2][2]).abs() + (v89 - t[0][3]).abs()
+                + (v90 - t[1][3]).abs() + (v92 - t[2][3]).abs();
         }
         let valid: [f64; 2] = ::core::array::from_fn(|l| 1.0 * e2[l % 1 % 1]);
         let margin: [f64; 2] = ::core::array::from_fn(|l| {
@@ -489,11 +475,11 @@ impl WaferPrrr {
         });
         let q: [[f64; 2]; 4] = [
             ::core::array::from_fn(|l| g0[l % 1]),
+            ::core::array::from_fn(|l| g3[l % 2]),
+            ::core::array::from_fn(|l| g2[l / 1 % 2 * 1 + l % 1]),
             ::core::array::from_fn(|l| ::dh_robot::lanes::wrap(
                 g1[l % 1] - g2[l / 1 % 2 * 1 + l % 1] - g3[l % 2],
             )),
-            ::core::array::from_fn(|l| g2[l / 1 % 2 * 1 + l % 1]),
-            ::core::array::from_fn(|l| g3[l % 2]),
         ];
         ::dh_robot::lanes::collect(
             &Self::JOINTS,

@@ -287,7 +287,7 @@ impl Youbot {
         let t_4 = t_2 * t[2][2] * 2.0;
         let r0 = ::dh_robot::ik::solve_sincos(-t[1][2], t[0][2], 0.0, 1e-11);
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "q1", 1.0, "");
+            attempt.note(r0.outcome, "shoulder q1", 1.0, "");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -334,7 +334,15 @@ impl Youbot {
                     1e-11,
                 );
                 if r2.roots.is_empty() {
-                    attempt.note(r2.outcome, "q3", 0.6875, "m");
+                    attempt
+                        .note_distance(
+                            r2.outcome,
+                            "elbow q3",
+                            t_5 * t_5 + t_6 * t_6 + t_3,
+                            t_11,
+                            0.6875,
+                            "m",
+                        );
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;
