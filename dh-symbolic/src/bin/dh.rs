@@ -7,8 +7,9 @@ use dh_symbolic::chain::table::{Claims, Parsed, parse};
 use dh_symbolic::diagnostic::lex;
 use dh_symbolic::kinematics::claims;
 use dh_symbolic::pipeline::compile;
+use dh_symbolic::planner::search;
 use dh_symbolic::render::notes::{Language, Options, notes};
-use dh_symbolic::render::{Format, rust::pretty, verdict};
+use dh_symbolic::render::{Format, plan, rust::pretty, verdict};
 use std::io::{Read, Write};
 use std::process::ExitCode;
 
@@ -17,6 +18,7 @@ dh: kinematics from a Denavit-Hartenberg table
 
   dh notes  [FILE] [--to FORMAT] [--lang en|zh]   lecture notes: text, latex, markdown, typst, html
   dh check  [FILE]                                the table, and the claims of its prove blocks
+  dh plan   [FILE] [--to FORMAT]                  how the arm is inverted: structure, steps, equations, branches
   dh expand [FILE]                                the Rust code that dh_robot! leaves behind
 
 FILE holds the body of dh_robot!; without it, or with -, standard input is read.
@@ -82,6 +84,9 @@ fn run(arguments: &[String]) -> Answer {
             Answer::good(notes(&chain, &options).print(request.format))
         }),
         "check" => with_chain(&source, name, check),
+        "plan" => {
+            with_chain(&source, name, |_, chain| Answer::good(plan(&chain, &search(&chain)).print(request.format)))
+        }
         _ => expand(&source, name),
     }
 }
@@ -118,7 +123,7 @@ fn request(arguments: &[String]) -> Result<Request, String> {
         }
     }
     match r.command.as_str() {
-        "notes" | "check" | "expand" => Ok(r),
+        "notes" | "check" | "plan" | "expand" => Ok(r),
         "" => Err("what shall be done?".into()),
         other => Err(format!("no command `{other}`")),
     }

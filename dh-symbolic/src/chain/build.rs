@@ -153,7 +153,9 @@ impl Builder {
     /// The named constant of a magnitude.
     fn number(&mut self, x: &Rational, name: &str) -> Symbol {
         let role = Role::Constant(Value::Length(x.clone()));
-        let known = self.parameters.iter().find(|p| !p.declared && p.role == role).map(|p| p.handle);
+        // A length and an offset of the same size keep names of their own: a2 and d4 of the PUMA are different things.
+        let same_letter = |p: &Parameter| p.name.chars().next() == name.chars().next();
+        let known = self.parameters.iter().find(|p| !p.declared && p.role == role && same_letter(p)).map(|p| p.handle);
         if let Some(Handle::Length(s)) = known {
             return s;
         }

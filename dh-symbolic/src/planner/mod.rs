@@ -19,6 +19,7 @@ mod sample;
 mod search;
 mod span;
 mod step;
+mod structure;
 
 pub use axes::{Axes, Hop};
 pub(crate) use axes::{generic_parameter, numeric};
@@ -28,3 +29,4 @@ pub(crate) use sample::joint_vectors;
 pub use search::search;
 pub use span::{Form, combination};
 pub use step::{Plan, Refusal, Step, StepKind};
+pub use structure::{Neighbours, Pair, Structure};

@@ -18,6 +18,7 @@ pub mod markdown;
 pub mod math;
 pub mod notation;
 pub mod notes;
+pub mod plan;
 mod quantities;
 pub mod rust;
 mod rustdoc;
@@ -30,4 +31,5 @@ pub mod verdict;
 
 pub use document::{Document, Format};
 pub use notes::{Language, Options, notes};
+pub use plan::plan;
 pub use rustdoc::rustdoc;

@@ -1,0 +1,106 @@
+//! What an arm's axes have in common: parallel and meeting neighbours, common points, and the cells that say so.
+
+use super::axes::{Axes, numeric};
+use crate::algebra::Poly;
+use crate::chain::{Chain, Convention};
+
+/// How two neighbouring axes lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pair {
+    /// Parallel, or the same line.
+    Parallel,
+    /// They meet.
+    Meeting,
+    /// Neither.
+    Skew,
+}
+
+/// Neighbouring joints (from 0) and how their axes lie.
+#[derive(Clone, Debug)]
+pub struct Neighbours {
+    /// The first joint; the second is the next one.
+    pub first: usize,
+    /// How.
+    pub pair: Pair,
+    /// Cells of the table that make it so: `alpha2 = 0`.
+    pub cells: Vec<String>,
+}
+
+/// The relations of an arm's axes.
+#[derive(Clone, Debug)]
+pub struct Structure {
+    /// Neighbours in order.
+    pub neighbours: Vec<Neighbours>,
+    /// First joints of three neighbouring axes through one point.
+    pub common_points: Vec<usize>,
+}
+
+impl Structure {
+    /// Reads the relations off the exact transforms between the axes.
+    pub fn new(chain: &Chain, axes: &Axes) -> Structure {
+        let mut neighbours = Vec::new();
+        // Where on the second axis the first one meets it, lengths over the reach.
+        let mut meeting: Vec<Option<(f64, f64)>> = Vec::new();
+        for first in 0..axes.real.saturating_sub(1) {
+            let Some((from, to)) = hop_of(axes, first).zip(hop_of(axes, first + 1)) else { continue };
+            let mut t = crate::algebra::Transform::identity();
+            for hop in &axes.hops[from + 1..=to] {
+                t = t.times(&hop.before);
+            }
+            let (d, p) = (t.column(2), &t.p);
+            let moment = &(&p[0] * &d[1]) - &(&p[1] * &d[0]);
+            let parallel = d[0].is_zero() && d[1].is_zero();
+            let pair = if parallel {
+                Pair::Parallel
+            } else if moment.is_zero() {
+                Pair::Meeting
+            } else {
+                Pair::Skew
+            };
+            neighbours.push(Neighbours { first, pair, cells: cells(chain, axes, first, pair) });
+            meeting.push((pair == Pair::Meeting).then(|| {
+                // z_i s = p + d u: solve in the plane of both.
+                let n = numeric(chain, &t, axes.reach);
+                let k = if n[0][2].abs() > n[1][2].abs() { 0 } else { 1 };
+                let u = -n[k][3] / n[k][2];
+                (n[2][3] + n[2][2] * u, u)
+            }));
+        }
+        let common_points = meeting
+            .windows(2)
+            .enumerate()
+            .filter(|(_, w)| matches!((w[0], w[1]), (Some((_, u)), Some((s, _))) if (u - s).abs() < 1e-9))
+            .map(|(i, _)| neighbours[i].first)
+            .collect();
+        Structure { neighbours, common_points }
+    }
+}
+
+fn hop_of(axes: &Axes, joint: usize) -> Option<usize> {
+    axes.hops.iter().position(|h| h.joint == Some(joint))
+}
+
+/// The cells between two joints that a relation rests on.
+fn cells(chain: &Chain, axes: &Axes, first: usize, pair: Pair) -> Vec<String> {
+    let _ = axes;
+    let (Some(a), Some(b)) = (chain.joints.get(first), chain.joints.get(first + 1)) else { return Vec::new() };
+    let rows = match chain.convention {
+        Convention::Modified => a.row + 1..b.row + 1,
+        Convention::Standard => a.row..b.row,
+    };
+    let mut list = Vec::new();
+    for row in rows {
+        let link = &chain.links[row];
+        let number = if chain.convention == Convention::Modified { row } else { row + 1 };
+        let zero = |p: &Poly| p.is_zero();
+        match pair {
+            Pair::Parallel => {
+                let degrees = link.alpha.constant.to_degrees();
+                list.push(format!("alpha{number} = {degrees}{}", if degrees.is_zero() { "" } else { " deg" }));
+            }
+            Pair::Meeting if zero(&link.a) => list.push(format!("a{number} = 0")),
+            Pair::Meeting | Pair::Skew => {}
+        }
+    }
+    list
+}
