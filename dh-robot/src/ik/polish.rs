@@ -65,7 +65,7 @@ impl Task {
     }
 
     /// The rows of the Jacobian that belong to [`Task::error`], scaled like it.
-    fn rows<const N: usize>(&self, pose: &Pose, mut j: [[f64; N]; 6], reach: f64) -> [[f64; N]; 6] {
+    pub fn rows<const N: usize>(&self, pose: &Pose, mut j: [[f64; N]; 6], reach: f64) -> [[f64; N]; 6] {
         for row in &mut j[..3] {
             for x in row {
                 *x /= reach;

@@ -24,7 +24,7 @@ pub use identity::test_identities;
 pub use interpret::Inputs;
 pub use inverse::{Inverse, Solver};
 pub use proof::{Disproof, prove_frames, prove_jacobian, prove_pose};
-pub use solve::{Candidate, NOISE};
+pub use solve::{Attempt, Candidate, NOISE};
 
 use crate::algebra::LinearAngle;
 use crate::chain::{Chain, Elementary};

@@ -19,6 +19,23 @@ pub struct Candidate {
     pub free: Vec<usize>,
 }
 
+/// How a run of the plan ended.
+#[derive(Clone, Debug, Default)]
+pub struct Attempt {
+    /// What it found.
+    pub candidates: Vec<Candidate>,
+    /// Did some step leave its unknown free?
+    pub degenerate: bool,
+    /// Did a chosen value lead to nothing?
+    pub lost: bool,
+}
+
+/// The value that a step takes for a free unknown.
+type Pick<'a> = &'a dyn Fn(usize) -> (Pair, f64);
+
+/// Zero for whatever is free.
+const ZERO: fn(usize) -> (Pair, f64) = |_| ([1.0, 0.0], 0.0);
+
 /// Absolute size (lengths over the reach) below which a computed coefficient counts as zero.
 pub const NOISE: f64 = 1e-11;
 
@@ -33,7 +50,7 @@ impl Inverse {
         let samples: Vec<(ik::Chain<6>, [f64; 6])> = crate::planner::joint_vectors(&self.plan.axes, TRIALS, 0)
             .into_iter()
             .map(|x| {
-                let mut run = Run::new(self, chain, &ik::pose::IDENTITY);
+                let mut run = Run::new(self, chain, &ik::pose::IDENTITY, &ZERO);
                 let mut values = vec![0.0; run.depths.len()];
                 run.evaluate(&mut values, 0);
                 for k in 0..step.before {
@@ -57,7 +74,12 @@ impl Inverse {
 
     /// All candidates for a target (lengths over the reach) and given values of the known combinations.
     pub fn solve(&self, chain: &Chain, target: &Pose, given: &[f64]) -> Vec<Candidate> {
-        let mut run = Run::new(self, chain, target);
+        self.attempt(chain, target, given, &ZERO).candidates
+    }
+
+    /// The same, with a choice of values for what steps leave free: step to `[cos, sin]` and length over the reach.
+    pub fn attempt(&self, chain: &Chain, target: &Pose, given: &[f64], pick: Pick<'_>) -> Attempt {
+        let mut run = Run::new(self, chain, target, pick);
         let mut values = vec![0.0; run.depths.len()];
         run.evaluate(&mut values, 0);
         for (i, x) in given.iter().enumerate() {
@@ -116,11 +138,12 @@ struct Run<'a> {
     known: Vec<Pair>,
     branch: Vec<usize>,
     free: Vec<usize>,
-    found: Vec<Candidate>,
+    pick: Pick<'a>,
+    found: Attempt,
 }
 
 impl<'a> Run<'a> {
-    fn new(inverse: &'a Inverse, chain: &'a Chain, target: &'a Pose) -> Run<'a> {
+    fn new(inverse: &'a Inverse, chain: &'a Chain, target: &'a Pose, pick: Pick<'a>) -> Run<'a> {
         let depths = inverse.depths();
         let mut live = vec![false; depths.len()];
         for s in &inverse.solvers {
@@ -128,8 +151,8 @@ impl<'a> Run<'a> {
                 live[i] |= l;
             }
         }
-        let (known, branch, free, found) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Run { inverse, chain, target, depths, live, known, branch, free, found }
+        let (known, branch, free, found) = (Vec::new(), Vec::new(), Vec::new(), Attempt::default());
+        Run { inverse, chain, target, depths, live, known, branch, free, pick, found }
     }
 
     /// Computes the nodes of one depth.
@@ -177,7 +200,10 @@ impl<'a> Run<'a> {
             return;
         };
         let rows = numbers(solver, values);
-        let (roots, is_free) = solve_step(solver, &rows, inverse.choices);
+        let turns = solver.finds.first().is_some_and(|k| inverse.plan.knowledge.known[*k].turns);
+        let (roots, is_free) = solve_step((i, turns, solver), &rows, inverse.choices, self.pick);
+        self.found.degenerate |= is_free;
+        self.found.lost |= roots.is_empty() && !self.free.is_empty();
         for (r, root) in roots.into_iter().enumerate() {
             let mut next = values.to_vec();
             self.branch.push(r);
@@ -207,7 +233,7 @@ impl<'a> Run<'a> {
             .iter()
             .map(|form| form.iter().enumerate().filter(|(_, k)| **k != 0).map(|(i, k)| f64::from(*k) * value(i)).sum())
             .collect();
-        self.found.push(Candidate { x, branch: self.branch.clone(), free: self.free.clone() });
+        self.found.candidates.push(Candidate { x, branch: self.branch.clone(), free: self.free.clone() });
     }
 }
 
@@ -230,22 +256,29 @@ fn nine(row: &[f64]) -> [f64; 9] {
 }
 
 /// The roots of one step, and whether they stand for a continuum.
-fn solve_step(solver: &Solver, rows: &[Vec<f64>], choices: [u8; 3]) -> (Vec<Vec<Pair>>, bool) {
+fn solve_step(
+    (step, turns, solver): (usize, bool, &Solver),
+    rows: &[Vec<f64>],
+    choices: [u8; 3],
+    pick: Pick<'_>,
+) -> (Vec<Vec<Pair>>, bool) {
+    let (angle, length) = pick(step);
+    let second = pick(step + 1).0;
     let angles = |found: ik::Angles<2>| {
         let free = found.is_free();
-        (found.or_if_free([1.0, 0.0]).iter().map(|r| vec![*r]).collect(), free)
+        (found.or_if_free(angle).iter().map(|r| vec![*r]).collect(), free)
     };
     match solver.kind {
         StepKind::Linear => {
             let (a, b) = (rows[0][0], rows[0][1]);
             let found = ik::solve_quadratic(0.0, a, b, NOISE);
             let free = found.is_free();
-            (found.or_if_free(0.0).iter().map(|d| vec![[*d, *d]]).collect(), free)
+            (found.or_if_free(length).iter().map(|d| vec![[*d, *d]]).collect(), free)
         }
         StepKind::Quadratic => {
             let found = ik::solve_quadratic(rows[0][0], rows[0][1], rows[0][2], NOISE);
             let free = found.is_free();
-            (found.or_if_free(0.0).iter().map(|d| vec![[*d, *d]]).collect(), free)
+            (found.or_if_free(length).iter().map(|d| vec![[*d, *d]]).collect(), free)
         }
         StepKind::HalfTurn => angles(ik::solve_sincos(rows[0][0], rows[0][1], 0.0, NOISE)),
         StepKind::SinCos => angles(ik::solve_sincos(rows[0][0], rows[0][1], -rows[0][2], NOISE)),
@@ -262,19 +295,19 @@ fn solve_step(solver: &Solver, rows: &[Vec<f64>], choices: [u8; 3]) -> (Vec<Vec<
             let p = ik::TrigPoly::<2> { constant: r[0], cos: [r[1], r[3]], sin: [r[2], r[4]] };
             let found = p.roots::<4>(NOISE);
             let free = found.is_free();
-            (found.or_if_free([1.0, 0.0]).iter().map(|r| vec![*r]).collect(), free)
+            (found.or_if_free(angle).iter().map(|r| vec![*r]).collect(), free)
         }
         StepKind::Bilinear => {
             let found = ik::solve_bilinear(&nine(&rows[0]), &nine(&rows[1]), NOISE);
             let free = found.is_free();
-            (found.or_if_free([[1.0, 0.0]; 2]).iter().map(|r| r.to_vec()).collect(), free)
+            (found.or_if_free([angle, second]).iter().map(|r| r.to_vec()).collect(), free)
         }
         StepKind::SlideAndTurn => {
             let found = ik::solve_length_squared_and_angle(&nine(&rows[0]), &nine(&rows[1]), NOISE);
             let free = found.is_free();
-            (found.or_if_free((0.0, [1.0, 0.0])).iter().map(|r| vec![[r.0, r.0], r.1]).collect(), free)
+            (found.or_if_free((length, second)).iter().map(|r| vec![[r.0, r.0], r.1]).collect(), free)
         }
-        StepKind::Choose => (vec![vec![[1.0, 0.0]]], true),
+        StepKind::Choose => (vec![vec![if turns { angle } else { [length, length] }]], true),
         StepKind::General => {
             let links = std::array::from_fn(|r| pose_of(&rows[r]));
             let solved =

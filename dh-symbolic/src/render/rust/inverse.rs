@@ -18,6 +18,7 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
     let pass = if chain.redundant.is_some() { ", given.into()" } else { "" };
     let fits = lanes::fits(chain, inverse);
     let fast = if fits { "if let Some(solutions) = self.lanes(&frame) {\nreturn solutions;\n}\n" } else { "" };
+    let fixed = chain.redundant.map_or("None".into(), |k| format!("Some(({k}, given.into()))"));
     let few = n + usize::from(chain.redundant.is_none()) <= 6 && chain.task == Task::Pose;
     let mut out = format!(
         "#[allow(clippy::all, clippy::pedantic)]\nimpl {name} {{\n\
@@ -26,9 +27,9 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
          {}\n\
          #[must_use]\npub fn inverse(&self, {target}{given}) -> ::dh_robot::Solutions<{f}, {n}, {m}> {{\n\
          {frame}\n{fast}\
-         let setting = ::dh_robot::inverse::Setting {{ joints: &Self::JOINTS, reach: {reach}, few: {few} }};\n\
+         let setting = ::dh_robot::inverse::Setting {{ joints: &Self::JOINTS, reach: {reach}, few: {few}, given: {fixed} }};\n\
          let task = {task};\n\
-         ::dh_robot::inverse::solve(self, setting, &task, &frame, |frame, found| self.candidates(frame{pass}, found))\n}}\n\n",
+         ::dh_robot::inverse::solve(self, setting, &task, &frame, |frame, pick, found| self.candidates(frame{pass}, pick, found))\n}}\n\n",
         docs(chain, inverse),
     );
     out.push_str(&candidates(chain, inverse));
@@ -250,7 +251,7 @@ fn candidates(chain: &Chain, inverse: &Inverse) -> String {
     let depths = inverse.depths();
     let mut out = format!(
         "/// Runs the plan: calls `found` with every candidate.\n\
-         fn candidates(&self, t: &::dh_robot::ik::Pose, {given}found: &mut dyn FnMut([f64; {n}], ::dh_robot::Branch, ::dh_robot::FreeJoints)) \
+         fn candidates(&self, t: &::dh_robot::ik::Pose, {given}pick: ::dh_robot::inverse::Pick, found: &mut dyn FnMut([f64; {n}], ::dh_robot::Branch, ::dh_robot::FreeJoints)) \
          -> ::dh_robot::inverse::Attempt {{\n\
          let mut attempt = ::dh_robot::inverse::Attempt::new();\nlet free = ::dh_robot::FreeJoints::NONE;\n"
     );
@@ -282,7 +283,8 @@ fn candidates(chain: &Chain, inverse: &Inverse) -> String {
     for (i, (solver, step)) in inverse.solvers.iter().zip(&plan.steps).enumerate() {
         let names: Vec<String> = step.unknown.iter().map(|f| plan.knowledge.form_name(&plan.axes, f)).collect();
         out.push_str(&format!("// {}\n", names.join(", ")));
-        let call = call(solver, &body, inverse.choices);
+        let turns = solver.finds.first().is_some_and(|k| plan.knowledge.known[*k].turns);
+        let call = call((i, turns, solver), &body, inverse.choices);
         out.push_str(&format!("let r{i} = {};\n", call.text));
         out.push_str(&format!("if r{i}.roots.is_empty() {{ {} }}\n", note(chain, inverse, i, &body)));
         let bits: Vec<String> =
@@ -339,7 +341,7 @@ fn note(chain: &Chain, inverse: &Inverse, i: usize, body: &Body<'_>) -> String {
         if let Some(square) = squared.and_then(|k| inverse.graph.bound_to(k.square)) {
             let rest = body.negative(solver.rows[0][2]);
             return format!(
-                "attempt.note_distance(r{i}.outcome, \"{name}\", {}, {rest}, {reach}, \"{}\");",
+                "attempt.note_distance(r{i}.outcome, free, \"{name}\", {}, {rest}, {reach}, \"{}\");",
                 body.value(square),
                 chain.unit.name
             );
@@ -347,7 +349,7 @@ fn note(chain: &Chain, inverse: &Inverse, i: usize, body: &Body<'_>) -> String {
     }
     let length = step.equations.iter().any(|e| !matches!(e.scalar, crate::planner::Scalar::Rotation(..)));
     let (scale, what) = if length { (reach, chain.unit.name) } else { ("1.0".into(), "") };
-    format!("attempt.note(r{i}.outcome, \"{name}\", {scale}, \"{what}\");")
+    format!("attempt.note(r{i}.outcome, free, \"{name}\", {scale}, \"{what}\");")
 }
 
 /// Which part of an arm with six joints a step with two roots decides: 0 shoulder, 1 elbow, 2 wrist; each part once.
@@ -417,11 +419,11 @@ pub(super) fn branch(inverse: &Inverse) -> String {
 /// A call of a kernel.
 struct Call {
     text: String,
-    representative: &'static str,
+    representative: String,
     pattern: fn(&[[String; 2]]) -> String,
 }
 
-fn call(solver: &Solver, body: &Body<'_>, choices: [u8; 3]) -> Call {
+fn call((step, turns, solver): (usize, bool, &Solver), body: &Body<'_>, choices: [u8; 3]) -> Call {
     let noise = format!("{NOISE:e}");
     let v = |r: usize, i: usize| solver.rows.get(r).and_then(|row| row.get(i)).map_or("0.0".into(), |v| body.value(*v));
     let minus =
@@ -429,21 +431,23 @@ fn call(solver: &Solver, body: &Body<'_>, choices: [u8; 3]) -> Call {
     let list = |r: usize, n: usize| (0..n).map(|i| v(r, i)).collect::<Vec<_>>().join(", ");
     let angle: fn(&[[String; 2]]) -> String = |s| format!("[{}, {}]", s[0][0], s[0][1]);
     let length: fn(&[[String; 2]]) -> String = |s| s[0][0].clone();
+    let picked = format!("pick.angle({step})");
+    let picked_length = format!("pick.length({step})");
     let (text, representative, pattern) = match solver.kind {
         StepKind::Linear => {
-            (format!("::dh_robot::ik::solve_quadratic(0.0, {}, {}, {noise})", v(0, 0), v(0, 1)), "0.0", length)
+            (format!("::dh_robot::ik::solve_quadratic(0.0, {}, {}, {noise})", v(0, 0), v(0, 1)), picked_length, length)
         }
-        StepKind::Quadratic => {
-            (format!("::dh_robot::ik::solve_quadratic({}, {}, {}, {noise})", v(0, 0), v(0, 1), v(0, 2)), "0.0", length)
-        }
-        StepKind::HalfTurn => {
-            (format!("::dh_robot::ik::solve_sincos({}, {}, 0.0, {noise})", v(0, 0), v(0, 1)), "[1.0, 0.0]", angle)
-        }
-        StepKind::SinCos => (
-            format!("::dh_robot::ik::solve_sincos({}, {}, {}, {noise})", v(0, 0), v(0, 1), minus(0, 2)),
-            "[1.0, 0.0]",
-            angle,
+        StepKind::Quadratic => (
+            format!("::dh_robot::ik::solve_quadratic({}, {}, {}, {noise})", v(0, 0), v(0, 1), v(0, 2)),
+            picked_length,
+            length,
         ),
+        StepKind::HalfTurn => {
+            (format!("::dh_robot::ik::solve_sincos({}, {}, 0.0, {noise})", v(0, 0), v(0, 1)), picked, angle)
+        }
+        StepKind::SinCos => {
+            (format!("::dh_robot::ik::solve_sincos({}, {}, {}, {noise})", v(0, 0), v(0, 1), minus(0, 2)), picked, angle)
+        }
         StepKind::AtanPair if solver.rows.len() == 2 => (
             format!(
                 "::dh_robot::ik::solve_pair({}, {}, {}, {}, {}, {}, {noise})",
@@ -454,13 +458,13 @@ fn call(solver: &Solver, body: &Body<'_>, choices: [u8; 3]) -> Call {
                 v(1, 1),
                 minus(1, 2)
             ),
-            "[1.0, 0.0]",
+            picked,
             angle,
         ),
         StepKind::AtanPair => {
             let rows: Vec<String> =
                 (0..solver.rows.len()).map(|r| format!("[{}, {}, {}]", v(r, 0), v(r, 1), minus(r, 2))).collect();
-            (format!("::dh_robot::ik::solve_many(&[{}], {noise})", rows.join(", ")), "[1.0, 0.0]", angle)
+            (format!("::dh_robot::ik::solve_many(&[{}], {noise})", rows.join(", ")), picked, angle)
         }
         StepKind::SecondHarmonic => (
             format!(
@@ -471,20 +475,23 @@ fn call(solver: &Solver, body: &Body<'_>, choices: [u8; 3]) -> Call {
                 v(0, 2),
                 v(0, 4)
             ),
-            "[1.0, 0.0]",
+            picked,
             angle,
         ),
         StepKind::Bilinear => (
             format!("::dh_robot::ik::solve_bilinear(&[{}], &[{}], {noise})", list(0, 9), list(1, 9)),
-            "[[1.0, 0.0]; 2]",
+            format!("[{picked}, pick.angle({})]", step + 1),
             (|s| format!("[[{}, {}], [{}, {}]]", s[0][0], s[0][1], s[1][0], s[1][1])) as fn(&[[String; 2]]) -> String,
         ),
         StepKind::SlideAndTurn => (
             format!("::dh_robot::ik::solve_length_squared_and_angle(&[{}], &[{}], {noise})", list(0, 9), list(1, 9)),
-            "(0.0, [1.0, 0.0])",
+            format!("({picked_length}, pick.angle({}))", step + 1),
             (|s| format!("({}, [{}, {}])", s[0][0], s[1][0], s[1][1])) as fn(&[[String; 2]]) -> String,
         ),
-        StepKind::Choose => (format!("::dh_robot::ik::solve_sincos(0.0, 0.0, 0.0, {noise})"), "[1.0, 0.0]", angle),
+        StepKind::Choose if !turns => {
+            (format!("::dh_robot::ik::solve_quadratic(0.0, 0.0, 0.0, {noise})"), picked_length, length)
+        }
+        StepKind::Choose => (format!("::dh_robot::ik::solve_sincos(0.0, 0.0, 0.0, {noise})"), picked, angle),
         StepKind::General => {
             let poses: Vec<String> = (0..7)
                 .map(|r| {
@@ -499,7 +506,7 @@ fn call(solver: &Solver, body: &Body<'_>, choices: [u8; 3]) -> Call {
                     poses[..6].join(", "),
                     poses[6]
                 ),
-                "[[1.0, 0.0]; 6]",
+                "[[1.0, 0.0]; 6]".into(),
                 (|s| format!("[{}]", s.iter().map(|x| format!("[{}, {}]", x[0], x[1])).collect::<Vec<_>>().join(", ")))
                     as fn(&[[String; 2]]) -> String,
             )

@@ -1,0 +1,128 @@
+//! Where the closed form degenerates: other values for what it left free, nearby poses, and at last a search from many starts.
+
+use super::{Attempt, Pick, Verifier};
+use crate::ik::{Kinematics, Pose, pose};
+use crate::{Branch, FreeJoints, Real};
+
+/// Most damped Newton steps that bring a rough candidate onto the target.
+const STEPS: usize = 60;
+/// Starts of the search for an arm whose plan chooses a value that no closed form can judge.
+const STARTS: usize = 60;
+
+/// Small motions in directions of no special kind.
+const MOTIONS: [[f64; 6]; 6] = [
+    [0.31, -0.77, 0.52, 0.63, 0.29, -0.71],
+    [-0.83, 0.21, 0.47, -0.37, 0.88, 0.24],
+    [0.59, 0.67, -0.43, 0.19, -0.53, 0.79],
+    [-0.27, -0.61, -0.73, -0.91, -0.17, -0.41],
+    [0.91, -0.13, 0.37, 0.43, 0.71, 0.57],
+    [-0.49, 0.83, -0.23, 0.77, -0.67, 0.11],
+];
+
+/// Looks for the solutions that the first run of the plan did not give.
+#[cold]
+pub(super) fn rescue<A: Kinematics<N>, T: Real, const N: usize, const M: usize>(
+    verifier: &mut Verifier<'_, A, T, N, M>,
+    frame: &Pose,
+    first: &Attempt,
+    candidates: &impl Fn(&Pose, Pick, &mut dyn FnMut([f64; N], Branch, FreeJoints)) -> Attempt,
+) {
+    if first.degenerate {
+        for pick in Pick::others() {
+            let earlier = verifier.out.len();
+            candidates(frame, pick, &mut |q, branch, free| {
+                if !free.is_empty() {
+                    verifier.take_rough(q, branch, earlier);
+                }
+            });
+        }
+    }
+    // Few joints cannot follow any small motion of the target: only those of an arm that reaches it.
+    let few = verifier.setting.few;
+    if few && verifier.out.is_empty() && first.degenerate {
+        search(verifier);
+    }
+    for size in [1e-4, 1e-2] {
+        for motion in &MOTIONS {
+            let near = match verifier.out.first() {
+                _ if !few => moved(frame, motion, size),
+                Some(s) => {
+                    let q = core::array::from_fn(|k| {
+                        let given = verifier.setting.given.is_some_and(|g| g.0 == k);
+                        let step = if given { 0.0 } else { size * motion[k % 6] };
+                        let slides = !verifier.setting.joints[k].is_revolute();
+                        s.q[k].to_f64() + if slides { step * verifier.setting.reach } else { step }
+                    });
+                    over_reach(&verifier.arm.forward(&q), verifier.setting.reach)
+                }
+                None => return,
+            };
+            let earlier = verifier.out.len();
+            candidates(&near, Pick::FIRST, &mut |q, branch, _| verifier.take_rough(q, branch, earlier));
+        }
+        if !verifier.out.is_empty() {
+            return;
+        }
+    }
+    if first.degenerate {
+        search(verifier);
+    }
+}
+
+impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, T, N, M> {
+    /// A candidate that need not be near a solution.
+    fn take_rough(&mut self, mut q: [f64; N], branch: Branch, earlier: usize) {
+        if self.polish(&mut q, STEPS) {
+            let free = self.free_joints(&q, false);
+            self.insert(q, branch, free, earlier);
+        }
+    }
+}
+
+/// Damped Newton steps from starts all over the joint space, until one arrives.
+fn search<A: Kinematics<N>, T: Real, const N: usize, const M: usize>(verifier: &mut Verifier<'_, A, T, N, M>) {
+    // Additive recurrence with the powers of the root of x^(N+1) = x + 1 for N = 6: evenly spread in six dimensions.
+    const RATIOS: [f64; 7] = [0.898_654, 0.807_579, 0.725_734, 0.652_184, 0.586_087, 0.526_690, 0.473_312];
+    for start in 1..=STARTS {
+        let mut q: [f64; N] = core::array::from_fn(|k| {
+            if let Some((_, value)) = verifier.setting.given.filter(|g| g.0 == k) {
+                return value;
+            }
+            let x = start as f64 * RATIOS[k % 7];
+            let x = 2.0 * (x - crate::math::floor(x)) - 1.0;
+            if verifier.setting.joints[k].is_revolute() { x * core::f64::consts::PI } else { x * verifier.setting.reach }
+        });
+        if verifier.polish(&mut q, STEPS) {
+            let free = verifier.free_joints(&q, false);
+            verifier.insert(q, Branch::ANY, free, 0);
+            return;
+        }
+    }
+}
+
+/// A pose in table units, with lengths over the reach.
+fn over_reach(t: &Pose, reach: f64) -> Pose {
+    t.map(|row| [row[0], row[1], row[2], row[3] / reach])
+}
+
+/// A pose after a small motion.
+fn moved(frame: &Pose, motion: &[f64; 6], size: f64) -> Pose {
+    let mut t = pose::IDENTITY;
+    for axis in 0..3 {
+        let angle = motion[axis] * size;
+        let (s, c) = (angle, 1.0 - 0.5 * angle * angle);
+        let h = 1.0 / crate::math::sqrt(s * s + c * c);
+        let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+        let mut r = pose::IDENTITY;
+        r[j][j] = c * h;
+        r[k][k] = c * h;
+        r[j][k] = -s * h;
+        r[k][j] = s * h;
+        t = pose::compose(&t, &r);
+    }
+    let mut out = pose::compose(frame, &t);
+    for i in 0..3 {
+        out[i][3] = frame[i][3] + motion[3 + i] * size;
+    }
+    out
+}
