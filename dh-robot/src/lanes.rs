@@ -4,6 +4,8 @@
 //! instructions. How far each result is from a degenerate one is kept beside it; where anything is near, or where forward
 //! kinematics does not confirm a branch, the robust way (`inverse::solve`) takes over. So speed costs no safety.
 
+#![allow(clippy::neg_cmp_op_on_partial_ord)] // `!(x <= y)` is how NaN ends on the safe side
+
 use crate::{Branch, Joint, Real, Solution, Solutions};
 
 /// Largest difference between an entry of the target and of a branch's forward kinematics (rotation, or position over reach) that the
@@ -25,17 +27,18 @@ pub fn half_turn(a: f64, b: f64) -> ([f64; 2], f64) {
     ([-b * h, a * h], h2 - FIRM * FIRM)
 }
 
-/// `a cos u + b sin u = c`: both roots, whether they are real (1 or 0), and a margin.
+/// `a cos u + b sin u = c`: both roots, whether they are real (1; 0 if they clearly are not), and a margin.
 #[inline(always)]
 #[must_use]
 pub fn sincos(a: f64, b: f64, c: f64) -> ([f64; 4], f64, f64) {
     let h2 = a * a + b * b;
     let g = h2 - c * c;
-    let real = if g > 0.0 { 1.0 } else { 0.0 };
+    let margin = (g.abs() - CLEAR * h2).min(h2 - FIRM * FIRM);
+    // What is doubtful counts as real, so that the robust way decides.
+    let real = if g > 0.0 || !(margin > 0.0) { 1.0 } else { 0.0 };
     let r = crate::math::sqrt(g.max(0.0));
     let i = 1.0 / h2;
     let (ac, bc, ar, br) = (a * c, b * c, a * r, b * r);
-    let margin = (g.abs() - CLEAR * h2).min(h2 - FIRM * FIRM);
     ([(ac - br) * i, (bc + ar) * i, (ac + br) * i, (bc - ar) * i], real, margin)
 }
 

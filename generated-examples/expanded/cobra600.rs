@@ -198,6 +198,7 @@ impl Cobra600 {
             joints: &Self::JOINTS,
             reach: 0.987,
             few: true,
+            given: None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 0.987),
@@ -207,13 +208,14 @@ impl Cobra600 {
             setting,
             &task,
             &frame,
-            |frame, found| self.candidates(frame, found),
+            |frame, pick, found| self.candidates(frame, pick, found),
         )
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::ik::Pose,
+        pick: ::dh_robot::inverse::Pick,
         found: &mut dyn FnMut([f64; 4], ::dh_robot::Branch, ::dh_robot::FreeJoints),
     ) -> ::dh_robot::inverse::Attempt {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
@@ -227,7 +229,7 @@ impl Cobra600 {
             1e-11,
         );
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "q3", 0.987, "m");
+            attempt.note(r0.outcome, free, "q3", 0.987, "m");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -235,7 +237,7 @@ impl Cobra600 {
         } else {
             free
         };
-        for (i0, &q3) in r0.or_if_free(0.0).iter().enumerate() {
+        for (i0, &q3) in r0.or_if_free(pick.length(0)).iter().enumerate() {
             let a0 = q3 * 0.987;
             let r1 = ::dh_robot::ik::solve_pair(
                 1.0,
@@ -247,7 +249,7 @@ impl Cobra600 {
                 1e-11,
             );
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, "q1 + q2 - q4", 1.0, "");
+                attempt.note(r1.outcome, free, "q1 + q2 - q4", 1.0, "");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -255,7 +257,8 @@ impl Cobra600 {
             } else {
                 free
             };
-            for (i1, &[c12m4, s12m4]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+            for (i1, &[c12m4, s12m4]) in r1.or_if_free(pick.angle(1)).iter().enumerate()
+            {
                 let a1 = ::dh_robot::math::atan2(s12m4, c12m4);
                 let r2 = ::dh_robot::ik::solve_sincos(
                     0.18348972303573616,
@@ -267,6 +270,7 @@ impl Cobra600 {
                     attempt
                         .note_distance(
                             r2.outcome,
+                            free,
                             "elbow q2",
                             t_2,
                             q3 * (0.78419452887538 - q3) + t_3,
@@ -280,7 +284,7 @@ impl Cobra600 {
                 } else {
                     free
                 };
-                for (i2, &[c2, s2]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                for (i2, &[c2, s2]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s2, c2);
                     let t_4 = 0.32928064842958465 + 0.27862208713272546 * c2;
                     let t_5 = 0.27862208713272546 * s2;
@@ -294,7 +298,7 @@ impl Cobra600 {
                         1e-11,
                     );
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "q1", 0.987, "m");
+                        attempt.note(r3.outcome, free, "q1", 0.987, "m");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
@@ -302,7 +306,11 @@ impl Cobra600 {
                     } else {
                         free
                     };
-                    for (i3, &[c1, s1]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    for (i3, &[c1, s1]) in r3
+                        .or_if_free(pick.angle(3))
+                        .iter()
+                        .enumerate()
+                    {
                         let a3 = ::dh_robot::math::atan2(s1, c1);
                         let branch = ::dh_robot::Branch::ANY
                             .with_step(0, i2)

@@ -105,10 +105,10 @@ impl CupArm {
         );
         let t_2 = c1 * 30.0;
         let t_3 = s1 * 30.0;
-        let t_4 = 340.0 * c2;
+        let t_4 = c2 * 340.0;
         let t_5 = t_2 - c1 * t_4;
         let t_6 = t_3 - s1 * t_4;
-        let t_7 = 373.0 - 340.0 * s2;
+        let t_7 = 373.0 - s2 * 340.0;
         let c1c23 = c1 * c23;
         let s1c23 = s1 * c23;
         let c1s23 = c1 * s23;
@@ -329,6 +329,7 @@ impl CupArm {
             joints: &Self::JOINTS,
             reach: 954.0,
             few: false,
+            given: None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 954.0),
@@ -338,13 +339,14 @@ impl CupArm {
             setting,
             &task,
             &frame,
-            |frame, found| self.candidates(frame, found),
+            |frame, pick, found| self.candidates(frame, pick, found),
         )
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::ik::Pose,
+        pick: ::dh_robot::inverse::Pick,
         found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
     ) -> ::dh_robot::inverse::Attempt {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
@@ -355,7 +357,7 @@ impl CupArm {
         let t_5 = t_4 * t_4;
         let r0 = ::dh_robot::ik::solve_sincos(-t_3, t_2, 0.0, 1e-11);
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "shoulder q1", 954.0, "mm");
+            attempt.note(r0.outcome, free, "shoulder q1", 954.0, "mm");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -363,7 +365,7 @@ impl CupArm {
         } else {
             free
         };
-        for (i0, &[c1, s1]) in r0.or_if_free([1.0, 0.0]).iter().enumerate() {
+        for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
             let a0 = ::dh_robot::math::atan2(s1, c1);
             let t_6 = t_2 * c1 + t_3 * s1;
             let t_7 = t_2 * s1 - t_3 * c1;
@@ -385,6 +387,7 @@ impl CupArm {
                 attempt
                     .note_distance(
                         r1.outcome,
+                        free,
                         "elbow q3",
                         t_5 + t_6 * t_6 + t_7 * t_7,
                         t_14 + t_5 + t_6 * t_6 + t_7 * t_7 - 0.25430164946006883,
@@ -398,7 +401,7 @@ impl CupArm {
             } else {
                 free
             };
-            for (i1, &[c3, s3]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+            for (i1, &[c3, s3]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s3, c3);
                 let t_16 = 0.35639412997903563 - 0.041928721174004195 * c3
                     - 0.35429769392033544 * s3;
@@ -412,7 +415,7 @@ impl CupArm {
                     1e-11,
                 );
                 if r2.roots.is_empty() {
-                    attempt.note(r2.outcome, "q2", 954.0, "mm");
+                    attempt.note(r2.outcome, free, "q2", 954.0, "mm");
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;
@@ -420,7 +423,7 @@ impl CupArm {
                 } else {
                     free
                 };
-                for (i2, &[c2, s2]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                for (i2, &[c2, s2]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s2, c2);
                     let t_17 = c3 * c2 - s3 * s2;
                     let t_18 = c3 * s2 + s3 * c2;
@@ -431,7 +434,7 @@ impl CupArm {
                     let t_23 = t_12 * t_17 - t[2][2] * t_18;
                     let r3 = ::dh_robot::ik::solve_sincos(-t_13, t_23, 0.0, 1e-11);
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "wrist q4", 1.0, "");
+                        attempt.note(r3.outcome, free, "wrist q4", 1.0, "");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
@@ -439,7 +442,11 @@ impl CupArm {
                     } else {
                         free
                     };
-                    for (i3, &[c4, s4]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    for (i3, &[c4, s4]) in r3
+                        .or_if_free(pick.angle(3))
+                        .iter()
+                        .enumerate()
+                    {
                         let a3 = ::dh_robot::math::atan2(s4, c4);
                         let t_24 = t_19 * c4 + t_9 * s4;
                         let t_25 = t_21 * c4 + t_11 * s4;
@@ -453,7 +460,7 @@ impl CupArm {
                             1e-11,
                         );
                         if r4.roots.is_empty() {
-                            attempt.note(r4.outcome, "q5", 1.0, "");
+                            attempt.note(r4.outcome, free, "q5", 1.0, "");
                         }
                         let free = if r4.is_free() {
                             attempt.degenerate = true;
@@ -462,7 +469,7 @@ impl CupArm {
                             free
                         };
                         for (i4, &[c5, s5]) in r4
-                            .or_if_free([1.0, 0.0])
+                            .or_if_free(pick.angle(4))
                             .iter()
                             .enumerate()
                         {
@@ -477,7 +484,7 @@ impl CupArm {
                                 1e-11,
                             );
                             if r5.roots.is_empty() {
-                                attempt.note(r5.outcome, "q6", 1.0, "");
+                                attempt.note(r5.outcome, free, "q6", 1.0, "");
                             }
                             let free = if r5.is_free() {
                                 attempt.degenerate = true;
@@ -486,7 +493,7 @@ impl CupArm {
                                 free
                             };
                             for (i5, &[c6, s6]) in r5
-                                .or_if_free([1.0, 0.0])
+                                .or_if_free(pick.angle(5))
                                 .iter()
                                 .enumerate()
                             {

@@ -232,6 +232,7 @@ impl GantryWrist {
             joints: &Self::JOINTS,
             reach: 0.30000000000000004,
             few: false,
+            given: None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 0.30000000000000004),
@@ -241,13 +242,14 @@ impl GantryWrist {
             setting,
             &task,
             &frame,
-            |frame, found| self.candidates(frame, found),
+            |frame, pick, found| self.candidates(frame, pick, found),
         )
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::ik::Pose,
+        pick: ::dh_robot::inverse::Pick,
         found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
     ) -> ::dh_robot::inverse::Attempt {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
@@ -264,7 +266,7 @@ impl GantryWrist {
             1e-11,
         );
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "q1", 0.30000000000000004, "m");
+            attempt.note(r0.outcome, free, "q1", 0.30000000000000004, "m");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -272,7 +274,7 @@ impl GantryWrist {
         } else {
             free
         };
-        for (i0, &q1) in r0.or_if_free(0.0).iter().enumerate() {
+        for (i0, &q1) in r0.or_if_free(pick.length(0)).iter().enumerate() {
             let a0 = q1 * 0.30000000000000004;
             let r1 = ::dh_robot::ik::solve_quadratic(
                 0.0,
@@ -281,7 +283,7 @@ impl GantryWrist {
                 1e-11,
             );
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, "q2", 0.30000000000000004, "m");
+                attempt.note(r1.outcome, free, "q2", 0.30000000000000004, "m");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -289,11 +291,11 @@ impl GantryWrist {
             } else {
                 free
             };
-            for (i1, &q2) in r1.or_if_free(0.0).iter().enumerate() {
+            for (i1, &q2) in r1.or_if_free(pick.length(1)).iter().enumerate() {
                 let a1 = q2 * 0.30000000000000004;
                 let r2 = ::dh_robot::ik::solve_quadratic(0.0, -1.0, t_6, 1e-11);
                 if r2.roots.is_empty() {
-                    attempt.note(r2.outcome, "q3", 0.30000000000000004, "m");
+                    attempt.note(r2.outcome, free, "q3", 0.30000000000000004, "m");
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;
@@ -301,7 +303,7 @@ impl GantryWrist {
                 } else {
                     free
                 };
-                for (i2, &q3) in r2.or_if_free(0.0).iter().enumerate() {
+                for (i2, &q3) in r2.or_if_free(pick.length(2)).iter().enumerate() {
                     let a2 = q3 * 0.30000000000000004;
                     let r3 = ::dh_robot::ik::solve_sincos(
                         -(t[1][0] * 0.5 + t[1][1] * 0.8660254037844386),
@@ -310,7 +312,7 @@ impl GantryWrist {
                         1e-11,
                     );
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "wrist q6", 1.0, "");
+                        attempt.note(r3.outcome, free, "wrist q6", 1.0, "");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
@@ -318,7 +320,11 @@ impl GantryWrist {
                     } else {
                         free
                     };
-                    for (i3, &[c6, s6]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    for (i3, &[c6, s6]) in r3
+                        .or_if_free(pick.angle(3))
+                        .iter()
+                        .enumerate()
+                    {
                         let a3 = ::dh_robot::math::atan2(s6, c6);
                         let r4 = ::dh_robot::ik::solve_pair(
                             0.0,
@@ -330,7 +336,7 @@ impl GantryWrist {
                             1e-11,
                         );
                         if r4.roots.is_empty() {
-                            attempt.note(r4.outcome, "q4", 1.0, "");
+                            attempt.note(r4.outcome, free, "q4", 1.0, "");
                         }
                         let free = if r4.is_free() {
                             attempt.degenerate = true;
@@ -339,7 +345,7 @@ impl GantryWrist {
                             free
                         };
                         for (i4, &[c4, s4]) in r4
-                            .or_if_free([1.0, 0.0])
+                            .or_if_free(pick.angle(4))
                             .iter()
                             .enumerate()
                         {
@@ -354,7 +360,7 @@ impl GantryWrist {
                                 1e-11,
                             );
                             if r5.roots.is_empty() {
-                                attempt.note(r5.outcome, "q5", 1.0, "");
+                                attempt.note(r5.outcome, free, "q5", 1.0, "");
                             }
                             let free = if r5.is_free() {
                                 attempt.degenerate = true;
@@ -363,7 +369,7 @@ impl GantryWrist {
                                 free
                             };
                             for (i5, &[c5, s5]) in r5
-                                .or_if_free([1.0, 0.0])
+                                .or_if_free(pick.angle(5))
                                 .iter()
                                 .enumerate()
                             {

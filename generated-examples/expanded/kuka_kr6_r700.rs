@@ -335,6 +335,7 @@ impl KukaKr6R700 {
             joints: &Self::JOINTS,
             reach: 1.2200000000000002,
             few: false,
+            given: None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 1.2200000000000002),
@@ -344,13 +345,14 @@ impl KukaKr6R700 {
             setting,
             &task,
             &frame,
-            |frame, found| self.candidates(frame, found),
+            |frame, pick, found| self.candidates(frame, pick, found),
         )
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::ik::Pose,
+        pick: ::dh_robot::inverse::Pick,
         found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
     ) -> ::dh_robot::inverse::Attempt {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
@@ -361,7 +363,7 @@ impl KukaKr6R700 {
         let t_5 = t_4 * t_4;
         let r0 = ::dh_robot::ik::solve_sincos(-t_3, t_2, 0.0, 1e-11);
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "shoulder q1", 1.2200000000000002, "m");
+            attempt.note(r0.outcome, free, "shoulder q1", 1.2200000000000002, "m");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -369,7 +371,7 @@ impl KukaKr6R700 {
         } else {
             free
         };
-        for (i0, &[c1, s1]) in r0.or_if_free([1.0, 0.0]).iter().enumerate() {
+        for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
             let a0 = ::dh_robot::math::atan2(s1, c1);
             let t_6 = t_2 * c1 + t_3 * s1;
             let t_7 = t_2 * s1 - t_3 * c1;
@@ -391,6 +393,7 @@ impl KukaKr6R700 {
                 attempt
                     .note_distance(
                         r1.outcome,
+                        free,
                         "elbow q3",
                         t_6 * t_6 + t_7 * t_7 + t_5,
                         t_14 + t_6 * t_6 + t_7 * t_7 + t_5 - 0.15699744692287015,
@@ -404,7 +407,7 @@ impl KukaKr6R700 {
             } else {
                 free
             };
-            for (i1, &[c3, s3]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+            for (i1, &[c3, s3]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s3, c3);
                 let t_16 = 0.25819672131147536 + c3 * 0.028688524590163935
                     - 0.2991803278688524 * s3;
@@ -418,7 +421,7 @@ impl KukaKr6R700 {
                     1e-11,
                 );
                 if r2.roots.is_empty() {
-                    attempt.note(r2.outcome, "q2", 1.2200000000000002, "m");
+                    attempt.note(r2.outcome, free, "q2", 1.2200000000000002, "m");
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;
@@ -426,7 +429,7 @@ impl KukaKr6R700 {
                 } else {
                     free
                 };
-                for (i2, &[c2, s2]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                for (i2, &[c2, s2]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s2, c2);
                     let t_17 = t_8 * c2 - t[2][0] * s2;
                     let t_18 = t_8 * s2 + t[2][0] * c2;
@@ -441,7 +444,7 @@ impl KukaKr6R700 {
                     let t_27 = c3 * t_22 + s3 * t_21;
                     let r3 = ::dh_robot::ik::solve_sincos(-t_13, t_27, 0.0, 1e-11);
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "wrist q4", 1.0, "");
+                        attempt.note(r3.outcome, free, "wrist q4", 1.0, "");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
@@ -449,7 +452,11 @@ impl KukaKr6R700 {
                     } else {
                         free
                     };
-                    for (i3, &[c4, s4]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    for (i3, &[c4, s4]) in r3
+                        .or_if_free(pick.angle(3))
+                        .iter()
+                        .enumerate()
+                    {
                         let a3 = ::dh_robot::math::atan2(s4, c4);
                         let t_28 = t_23 * c4 + t_9 * s4;
                         let t_29 = t_25 * c4 + t_11 * s4;
@@ -463,7 +470,7 @@ impl KukaKr6R700 {
                             1e-11,
                         );
                         if r4.roots.is_empty() {
-                            attempt.note(r4.outcome, "q5", 1.0, "");
+                            attempt.note(r4.outcome, free, "q5", 1.0, "");
                         }
                         let free = if r4.is_free() {
                             attempt.degenerate = true;
@@ -472,7 +479,7 @@ impl KukaKr6R700 {
                             free
                         };
                         for (i4, &[c5, s5]) in r4
-                            .or_if_free([1.0, 0.0])
+                            .or_if_free(pick.angle(4))
                             .iter()
                             .enumerate()
                         {
@@ -487,7 +494,7 @@ impl KukaKr6R700 {
                                 1e-11,
                             );
                             if r5.roots.is_empty() {
-                                attempt.note(r5.outcome, "q6", 1.0, "");
+                                attempt.note(r5.outcome, free, "q6", 1.0, "");
                             }
                             let free = if r5.is_free() {
                                 attempt.degenerate = true;
@@ -496,7 +503,7 @@ impl KukaKr6R700 {
                                 free
                             };
                             for (i5, &[c6, s6]) in r5
-                                .or_if_free([1.0, 0.0])
+                                .or_if_free(pick.angle(5))
                                 .iter()
                                 .enumerate()
                             {

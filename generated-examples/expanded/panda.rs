@@ -439,6 +439,7 @@ impl Panda {
             joints: &Self::JOINTS,
             reach: 1.393,
             few: false,
+            given: Some((6, given.into())),
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 1.393),
@@ -448,7 +449,7 @@ impl Panda {
             setting,
             &task,
             &frame,
-            |frame, found| self.candidates(frame, given.into(), found),
+            |frame, pick, found| self.candidates(frame, given.into(), pick, found),
         )
     }
     /// Runs the plan: calls `found` with every candidate.
@@ -456,6 +457,7 @@ impl Panda {
         &self,
         t: &::dh_robot::ik::Pose,
         given: f64,
+        pick: ::dh_robot::inverse::Pick,
         found: &mut dyn FnMut([f64; 7], ::dh_robot::Branch, ::dh_robot::FreeJoints),
     ) -> ::dh_robot::inverse::Attempt {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
@@ -490,6 +492,7 @@ impl Panda {
             attempt
                 .note_distance(
                     r0.outcome,
+                    free,
                     "wrist q4",
                     t_12 * t_12 + t_13 * t_13 + t_14 * t_14,
                     t_16,
@@ -503,14 +506,14 @@ impl Panda {
         } else {
             free
         };
-        for (i0, &[c4, s4]) in r0.or_if_free([1.0, 0.0]).iter().enumerate() {
+        for (i0, &[c4, s4]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
             let a1 = ::dh_robot::math::atan2(s4, c4);
             let t_20 = 0.059224694903086864 * (1.0 - c4) - 0.22684852835606603 * s4;
             let t_21 = 0.2756640344580043 + c4 * 0.22684852835606603
                 - 0.059224694903086864 * s4;
             let r1 = ::dh_robot::ik::solve_sincos(0.0, t_20, -t_17, 1e-11);
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, "q5", 1.393, "m");
+                attempt.note(r1.outcome, free, "q5", 1.393, "m");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -518,7 +521,7 @@ impl Panda {
             } else {
                 free
             };
-            for (i1, &[c5, s5]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+            for (i1, &[c5, s5]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
                 let a2 = ::dh_robot::math::atan2(s5, c5);
                 let t_22 = t_9 * s5;
                 let t_23 = t_10 * s5;
@@ -533,7 +536,7 @@ impl Panda {
                     1e-11,
                 );
                 if r2.roots.is_empty() {
-                    attempt.note(r2.outcome, "q6", 1.393, "m");
+                    attempt.note(r2.outcome, free, "q6", 1.393, "m");
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;
@@ -541,7 +544,7 @@ impl Panda {
                 } else {
                     free
                 };
-                for (i2, &[c6, s6]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                for (i2, &[c6, s6]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
                     let a3 = ::dh_robot::math::atan2(s6, c6);
                     let t_25 = s4 * (c5 * (t_6 * c6 + t[0][2] * s6) + t_22)
                         + c4 * (t_6 * s6 - t[0][2] * c6);
@@ -551,7 +554,7 @@ impl Panda {
                         + c4 * (t_8 * s6 - t[2][2] * c6);
                     let r3 = ::dh_robot::ik::solve_sincos(-t_26, t_25, 0.0, 1e-11);
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "shoulder q1", 1.0, "");
+                        attempt.note(r3.outcome, free, "shoulder q1", 1.0, "");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
@@ -559,7 +562,11 @@ impl Panda {
                     } else {
                         free
                     };
-                    for (i3, &[c1, s1]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    for (i3, &[c1, s1]) in r3
+                        .or_if_free(pick.angle(3))
+                        .iter()
+                        .enumerate()
+                    {
                         let a4 = ::dh_robot::math::atan2(s1, c1);
                         let t_28 = t[0][0] * c1 + t[1][0] * s1;
                         let t_29 = t[0][1] * c1 + t[1][1] * s1;
@@ -577,7 +584,7 @@ impl Panda {
                             1e-11,
                         );
                         if r4.roots.is_empty() {
-                            attempt.note(r4.outcome, "q2", 1.0, "");
+                            attempt.note(r4.outcome, free, "q2", 1.0, "");
                         }
                         let free = if r4.is_free() {
                             attempt.degenerate = true;
@@ -586,7 +593,7 @@ impl Panda {
                             free
                         };
                         for (i4, &[c2, s2]) in r4
-                            .or_if_free([1.0, 0.0])
+                            .or_if_free(pick.angle(4))
                             .iter()
                             .enumerate()
                         {
@@ -609,7 +616,7 @@ impl Panda {
                                 1e-11,
                             );
                             if r5.roots.is_empty() {
-                                attempt.note(r5.outcome, "q3", 1.0, "");
+                                attempt.note(r5.outcome, free, "q3", 1.0, "");
                             }
                             let free = if r5.is_free() {
                                 attempt.degenerate = true;
@@ -618,7 +625,7 @@ impl Panda {
                                 free
                             };
                             for (i5, &[c3, s3]) in r5
-                                .or_if_free([1.0, 0.0])
+                                .or_if_free(pick.angle(5))
                                 .iter()
                                 .enumerate()
                             {

@@ -627,6 +627,7 @@ impl Pieper {
             joints: &Self::JOINTS,
             reach: 6.19664904810903,
             few: false,
+            given: None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 6.19664904810903),
@@ -636,13 +637,14 @@ impl Pieper {
             setting,
             &task,
             &frame,
-            |frame, found| self.candidates(frame, found),
+            |frame, pick, found| self.candidates(frame, pick, found),
         )
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::ik::Pose,
+        pick: ::dh_robot::inverse::Pick,
         found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
     ) -> ::dh_robot::inverse::Attempt {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
@@ -712,7 +714,7 @@ impl Pieper {
             1e-11,
         );
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "q1, q3", 6.19664904810903, "m");
+            attempt.note(r0.outcome, free, "q1, q3", 6.19664904810903, "m");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -721,7 +723,7 @@ impl Pieper {
             free
         };
         for (i0, &[[c1, s1], [c3, s3]]) in r0
-            .or_if_free([[1.0, 0.0]; 2])
+            .or_if_free([pick.angle(0), pick.angle(1)])
             .iter()
             .enumerate()
         {
@@ -759,7 +761,7 @@ impl Pieper {
                 1e-11,
             );
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, "q2", 6.19664904810903, "m");
+                attempt.note(r1.outcome, free, "q2", 6.19664904810903, "m");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -767,7 +769,7 @@ impl Pieper {
             } else {
                 free
             };
-            for (i1, &[c2, s2]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+            for (i1, &[c2, s2]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
                 let a2 = ::dh_robot::math::atan2(s2, c2);
                 let t_46 = t_25 * c2 - t_33 * s2;
                 let t_47 = t_25 * s2 + t_33 * c2;
@@ -799,7 +801,7 @@ impl Pieper {
                     1e-11,
                 );
                 if r2.roots.is_empty() {
-                    attempt.note(r2.outcome, "wrist q5", 1.0, "");
+                    attempt.note(r2.outcome, free, "wrist q5", 1.0, "");
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;
@@ -807,7 +809,7 @@ impl Pieper {
                 } else {
                     free
                 };
-                for (i2, &[c5, s5]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                for (i2, &[c5, s5]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
                     let a3 = ::dh_robot::math::atan2(s5, c5);
                     let r3 = ::dh_robot::ik::solve_pair(
                         -t_62,
@@ -819,7 +821,7 @@ impl Pieper {
                         1e-11,
                     );
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "q4", 1.0, "");
+                        attempt.note(r3.outcome, free, "q4", 1.0, "");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
@@ -827,7 +829,11 @@ impl Pieper {
                     } else {
                         free
                     };
-                    for (i3, &[c4, s4]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    for (i3, &[c4, s4]) in r3
+                        .or_if_free(pick.angle(3))
+                        .iter()
+                        .enumerate()
+                    {
                         let a4 = ::dh_robot::math::atan2(s4, c4);
                         let t_69 = c5 * (t_58 * c4 - t_65 * s4)
                             - s5 * (c_alpha4 * (t_58 * s4 + t_65 * c4) - t_67);
@@ -843,7 +849,7 @@ impl Pieper {
                             1e-11,
                         );
                         if r4.roots.is_empty() {
-                            attempt.note(r4.outcome, "q6", 1.0, "");
+                            attempt.note(r4.outcome, free, "q6", 1.0, "");
                         }
                         let free = if r4.is_free() {
                             attempt.degenerate = true;
@@ -852,7 +858,7 @@ impl Pieper {
                             free
                         };
                         for (i4, &[c6, s6]) in r4
-                            .or_if_free([1.0, 0.0])
+                            .or_if_free(pick.angle(4))
                             .iter()
                             .enumerate()
                         {

@@ -71,7 +71,7 @@ impl Planar2r {
             ),
             ::dh_robot::pose::from_entries(
                 [[c12, -s12, 0.0], [s12, c12, 0.0], [0.0, 0.0, 1.0]],
-                [self.l1 * c1, self.l1 * s1, 0.0],
+                [c1 * self.l1, s1 * self.l1, 0.0],
             ),
         ]
     }
@@ -177,6 +177,7 @@ impl Planar2r {
             joints: &Self::JOINTS,
             reach: 1.6208883679528896,
             few: false,
+            given: None,
         };
         let task = ::dh_robot::ik::Task::Position(p);
         ::dh_robot::inverse::solve(
@@ -184,13 +185,14 @@ impl Planar2r {
             setting,
             &task,
             &frame,
-            |frame, found| self.candidates(frame, found),
+            |frame, pick, found| self.candidates(frame, pick, found),
         )
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::ik::Pose,
+        pick: ::dh_robot::inverse::Pick,
         found: &mut dyn FnMut([f64; 2], ::dh_robot::Branch, ::dh_robot::FreeJoints),
     ) -> ::dh_robot::inverse::Attempt {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
@@ -200,7 +202,7 @@ impl Planar2r {
         let t_4 = self.l2 * 0.6169456328833773;
         let r0 = ::dh_robot::ik::solve_sincos(-t[2][1], -t[2][0], 0.0, 1e-11);
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "virtual_roll", 1.0, "");
+            attempt.note(r0.outcome, free, "virtual_roll", 1.0, "");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -209,7 +211,7 @@ impl Planar2r {
             free
         };
         for (i0, &[cvirtual_roll, svirtual_roll]) in r0
-            .or_if_free([1.0, 0.0])
+            .or_if_free(pick.angle(0))
             .iter()
             .enumerate()
         {
@@ -224,7 +226,7 @@ impl Planar2r {
                 1e-11,
             );
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, "virtual_pitch", 1.0, "");
+                attempt.note(r1.outcome, free, "virtual_pitch", 1.0, "");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -233,7 +235,7 @@ impl Planar2r {
                 free
             };
             for (i1, &[cvirtual_pitch, svirtual_pitch]) in r1
-                .or_if_free([1.0, 0.0])
+                .or_if_free(pick.angle(1))
                 .iter()
                 .enumerate()
             {
@@ -248,6 +250,7 @@ impl Planar2r {
                     attempt
                         .note_distance(
                             r2.outcome,
+                            free,
                             "elbow q2",
                             t_2,
                             t_2 - (t_3 * t_3 + t_4 * t_4),
@@ -261,7 +264,7 @@ impl Planar2r {
                 } else {
                     free
                 };
-                for (i2, &[c2, s2]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                for (i2, &[c2, s2]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s2, c2);
                     let r3 = ::dh_robot::ik::solve_pair(
                         -t[0][3],
@@ -273,7 +276,7 @@ impl Planar2r {
                         1e-11,
                     );
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "q1", 1.6208883679528896, "m");
+                        attempt.note(r3.outcome, free, "q1", 1.6208883679528896, "m");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
@@ -281,7 +284,11 @@ impl Planar2r {
                     } else {
                         free
                     };
-                    for (i3, &[c1, s1]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    for (i3, &[c1, s1]) in r3
+                        .or_if_free(pick.angle(3))
+                        .iter()
+                        .enumerate()
+                    {
                         let a3 = ::dh_robot::math::atan2(s1, c1);
                         let branch = ::dh_robot::Branch::ANY
                             .with_step(0, i0)

@@ -212,6 +212,7 @@ impl Planar3r {
             joints: &Self::JOINTS,
             reach: 8.108033400635161,
             few: false,
+            given: None,
         };
         let task = ::dh_robot::ik::Task::Planar(x, y, phi);
         ::dh_robot::inverse::solve(
@@ -219,13 +220,14 @@ impl Planar3r {
             setting,
             &task,
             &frame,
-            |frame, found| self.candidates(frame, found),
+            |frame, pick, found| self.candidates(frame, pick, found),
         )
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::ik::Pose,
+        pick: ::dh_robot::inverse::Pick,
         found: &mut dyn FnMut([f64; 3], ::dh_robot::Branch, ::dh_robot::FreeJoints),
     ) -> ::dh_robot::inverse::Attempt {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
@@ -240,7 +242,7 @@ impl Planar3r {
         let t_9 = t_7 * t_7 + t_8 * t_8;
         let r0 = ::dh_robot::ik::solve_quadratic(0.0, 1.0, -t_5, 1e-11);
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "virtual_z", 8.108033400635161, "m");
+            attempt.note(r0.outcome, free, "virtual_z", 8.108033400635161, "m");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -248,7 +250,7 @@ impl Planar3r {
         } else {
             free
         };
-        for (i0, &virtual_z) in r0.or_if_free(0.0).iter().enumerate() {
+        for (i0, &virtual_z) in r0.or_if_free(pick.length(0)).iter().enumerate() {
             let a0 = virtual_z * 8.108033400635161;
             let t_10 = t_5 - virtual_z;
             let r1 = ::dh_robot::ik::solve_pair(
@@ -261,7 +263,7 @@ impl Planar3r {
                 1e-11,
             );
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, "q1 + q2 + q3", 1.0, "");
+                attempt.note(r1.outcome, free, "q1 + q2 + q3", 1.0, "");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -269,7 +271,7 @@ impl Planar3r {
             } else {
                 free
             };
-            for (i1, &[c123, s123]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+            for (i1, &[c123, s123]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s123, c123);
                 let r2 = ::dh_robot::ik::solve_sincos(
                     2.0 * t_7 * t_8,
@@ -281,6 +283,7 @@ impl Planar3r {
                     attempt
                         .note_distance(
                             r2.outcome,
+                            free,
                             "elbow q2",
                             t_6 + t_10 * t_10,
                             t_6 + t_10 * t_10 - t_9,
@@ -294,7 +297,7 @@ impl Planar3r {
                 } else {
                     free
                 };
-                for (i2, &[c2, s2]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                for (i2, &[c2, s2]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s2, c2);
                     let t_11 = t_7 + t_8 * c2;
                     let t_12 = t_8 * s2;
@@ -308,7 +311,7 @@ impl Planar3r {
                         1e-11,
                     );
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "q1", 8.108033400635161, "m");
+                        attempt.note(r3.outcome, free, "q1", 8.108033400635161, "m");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
@@ -316,7 +319,11 @@ impl Planar3r {
                     } else {
                         free
                     };
-                    for (i3, &[c1, s1]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    for (i3, &[c1, s1]) in r3
+                        .or_if_free(pick.angle(3))
+                        .iter()
+                        .enumerate()
+                    {
                         let a3 = ::dh_robot::math::atan2(s1, c1);
                         let branch = ::dh_robot::Branch::ANY
                             .with_step(0, i2)

@@ -69,8 +69,8 @@ impl Planar3rCraig {
         let ([s1, s12, s123], [c1, c12, c123]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t_2 = self.l1 * c1;
-        let t_3 = self.l1 * s1;
+        let t_2 = c1 * self.l1;
+        let t_3 = s1 * self.l1;
         [
             ::dh_robot::pose::from_entries(
                 [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
@@ -82,7 +82,7 @@ impl Planar3rCraig {
             ),
             ::dh_robot::pose::from_entries(
                 [[c123, -s123, 0.0], [s123, c123, 0.0], [0.0, 0.0, 1.0]],
-                [t_2 + self.l2 * c12, t_3 + self.l2 * s12, 0.0],
+                [t_2 + c12 * self.l2, t_3 + s12 * self.l2, 0.0],
             ),
         ]
     }
@@ -194,6 +194,7 @@ impl Planar3rCraig {
             joints: &Self::JOINTS,
             reach: 7.088461226509633,
             few: false,
+            given: None,
         };
         let task = ::dh_robot::ik::Task::Planar(x, y, phi);
         ::dh_robot::inverse::solve(
@@ -201,13 +202,14 @@ impl Planar3rCraig {
             setting,
             &task,
             &frame,
-            |frame, found| self.candidates(frame, found),
+            |frame, pick, found| self.candidates(frame, pick, found),
         )
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::ik::Pose,
+        pick: ::dh_robot::inverse::Pick,
         found: &mut dyn FnMut([f64; 3], ::dh_robot::Branch, ::dh_robot::FreeJoints),
     ) -> ::dh_robot::inverse::Attempt {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
@@ -218,7 +220,7 @@ impl Planar3rCraig {
         let t_5 = t_3 * t_3 + t_4 * t_4;
         let r0 = ::dh_robot::ik::solve_quadratic(0.0, 1.0, -t[2][3], 1e-11);
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "virtual_z", 7.088461226509633, "m");
+            attempt.note(r0.outcome, free, "virtual_z", 7.088461226509633, "m");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -226,7 +228,7 @@ impl Planar3rCraig {
         } else {
             free
         };
-        for (i0, &virtual_z) in r0.or_if_free(0.0).iter().enumerate() {
+        for (i0, &virtual_z) in r0.or_if_free(pick.length(0)).iter().enumerate() {
             let a0 = virtual_z * 7.088461226509633;
             let t_6 = t[2][3] - virtual_z;
             let r1 = ::dh_robot::ik::solve_pair(
@@ -239,7 +241,7 @@ impl Planar3rCraig {
                 1e-11,
             );
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, "q1 + q2 + q3", 1.0, "");
+                attempt.note(r1.outcome, free, "q1 + q2 + q3", 1.0, "");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -247,7 +249,7 @@ impl Planar3rCraig {
             } else {
                 free
             };
-            for (i1, &[c123, s123]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+            for (i1, &[c123, s123]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s123, c123);
                 let r2 = ::dh_robot::ik::solve_sincos(
                     2.0 * t_3 * t_4,
@@ -259,6 +261,7 @@ impl Planar3rCraig {
                     attempt
                         .note_distance(
                             r2.outcome,
+                            free,
                             "elbow q2",
                             t_2 + t_6 * t_6,
                             t_2 + t_6 * t_6 - t_5,
@@ -272,7 +275,7 @@ impl Planar3rCraig {
                 } else {
                     free
                 };
-                for (i2, &[c2, s2]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                for (i2, &[c2, s2]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s2, c2);
                     let t_7 = t_3 + t_4 * c2;
                     let t_8 = t_4 * s2;
@@ -286,7 +289,7 @@ impl Planar3rCraig {
                         1e-11,
                     );
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "q1", 7.088461226509633, "m");
+                        attempt.note(r3.outcome, free, "q1", 7.088461226509633, "m");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
@@ -294,7 +297,11 @@ impl Planar3rCraig {
                     } else {
                         free
                     };
-                    for (i3, &[c1, s1]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    for (i3, &[c1, s1]) in r3
+                        .or_if_free(pick.angle(3))
+                        .iter()
+                        .enumerate()
+                    {
                         let a3 = ::dh_robot::math::atan2(s1, c1);
                         let branch = ::dh_robot::Branch::ANY
                             .with_step(0, i2)

@@ -121,8 +121,8 @@ impl Puma560 {
         let ([s1, s2, s23, s4, s5, s6], [c1, c2, c23, c4, c5, c6]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t_2 = self.a2 * c2;
-        let t_3 = self.a2 * s2;
+        let t_2 = c2 * self.a2;
+        let t_3 = s2 * self.a2;
         let t_4 = c1 * t_2 - s1 * self.d3;
         let t_5 = s1 * t_2 + c1 * self.d3;
         let c1c23 = c1 * c23;
@@ -326,6 +326,7 @@ impl Puma560 {
             joints: &Self::JOINTS,
             reach: 1.0518492311766083,
             few: false,
+            given: None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 1.0518492311766083),
@@ -335,13 +336,14 @@ impl Puma560 {
             setting,
             &task,
             &frame,
-            |frame, found| self.candidates(frame, found),
+            |frame, pick, found| self.candidates(frame, pick, found),
         )
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::ik::Pose,
+        pick: ::dh_robot::inverse::Pick,
         found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
     ) -> ::dh_robot::inverse::Attempt {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
@@ -354,7 +356,7 @@ impl Puma560 {
         let t_7 = self.d4 * 0.9507065940252585;
         let r0 = ::dh_robot::ik::solve_sincos(-t[1][3], t[0][3], -t_3, 1e-11);
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "shoulder q1", 1.0518492311766083, "m");
+            attempt.note(r0.outcome, free, "shoulder q1", 1.0518492311766083, "m");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -362,7 +364,7 @@ impl Puma560 {
         } else {
             free
         };
-        for (i0, &[c1, s1]) in r0.or_if_free([1.0, 0.0]).iter().enumerate() {
+        for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
             let a0 = ::dh_robot::math::atan2(s1, c1);
             let t_8 = t[0][3] * c1 + t[1][3] * s1;
             let t_9 = t[0][0] * c1 + t[1][0] * s1;
@@ -381,6 +383,7 @@ impl Puma560 {
                 attempt
                     .note_distance(
                         r1.outcome,
+                        free,
                         "elbow q3",
                         t_2,
                         t_2 - (t_4 * t_4 + t_6 * t_6 + t_3 * t_3 + t_7 * t_7),
@@ -394,7 +397,7 @@ impl Puma560 {
             } else {
                 free
             };
-            for (i1, &[c3, s3]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+            for (i1, &[c3, s3]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s3, c3);
                 let r2 = ::dh_robot::ik::solve_pair(
                     -t_8,
@@ -406,7 +409,7 @@ impl Puma560 {
                     1e-11,
                 );
                 if r2.roots.is_empty() {
-                    attempt.note(r2.outcome, "q2", 1.0518492311766083, "m");
+                    attempt.note(r2.outcome, free, "q2", 1.0518492311766083, "m");
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;
@@ -414,7 +417,7 @@ impl Puma560 {
                 } else {
                     free
                 };
-                for (i2, &[c2, s2]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                for (i2, &[c2, s2]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s2, c2);
                     let t_15 = c3 * c2 - s3 * s2;
                     let t_16 = c3 * s2 + s3 * c2;
@@ -425,7 +428,7 @@ impl Puma560 {
                     let t_21 = t_13 * t_15 - t[2][2] * t_16;
                     let r3 = ::dh_robot::ik::solve_sincos(-t_14, t_21, 0.0, 1e-11);
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "wrist q4", 1.0, "");
+                        attempt.note(r3.outcome, free, "wrist q4", 1.0, "");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
@@ -433,7 +436,11 @@ impl Puma560 {
                     } else {
                         free
                     };
-                    for (i3, &[c4, s4]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    for (i3, &[c4, s4]) in r3
+                        .or_if_free(pick.angle(3))
+                        .iter()
+                        .enumerate()
+                    {
                         let a3 = ::dh_robot::math::atan2(s4, c4);
                         let t_22 = t_17 * c4 + t_10 * s4;
                         let t_23 = t_19 * c4 + t_12 * s4;
@@ -447,7 +454,7 @@ impl Puma560 {
                             1e-11,
                         );
                         if r4.roots.is_empty() {
-                            attempt.note(r4.outcome, "q5", 1.0, "");
+                            attempt.note(r4.outcome, free, "q5", 1.0, "");
                         }
                         let free = if r4.is_free() {
                             attempt.degenerate = true;
@@ -456,7 +463,7 @@ impl Puma560 {
                             free
                         };
                         for (i4, &[c5, s5]) in r4
-                            .or_if_free([1.0, 0.0])
+                            .or_if_free(pick.angle(4))
                             .iter()
                             .enumerate()
                         {
@@ -471,7 +478,7 @@ impl Puma560 {
                                 1e-11,
                             );
                             if r5.roots.is_empty() {
-                                attempt.note(r5.outcome, "q6", 1.0, "");
+                                attempt.note(r5.outcome, free, "q6", 1.0, "");
                             }
                             let free = if r5.is_free() {
                                 attempt.degenerate = true;
@@ -480,7 +487,7 @@ impl Puma560 {
                                 free
                             };
                             for (i5, &[c6, s6]) in r5
-                                .or_if_free([1.0, 0.0])
+                                .or_if_free(pick.angle(5))
                                 .iter()
                                 .enumerate()
                             {

@@ -160,6 +160,7 @@ impl Rp {
             joints: &Self::JOINTS,
             reach: 1.0,
             few: true,
+            given: None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 1.0),
@@ -169,13 +170,14 @@ impl Rp {
             setting,
             &task,
             &frame,
-            |frame, found| self.candidates(frame, found),
+            |frame, pick, found| self.candidates(frame, pick, found),
         )
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::ik::Pose,
+        pick: ::dh_robot::inverse::Pick,
         found: &mut dyn FnMut([f64; 2], ::dh_robot::Branch, ::dh_robot::FreeJoints),
     ) -> ::dh_robot::inverse::Attempt {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
@@ -183,7 +185,7 @@ impl Rp {
         let t_2 = t[0][2] * t[0][3] + t[1][2] * t[1][3] + t[2][2] * t[2][3];
         let r0 = ::dh_robot::ik::solve_quadratic(0.0, -1.0, t_2, 1e-11);
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "q2", 1.0, "m");
+            attempt.note(r0.outcome, free, "q2", 1.0, "m");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -191,7 +193,7 @@ impl Rp {
         } else {
             free
         };
-        for (i0, &q2) in r0.or_if_free(0.0).iter().enumerate() {
+        for (i0, &q2) in r0.or_if_free(pick.length(0)).iter().enumerate() {
             let a0 = q2 * 1.0;
             let r1 = ::dh_robot::ik::solve_pair(
                 1.0,
@@ -203,7 +205,7 @@ impl Rp {
                 1e-11,
             );
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, "q1", 1.0, "");
+                attempt.note(r1.outcome, free, "q1", 1.0, "");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -211,7 +213,7 @@ impl Rp {
             } else {
                 free
             };
-            for (i1, &[c1, s1]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+            for (i1, &[c1, s1]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s1, c1);
                 let branch = ::dh_robot::Branch::ANY;
                 found([a1, a0], branch, free);

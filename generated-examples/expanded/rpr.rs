@@ -177,6 +177,7 @@ impl Rpr {
             joints: &Self::JOINTS,
             reach: 0.40452000000000005,
             few: true,
+            given: None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 0.40452000000000005),
@@ -186,13 +187,14 @@ impl Rpr {
             setting,
             &task,
             &frame,
-            |frame, found| self.candidates(frame, found),
+            |frame, pick, found| self.candidates(frame, pick, found),
         )
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::ik::Pose,
+        pick: ::dh_robot::inverse::Pick,
         found: &mut dyn FnMut([f64; 3], ::dh_robot::Branch, ::dh_robot::FreeJoints),
     ) -> ::dh_robot::inverse::Attempt {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
@@ -207,7 +209,7 @@ impl Rpr {
             1e-11,
         );
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "q2", 0.40452000000000005, "m");
+            attempt.note(r0.outcome, free, "q2", 0.40452000000000005, "m");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -215,7 +217,7 @@ impl Rpr {
         } else {
             free
         };
-        for (i0, &q2) in r0.or_if_free(0.0).iter().enumerate() {
+        for (i0, &q2) in r0.or_if_free(pick.length(0)).iter().enumerate() {
             let a0 = q2 * 0.40452000000000005;
             let r1 = ::dh_robot::ik::solve_pair(
                 0.0,
@@ -227,7 +229,7 @@ impl Rpr {
                 1e-11,
             );
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, "q1", 1.0, "");
+                attempt.note(r1.outcome, free, "q1", 1.0, "");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -235,7 +237,7 @@ impl Rpr {
             } else {
                 free
             };
-            for (i1, &[c1, s1]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+            for (i1, &[c1, s1]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s1, c1);
                 let r2 = ::dh_robot::ik::solve_pair(
                     1.0,
@@ -247,7 +249,7 @@ impl Rpr {
                     1e-11,
                 );
                 if r2.roots.is_empty() {
-                    attempt.note(r2.outcome, "q3", 1.0, "");
+                    attempt.note(r2.outcome, free, "q3", 1.0, "");
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;
@@ -255,7 +257,7 @@ impl Rpr {
                 } else {
                     free
                 };
-                for (i2, &[c3, s3]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                for (i2, &[c3, s3]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s3, c3);
                     let branch = ::dh_robot::Branch::ANY;
                     found([a1, a0, a2], branch, free);

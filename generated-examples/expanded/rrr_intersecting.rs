@@ -220,6 +220,7 @@ impl RrrIntersecting {
             joints: &Self::JOINTS,
             reach: 1.0675141762776192,
             few: false,
+            given: None,
         };
         let task = ::dh_robot::ik::Task::Position(p);
         ::dh_robot::inverse::solve(
@@ -227,13 +228,14 @@ impl RrrIntersecting {
             setting,
             &task,
             &frame,
-            |frame, found| self.candidates(frame, found),
+            |frame, pick, found| self.candidates(frame, pick, found),
         )
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::ik::Pose,
+        pick: ::dh_robot::inverse::Pick,
         found: &mut dyn FnMut([f64; 3], ::dh_robot::Branch, ::dh_robot::FreeJoints),
     ) -> ::dh_robot::inverse::Attempt {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
@@ -244,7 +246,7 @@ impl RrrIntersecting {
         let t_5 = self.l3 * 0.9367557098744688;
         let r0 = ::dh_robot::ik::solve_sincos(-t[1][3], t[0][3], -t_3, 1e-11);
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "shoulder q1", 1.0675141762776192, "m");
+            attempt.note(r0.outcome, free, "shoulder q1", 1.0675141762776192, "m");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -252,14 +254,14 @@ impl RrrIntersecting {
         } else {
             free
         };
-        for (i0, &[c1, s1]) in r0.or_if_free([1.0, 0.0]).iter().enumerate() {
+        for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
             let a0 = ::dh_robot::math::atan2(s1, c1);
             let t_6 = t[0][3] * c1 + t[1][3] * s1;
             let t_7 = t[0][0] * s1 - t[1][0] * c1;
             let t_8 = t[0][1] * s1 - t[1][1] * c1;
             let r1 = ::dh_robot::ik::solve_sincos(t_8, t_7, 0.0, 1e-11);
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, "virtual_roll", 1.0, "");
+                attempt.note(r1.outcome, free, "virtual_roll", 1.0, "");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -268,7 +270,7 @@ impl RrrIntersecting {
                 free
             };
             for (i1, &[cvirtual_roll, svirtual_roll]) in r1
-                .or_if_free([1.0, 0.0])
+                .or_if_free(pick.angle(1))
                 .iter()
                 .enumerate()
             {
@@ -283,7 +285,7 @@ impl RrrIntersecting {
                     1e-11,
                 );
                 if r2.roots.is_empty() {
-                    attempt.note(r2.outcome, "virtual_pitch", 1.0, "");
+                    attempt.note(r2.outcome, free, "virtual_pitch", 1.0, "");
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;
@@ -292,7 +294,7 @@ impl RrrIntersecting {
                     free
                 };
                 for (i2, &[cvirtual_pitch, svirtual_pitch]) in r2
-                    .or_if_free([1.0, 0.0])
+                    .or_if_free(pick.angle(2))
                     .iter()
                     .enumerate()
                 {
@@ -307,6 +309,7 @@ impl RrrIntersecting {
                         attempt
                             .note_distance(
                                 r3.outcome,
+                                free,
                                 "elbow q3",
                                 t_2,
                                 t_2 - (t_3 * t_3 + t_4 * t_4 + t_5 * t_5),
@@ -320,7 +323,11 @@ impl RrrIntersecting {
                     } else {
                         free
                     };
-                    for (i3, &[c3, s3]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    for (i3, &[c3, s3]) in r3
+                        .or_if_free(pick.angle(3))
+                        .iter()
+                        .enumerate()
+                    {
                         let a3 = ::dh_robot::math::atan2(s3, c3);
                         let r4 = ::dh_robot::ik::solve_pair(
                             -t_6,
@@ -332,7 +339,8 @@ impl RrrIntersecting {
                             1e-11,
                         );
                         if r4.roots.is_empty() {
-                            attempt.note(r4.outcome, "q2", 1.0675141762776192, "m");
+                            attempt
+                                .note(r4.outcome, free, "q2", 1.0675141762776192, "m");
                         }
                         let free = if r4.is_free() {
                             attempt.degenerate = true;
@@ -341,7 +349,7 @@ impl RrrIntersecting {
                             free
                         };
                         for (i4, &[c2, s2]) in r4
-                            .or_if_free([1.0, 0.0])
+                            .or_if_free(pick.angle(4))
                             .iter()
                             .enumerate()
                         {

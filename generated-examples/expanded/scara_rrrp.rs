@@ -68,7 +68,7 @@ impl ScaraRrrp {
             [
                 self.a2 * c12 + self.a1 * c1,
                 self.a2 * s12 + self.a1 * s1,
-                self.d1 + self.d2 + q[3],
+                self.d1 + q[3] + self.d2,
             ],
         )
     }
@@ -212,6 +212,7 @@ impl ScaraRrrp {
             joints: &Self::JOINTS,
             reach: 1.321360271039209,
             few: true,
+            given: None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 1.321360271039209),
@@ -221,13 +222,14 @@ impl ScaraRrrp {
             setting,
             &task,
             &frame,
-            |frame, found| self.candidates(frame, found),
+            |frame, pick, found| self.candidates(frame, pick, found),
         )
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::ik::Pose,
+        pick: ::dh_robot::inverse::Pick,
         found: &mut dyn FnMut([f64; 4], ::dh_robot::Branch, ::dh_robot::FreeJoints),
     ) -> ::dh_robot::inverse::Attempt {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
@@ -245,7 +247,7 @@ impl ScaraRrrp {
             1e-11,
         );
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "q4", 1.321360271039209, "m");
+            attempt.note(r0.outcome, free, "q4", 1.321360271039209, "m");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -253,7 +255,7 @@ impl ScaraRrrp {
         } else {
             free
         };
-        for (i0, &q4) in r0.or_if_free(0.0).iter().enumerate() {
+        for (i0, &q4) in r0.or_if_free(pick.length(0)).iter().enumerate() {
             let a0 = q4 * 1.321360271039209;
             let t_8 = t[0][3] - t[0][2] * q4;
             let t_9 = t[1][3] - t[1][2] * q4;
@@ -268,7 +270,7 @@ impl ScaraRrrp {
                 1e-11,
             );
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, "q1 + q2 + q3", 1.0, "");
+                attempt.note(r1.outcome, free, "q1 + q2 + q3", 1.0, "");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -276,7 +278,7 @@ impl ScaraRrrp {
             } else {
                 free
             };
-            for (i1, &[c123, s123]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+            for (i1, &[c123, s123]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s123, c123);
                 let r2 = ::dh_robot::ik::solve_sincos(
                     2.0 * t_4 * t_5,
@@ -288,6 +290,7 @@ impl ScaraRrrp {
                     attempt
                         .note_distance(
                             r2.outcome,
+                            free,
                             "elbow q2",
                             t_8 * t_8 + t_9 * t_9 + t_10 * t_10,
                             -(t_6 - (t_8 * t_8 + t_9 * t_9 + t_10 * t_10 - t_7)),
@@ -301,7 +304,7 @@ impl ScaraRrrp {
                 } else {
                     free
                 };
-                for (i2, &[c2, s2]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                for (i2, &[c2, s2]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s2, c2);
                     let t_11 = t_4 + t_5 * c2;
                     let t_12 = t_5 * s2;
@@ -315,7 +318,7 @@ impl ScaraRrrp {
                         1e-11,
                     );
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "q1", 1.321360271039209, "m");
+                        attempt.note(r3.outcome, free, "q1", 1.321360271039209, "m");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
@@ -323,7 +326,11 @@ impl ScaraRrrp {
                     } else {
                         free
                     };
-                    for (i3, &[c1, s1]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    for (i3, &[c1, s1]) in r3
+                        .or_if_free(pick.angle(3))
+                        .iter()
+                        .enumerate()
+                    {
                         let a3 = ::dh_robot::math::atan2(s1, c1);
                         let branch = ::dh_robot::Branch::ANY
                             .with_step(0, i2)
@@ -349,15 +356,14 @@ impl ScaraRrrp {
     ) -> Option<::dh_robot::Solutions<f64, 4, 2>> {
         let t_2 = self.d1 * 0.7567958730994166;
         let t_3 = self.d2 * 0.7567958730994166;
-        let t_4 = t_2 + t_3;
-        let t_5 = self.a1 * 0.7567958730994166;
-        let t_6 = self.a2 * 0.7567958730994166;
-        let t_7 = t_3 * (t_3 + t_2 * 2.0);
-        let t_8 = t_5 * t_5 + t_6 * t_6 + t_2 * t_2;
+        let t_4 = self.a1 * 0.7567958730994166;
+        let t_5 = self.a2 * 0.7567958730994166;
+        let t_6 = t_3 * (t_3 + t_2 * 2.0);
+        let t_7 = t_4 * t_4 + t_5 * t_5 + t_2 * t_2;
         let mut m0 = [0.0; 1];
         let mut f0 = [[0.0; 1]; 2];
         for l in 0..1 {
-            let (x, m) = ::dh_robot::lanes::linear(1.0, -(t[2][3] - t_4));
+            let (x, m) = ::dh_robot::lanes::linear(1.0, -(t[2][3] - (t_2 + t_3)));
             f0[0][l] = x;
             f0[1][l] = x;
             m0[l] = m;
@@ -367,16 +373,16 @@ impl ScaraRrrp {
         let mut v42_ = [0.0; 1];
         let mut v43_ = [0.0; 1];
         let mut v79_ = [0.0; 1];
-        let mut v101_ = [0.0; 1];
+        let mut v102_ = [0.0; 1];
         for l in 0..1 {
             let q4 = q4_[l];
-            let t_9 = t[0][3] - t[0][2] * q4;
-            let t_10 = t[1][3] - t[1][2] * q4;
-            let t_11 = t[2][3] - t[2][2] * q4;
-            v42_[l] = t_9;
-            v43_[l] = t_10;
-            v79_[l] = t_7 - (t_9 * t_9 + t_10 * t_10 + t_11 * t_11 - t_8);
-            v101_[l] = t_4 + q4;
+            let t_8 = t[0][3] - t[0][2] * q4;
+            let t_9 = t[1][3] - t[1][2] * q4;
+            let t_10 = t[2][3] - t[2][2] * q4;
+            v42_[l] = t_8;
+            v43_[l] = t_9;
+            v79_[l] = t_6 - (t_8 * t_8 + t_9 * t_9 + t_10 * t_10 - t_7);
+            v102_[l] = t_2 + t_3 + q4;
         }
         let mut m1 = [0.0; 1];
         let mut f1 = [[0.0; 1]; 2];
@@ -402,7 +408,7 @@ impl ScaraRrrp {
         for l in 0..1 {
             let v79 = v79_[l];
             let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
-                2.0 * t_5 * t_6,
+                2.0 * t_4 * t_5,
                 0.0,
                 -v79,
             );
@@ -421,10 +427,10 @@ impl ScaraRrrp {
         for l in 0..2 {
             let c2 = c2_[l];
             let s2 = s2_[l];
-            let t_12 = t_5 + t_6 * c2;
-            let t_13 = t_6 * s2;
-            v82_[l] = t_12;
-            v84_[l] = t_13;
+            let t_11 = t_4 + t_5 * c2;
+            let t_12 = t_5 * s2;
+            v82_[l] = t_11;
+            v84_[l] = t_12;
         }
         let mut m3 = [0.0; 2];
         let mut f3 = [[0.0; 2]; 2];
@@ -441,28 +447,28 @@ impl ScaraRrrp {
         let c1_ = f3[0];
         let s1_ = f3[1];
         let g3: [f64; 2] = ::dh_robot::atan2_batch(&f3[1], &f3[0]);
-        let mut v99_ = [0.0; 2];
         let mut v100_ = [0.0; 2];
+        let mut v101_ = [0.0; 2];
         for l in 0..2 {
             let c2 = c2_[l];
             let s2 = s2_[l];
             let c1 = c1_[l];
             let s1 = s1_[l];
-            v99_[l] = t_6 * (c2 * c1 - s2 * s1) + t_5 * c1;
-            v100_[l] = t_6 * (c2 * s1 + s2 * c1) + t_5 * s1;
+            v100_[l] = t_5 * (c2 * c1 - s2 * s1) + t_4 * c1;
+            v101_[l] = t_5 * (c2 * s1 + s2 * c1) + t_4 * s1;
         }
         let mut error = [0.0; 2];
         for l in 0..2 {
             let c123 = c123_[l % 1];
             let s123 = s123_[l % 1];
-            let v99 = v99_[l];
             let v100 = v100_[l];
-            let v101 = v101_[l % 1];
+            let v101 = v101_[l];
+            let v102 = v102_[l % 1];
             error[l] = (c123 - t[0][0]).abs() + (s123 - t[1][0]).abs()
                 + (0.0 - t[2][0]).abs() + (-s123 - t[0][1]).abs()
                 + (c123 - t[1][1]).abs() + (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs()
-                + (0.0 - t[1][2]).abs() + (1.0 - t[2][2]).abs() + (v99 - t[0][3]).abs()
-                + (v100 - t[1][3]).abs() + (v101 - t[2][3]).abs();
+                + (0.0 - t[1][2]).abs() + (1.0 - t[2][2]).abs() + (v100 - t[0][3]).abs()
+                + (v101 - t[1][3]).abs() + (v102 - t[2][3]).abs();
         }
         let valid: [f64; 2] = ::core::array::from_fn(|l| 1.0 * e2[l % 1 % 1]);
         let margin: [f64; 2] = ::core::array::from_fn(|l| {
@@ -512,7 +518,7 @@ impl ::dh_robot::ik::Kinematics<4> for ScaraRrrp {
         [
             [c123, -s123, 0.0, self.a2 * c12 + self.a1 * c1],
             [s123, c123, 0.0, self.a2 * s12 + self.a1 * s1],
-            [0.0, 0.0, 1.0, self.d1 + self.d2 + q[3]],
+            [0.0, 0.0, 1.0, self.d1 + q[3] + self.d2],
         ]
     }
     fn forward_and_jacobian(

@@ -293,6 +293,7 @@ impl SixAxisChain {
             joints: &Self::JOINTS,
             reach: 1.1159566801270322,
             few: false,
+            given: None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 1.1159566801270322),
@@ -302,13 +303,14 @@ impl SixAxisChain {
             setting,
             &task,
             &frame,
-            |frame, found| self.candidates(frame, found),
+            |frame, pick, found| self.candidates(frame, pick, found),
         )
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::ik::Pose,
+        pick: ::dh_robot::inverse::Pick,
         found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
     ) -> ::dh_robot::inverse::Attempt {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
@@ -319,7 +321,7 @@ impl SixAxisChain {
         let t_5 = t_3 * t_3 + t_4 * t_4;
         let r0 = ::dh_robot::ik::solve_sincos(-t[1][3], t[0][3], 0.0, 1e-11);
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "shoulder q1", 1.1159566801270322, "m");
+            attempt.note(r0.outcome, free, "shoulder q1", 1.1159566801270322, "m");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -327,7 +329,7 @@ impl SixAxisChain {
         } else {
             free
         };
-        for (i0, &[c1, s1]) in r0.or_if_free([1.0, 0.0]).iter().enumerate() {
+        for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
             let a0 = ::dh_robot::math::atan2(s1, c1);
             let t_6 = t[0][3] * c1 + t[1][3] * s1;
             let t_7 = t[0][0] * c1 + t[1][0] * s1;
@@ -335,7 +337,7 @@ impl SixAxisChain {
             let t_9 = t[0][2] * c1 + t[1][2] * s1;
             let r1 = ::dh_robot::ik::solve_sincos(-t[2][2], t_9, 0.0, 1e-11);
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, "elbow q2 + q3 + q4", 1.0, "");
+                attempt.note(r1.outcome, free, "elbow q2 + q3 + q4", 1.0, "");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -343,7 +345,7 @@ impl SixAxisChain {
             } else {
                 free
             };
-            for (i1, &[c234, s234]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+            for (i1, &[c234, s234]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s234, c234);
                 let r2 = ::dh_robot::ik::solve_pair(
                     -1.0,
@@ -355,7 +357,7 @@ impl SixAxisChain {
                     1e-11,
                 );
                 if r2.roots.is_empty() {
-                    attempt.note(r2.outcome, "q5", 1.0, "");
+                    attempt.note(r2.outcome, free, "q5", 1.0, "");
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;
@@ -363,7 +365,7 @@ impl SixAxisChain {
                 } else {
                     free
                 };
-                for (i2, &[c5, s5]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                for (i2, &[c5, s5]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s5, c5);
                     let c234c5 = c234 * c5;
                     let t_10 = t[0][2] * s5;
@@ -380,7 +382,7 @@ impl SixAxisChain {
                         1e-11,
                     );
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "q6", 1.0, "");
+                        attempt.note(r3.outcome, free, "q6", 1.0, "");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
@@ -388,7 +390,11 @@ impl SixAxisChain {
                     } else {
                         free
                     };
-                    for (i3, &[c6, s6]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    for (i3, &[c6, s6]) in r3
+                        .or_if_free(pick.angle(3))
+                        .iter()
+                        .enumerate()
+                    {
                         let a3 = ::dh_robot::math::atan2(s6, c6);
                         let t_14 = t[0][3]
                             - (c5 * (t[0][0] * c6 - t[0][1] * s6) + t_10) * t_2;
@@ -406,6 +412,7 @@ impl SixAxisChain {
                             attempt
                                 .note_distance(
                                     r4.outcome,
+                                    free,
                                     "q3",
                                     t_14 * t_14 + t_15 * t_15 + t_16 * t_16,
                                     t_14 * t_14 + t_15 * t_15 + t_16 * t_16 - t_5,
@@ -420,7 +427,7 @@ impl SixAxisChain {
                             free
                         };
                         for (i4, &[c3, s3]) in r4
-                            .or_if_free([1.0, 0.0])
+                            .or_if_free(pick.angle(4))
                             .iter()
                             .enumerate()
                         {
@@ -437,7 +444,8 @@ impl SixAxisChain {
                                 1e-11,
                             );
                             if r5.roots.is_empty() {
-                                attempt.note(r5.outcome, "q2", 1.1159566801270322, "m");
+                                attempt
+                                    .note(r5.outcome, free, "q2", 1.1159566801270322, "m");
                             }
                             let free = if r5.is_free() {
                                 attempt.degenerate = true;
@@ -446,7 +454,7 @@ impl SixAxisChain {
                                 free
                             };
                             for (i5, &[c2, s2]) in r5
-                                .or_if_free([1.0, 0.0])
+                                .or_if_free(pick.angle(5))
                                 .iter()
                                 .enumerate()
                             {

@@ -309,6 +309,7 @@ impl Stanford {
             joints: &Self::JOINTS,
             reach: 0.5862999999999999,
             few: false,
+            given: None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 0.5862999999999999),
@@ -318,13 +319,14 @@ impl Stanford {
             setting,
             &task,
             &frame,
-            |frame, found| self.candidates(frame, found),
+            |frame, pick, found| self.candidates(frame, pick, found),
         )
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::ik::Pose,
+        pick: ::dh_robot::inverse::Pick,
         found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
     ) -> ::dh_robot::inverse::Attempt {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
@@ -337,7 +339,7 @@ impl Stanford {
             1e-11,
         );
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "shoulder q1", 0.5862999999999999, "m");
+            attempt.note(r0.outcome, free, "shoulder q1", 0.5862999999999999, "m");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -345,7 +347,7 @@ impl Stanford {
         } else {
             free
         };
-        for (i0, &[c1, s1]) in r0.or_if_free([1.0, 0.0]).iter().enumerate() {
+        for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
             let a0 = ::dh_robot::math::atan2(s1, c1);
             let t_3 = t[0][3] * c1 + t[1][3] * s1;
             let t_4 = t[0][0] * c1 + t[1][0] * s1;
@@ -356,7 +358,7 @@ impl Stanford {
             let t_9 = t[0][2] * s1 - t[1][2] * c1;
             let r1 = ::dh_robot::ik::solve_sincos(-t_3, t_2, 0.0, 1e-11);
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, "elbow q2", 0.5862999999999999, "m");
+                attempt.note(r1.outcome, free, "elbow q2", 0.5862999999999999, "m");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -364,7 +366,7 @@ impl Stanford {
             } else {
                 free
             };
-            for (i1, &[c2, s2]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+            for (i1, &[c2, s2]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s2, c2);
                 let t_10 = t_4 * c2 - t[2][0] * s2;
                 let t_11 = t_6 * c2 - t[2][1] * s2;
@@ -376,7 +378,7 @@ impl Stanford {
                     1e-11,
                 );
                 if r2.roots.is_empty() {
-                    attempt.note(r2.outcome, "q3", 0.5862999999999999, "m");
+                    attempt.note(r2.outcome, free, "q3", 0.5862999999999999, "m");
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;
@@ -384,7 +386,7 @@ impl Stanford {
                 } else {
                     free
                 };
-                for (i2, &q3) in r2.or_if_free(0.0).iter().enumerate() {
+                for (i2, &q3) in r2.or_if_free(pick.length(2)).iter().enumerate() {
                     let a2 = q3 * 0.5862999999999999;
                     let r3 = ::dh_robot::ik::solve_sincos(
                         t_6 * s2 + t[2][1] * c2,
@@ -393,7 +395,7 @@ impl Stanford {
                         1e-11,
                     );
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "wrist q6", 1.0, "");
+                        attempt.note(r3.outcome, free, "wrist q6", 1.0, "");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
@@ -401,7 +403,11 @@ impl Stanford {
                     } else {
                         free
                     };
-                    for (i3, &[c6, s6]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    for (i3, &[c6, s6]) in r3
+                        .or_if_free(pick.angle(3))
+                        .iter()
+                        .enumerate()
+                    {
                         let a3 = ::dh_robot::math::atan2(s6, c6);
                         let r4 = ::dh_robot::ik::solve_pair(
                             0.0,
@@ -413,7 +419,7 @@ impl Stanford {
                             1e-11,
                         );
                         if r4.roots.is_empty() {
-                            attempt.note(r4.outcome, "q4", 1.0, "");
+                            attempt.note(r4.outcome, free, "q4", 1.0, "");
                         }
                         let free = if r4.is_free() {
                             attempt.degenerate = true;
@@ -422,7 +428,7 @@ impl Stanford {
                             free
                         };
                         for (i4, &[c4, s4]) in r4
-                            .or_if_free([1.0, 0.0])
+                            .or_if_free(pick.angle(4))
                             .iter()
                             .enumerate()
                         {
@@ -439,7 +445,7 @@ impl Stanford {
                                 1e-11,
                             );
                             if r5.roots.is_empty() {
-                                attempt.note(r5.outcome, "q5", 1.0, "");
+                                attempt.note(r5.outcome, free, "q5", 1.0, "");
                             }
                             let free = if r5.is_free() {
                                 attempt.degenerate = true;
@@ -448,7 +454,7 @@ impl Stanford {
                                 free
                             };
                             for (i5, &[c5, s5]) in r5
-                                .or_if_free([1.0, 0.0])
+                                .or_if_free(pick.angle(5))
                                 .iter()
                                 .enumerate()
                             {

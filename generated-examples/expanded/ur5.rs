@@ -326,6 +326,7 @@ impl Ur5 {
             joints: &Self::JOINTS,
             reach: 1.192809,
             few: false,
+            given: None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 1.192809),
@@ -335,13 +336,14 @@ impl Ur5 {
             setting,
             &task,
             &frame,
-            |frame, found| self.candidates(frame, found),
+            |frame, pick, found| self.candidates(frame, pick, found),
         )
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::ik::Pose,
+        pick: ::dh_robot::inverse::Pick,
         found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
     ) -> ::dh_robot::inverse::Attempt {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
@@ -352,7 +354,7 @@ impl Ur5 {
         let t_5 = t_4 - 0.07499859575170878;
         let r0 = ::dh_robot::ik::solve_sincos(-t_3, t_2, 0.09150668715611636, 1e-11);
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "shoulder q1", 1.192809, "m");
+            attempt.note(r0.outcome, free, "shoulder q1", 1.192809, "m");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -360,7 +362,7 @@ impl Ur5 {
         } else {
             free
         };
-        for (i0, &[c1, s1]) in r0.or_if_free([1.0, 0.0]).iter().enumerate() {
+        for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
             let a0 = ::dh_robot::math::atan2(s1, c1);
             let t_6 = t_2 * c1 + t_3 * s1;
             let t_7 = t_2 * s1 - t_3 * c1;
@@ -371,7 +373,7 @@ impl Ur5 {
             let t_12 = t[0][2] * c1 + t[1][2] * s1;
             let r1 = ::dh_robot::ik::solve_sincos(-t[2][2], t_12, 0.0, 1e-11);
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, "elbow q2 + q3 + q4", 1.0, "");
+                attempt.note(r1.outcome, free, "elbow q2 + q3 + q4", 1.0, "");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -379,7 +381,7 @@ impl Ur5 {
             } else {
                 free
             };
-            for (i1, &[c234, s234]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+            for (i1, &[c234, s234]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s234, c234);
                 let r2 = ::dh_robot::ik::solve_many(
                     &[
@@ -390,7 +392,7 @@ impl Ur5 {
                     1e-11,
                 );
                 if r2.roots.is_empty() {
-                    attempt.note(r2.outcome, "q5", 1.0, "");
+                    attempt.note(r2.outcome, free, "q5", 1.0, "");
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;
@@ -398,7 +400,7 @@ impl Ur5 {
                 } else {
                     free
                 };
-                for (i2, &[c5, s5]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                for (i2, &[c5, s5]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s5, c5);
                     let c234c5 = c234 * c5;
                     let t_13 = t_12 * c5;
@@ -413,7 +415,7 @@ impl Ur5 {
                         1e-11,
                     );
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "q6", 1.0, "");
+                        attempt.note(r3.outcome, free, "q6", 1.0, "");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
@@ -421,7 +423,11 @@ impl Ur5 {
                     } else {
                         free
                     };
-                    for (i3, &[c6, s6]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    for (i3, &[c6, s6]) in r3
+                        .or_if_free(pick.angle(3))
+                        .iter()
+                        .enumerate()
+                    {
                         let a3 = ::dh_robot::math::atan2(s6, c6);
                         let t_15 = (t[2][0] * s6 + t[2][1] * c6) * 0.07935050791870282;
                         let t_16 = t_6 + (t_8 * s6 + t_10 * c6) * 0.07935050791870282;
@@ -443,6 +449,7 @@ impl Ur5 {
                             attempt
                                 .note_distance(
                                     r4.outcome,
+                                    free,
                                     "q3",
                                     t_16 * t_16 + t_17 * t_17 + t_18 * t_18,
                                     t_19,
@@ -457,7 +464,7 @@ impl Ur5 {
                             free
                         };
                         for (i4, &[c3, s3]) in r4
-                            .or_if_free([1.0, 0.0])
+                            .or_if_free(pick.angle(4))
                             .iter()
                             .enumerate()
                         {
@@ -473,7 +480,7 @@ impl Ur5 {
                                 1e-11,
                             );
                             if r5.roots.is_empty() {
-                                attempt.note(r5.outcome, "q2", 1.192809, "m");
+                                attempt.note(r5.outcome, free, "q2", 1.192809, "m");
                             }
                             let free = if r5.is_free() {
                                 attempt.degenerate = true;
@@ -482,7 +489,7 @@ impl Ur5 {
                                 free
                             };
                             for (i5, &[c2, s2]) in r5
-                                .or_if_free([1.0, 0.0])
+                                .or_if_free(pick.angle(5))
                                 .iter()
                                 .enumerate()
                             {

@@ -74,7 +74,7 @@ impl WaferPrrr {
             [
                 self.a3 * c23 + self.a2 * c2,
                 self.a3 * s23 + self.a2 * s2,
-                self.d2 + self.d3 + self.d4 + q[0],
+                q[0] + self.d2 + self.d4 + self.d3,
             ],
         )
     }
@@ -217,6 +217,7 @@ impl WaferPrrr {
             joints: &Self::JOINTS,
             reach: 0.6091883671078886,
             few: true,
+            given: None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 0.6091883671078886),
@@ -226,13 +227,14 @@ impl WaferPrrr {
             setting,
             &task,
             &frame,
-            |frame, found| self.candidates(frame, found),
+            |frame, pick, found| self.candidates(frame, pick, found),
         )
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::ik::Pose,
+        pick: ::dh_robot::inverse::Pick,
         found: &mut dyn FnMut([f64; 4], ::dh_robot::Branch, ::dh_robot::FreeJoints),
     ) -> ::dh_robot::inverse::Attempt {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
@@ -250,7 +252,7 @@ impl WaferPrrr {
         let t_12 = t_9 * t_9 + t_10 * t_10 + t_7 * t_7;
         let r0 = ::dh_robot::ik::solve_quadratic(0.0, 1.0, -(t_5 - (t_7 + t_8)), 1e-11);
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "q1", 0.6091883671078886, "m");
+            attempt.note(r0.outcome, free, "q1", 0.6091883671078886, "m");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -258,7 +260,7 @@ impl WaferPrrr {
         } else {
             free
         };
-        for (i0, &q1) in r0.or_if_free(0.0).iter().enumerate() {
+        for (i0, &q1) in r0.or_if_free(pick.length(0)).iter().enumerate() {
             let a0 = q1 * 0.6091883671078886;
             let t_13 = t_5 - q1;
             let r1 = ::dh_robot::ik::solve_pair(
@@ -271,7 +273,7 @@ impl WaferPrrr {
                 1e-11,
             );
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, "q2 + q3 + q4", 1.0, "");
+                attempt.note(r1.outcome, free, "q2 + q3 + q4", 1.0, "");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -279,7 +281,7 @@ impl WaferPrrr {
             } else {
                 free
             };
-            for (i1, &[c234, s234]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+            for (i1, &[c234, s234]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s234, c234);
                 let r2 = ::dh_robot::ik::solve_sincos(
                     2.0 * t_9 * t_10,
@@ -291,6 +293,7 @@ impl WaferPrrr {
                     attempt
                         .note_distance(
                             r2.outcome,
+                            free,
                             "elbow q3",
                             t_6 + t_13 * t_13,
                             -(t_11 - (t_6 + t_13 * t_13 - t_12)),
@@ -304,7 +307,7 @@ impl WaferPrrr {
                 } else {
                     free
                 };
-                for (i2, &[c3, s3]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                for (i2, &[c3, s3]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s3, c3);
                     let t_14 = t_9 + t_10 * c3;
                     let t_15 = t_10 * s3;
@@ -318,7 +321,7 @@ impl WaferPrrr {
                         1e-11,
                     );
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "q2", 0.6091883671078886, "m");
+                        attempt.note(r3.outcome, free, "q2", 0.6091883671078886, "m");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
@@ -326,7 +329,11 @@ impl WaferPrrr {
                     } else {
                         free
                     };
-                    for (i3, &[c2, s2]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    for (i3, &[c2, s2]) in r3
+                        .or_if_free(pick.angle(3))
+                        .iter()
+                        .enumerate()
+                    {
                         let a3 = ::dh_robot::math::atan2(s2, c2);
                         let branch = ::dh_robot::Branch::ANY
                             .with_step(0, i2)
@@ -357,16 +364,15 @@ impl WaferPrrr {
         let t_6 = t_3 * t_3 + t_4 * t_4;
         let t_7 = self.d2 * 1.6415283908776575;
         let t_8 = self.d3 * 1.6415283908776575;
-        let t_9 = t_7 + t_8;
-        let t_10 = self.a2 * 1.6415283908776575;
-        let t_11 = self.a3 * 1.6415283908776575;
-        let t_12 = t_8 * (t_8 + t_7 * 2.0);
-        let t_13 = t_10 * t_10 + t_11 * t_11 + t_7 * t_7;
-        let t_14 = t_2 + t_9;
+        let t_9 = self.a2 * 1.6415283908776575;
+        let t_10 = self.a3 * 1.6415283908776575;
+        let t_11 = t_8 * (t_8 + t_7 * 2.0);
+        let t_12 = t_9 * t_9 + t_10 * t_10 + t_7 * t_7;
+        let t_13 = t_7 + t_2 + t_8;
         let mut m0 = [0.0; 1];
         let mut f0 = [[0.0; 1]; 2];
         for l in 0..1 {
-            let (x, m) = ::dh_robot::lanes::linear(1.0, -(t_5 - t_9));
+            let (x, m) = ::dh_robot::lanes::linear(1.0, -(t_5 - (t_7 + t_8)));
             f0[0][l] = x;
             f0[1][l] = x;
             m0[l] = m;
@@ -374,12 +380,12 @@ impl WaferPrrr {
         let q1_ = f0[0];
         let g0: [f64; 1] = f0[0].map(|d| d * 0.6091883671078886);
         let mut v69_ = [0.0; 1];
-        let mut v92_ = [0.0; 1];
+        let mut v93_ = [0.0; 1];
         for l in 0..1 {
             let q1 = q1_[l];
-            let t_15 = t_5 - q1;
-            v69_[l] = t_12 - (t_6 + t_15 * t_15 - t_13);
-            v92_[l] = q1 + t_14;
+            let t_14 = t_5 - q1;
+            v69_[l] = t_11 - (t_6 + t_14 * t_14 - t_12);
+            v93_[l] = q1 + t_13;
         }
         let mut m1 = [0.0; 1];
         let mut f1 = [[0.0; 1]; 2];
@@ -405,7 +411,7 @@ impl WaferPrrr {
         for l in 0..1 {
             let v69 = v69_[l];
             let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
-                2.0 * t_10 * t_11,
+                2.0 * t_9 * t_10,
                 0.0,
                 -v69,
             );
@@ -424,10 +430,10 @@ impl WaferPrrr {
         for l in 0..2 {
             let c3 = c3_[l];
             let s3 = s3_[l];
-            let t_16 = t_10 + t_11 * c3;
-            let t_17 = t_11 * s3;
-            v72_[l] = t_16;
-            v74_[l] = t_17;
+            let t_15 = t_9 + t_10 * c3;
+            let t_16 = t_10 * s3;
+            v72_[l] = t_15;
+            v74_[l] = t_16;
         }
         let mut m3 = [0.0; 2];
         let mut f3 = [[0.0; 2]; 2];
@@ -442,28 +448,28 @@ impl WaferPrrr {
         let c2_ = f3[0];
         let s2_ = f3[1];
         let g3: [f64; 2] = ::dh_robot::atan2_batch(&f3[1], &f3[0]);
-        let mut v89_ = [0.0; 2];
         let mut v90_ = [0.0; 2];
+        let mut v91_ = [0.0; 2];
         for l in 0..2 {
             let c3 = c3_[l];
             let s3 = s3_[l];
             let c2 = c2_[l];
             let s2 = s2_[l];
-            v89_[l] = t_11 * (c3 * c2 - s3 * s2) + t_10 * c2;
-            v90_[l] = t_11 * (c3 * s2 + s3 * c2) + t_10 * s2;
+            v90_[l] = t_10 * (c3 * c2 - s3 * s2) + t_9 * c2;
+            v91_[l] = t_10 * (c3 * s2 + s3 * c2) + t_9 * s2;
         }
         let mut error = [0.0; 2];
         for l in 0..2 {
             let c234 = c234_[l % 1];
             let s234 = s234_[l % 1];
-            let v89 = v89_[l];
             let v90 = v90_[l];
-            let v92 = v92_[l % 1];
+            let v91 = v91_[l];
+            let v93 = v93_[l % 1];
             error[l] = (c234 - t[0][0]).abs() + (s234 - t[1][0]).abs()
                 + (0.0 - t[2][0]).abs() + (-s234 - t[0][1]).abs()
                 + (c234 - t[1][1]).abs() + (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs()
-                + (0.0 - t[1][2]).abs() + (1.0 - t[2][2]).abs() + (v89 - t[0][3]).abs()
-                + (v90 - t[1][3]).abs() + (v92 - t[2][3]).abs();
+                + (0.0 - t[1][2]).abs() + (1.0 - t[2][2]).abs() + (v90 - t[0][3]).abs()
+                + (v91 - t[1][3]).abs() + (v93 - t[2][3]).abs();
         }
         let valid: [f64; 2] = ::core::array::from_fn(|l| 1.0 * e2[l % 1 % 1]);
         let margin: [f64; 2] = ::core::array::from_fn(|l| {
@@ -513,7 +519,7 @@ impl ::dh_robot::ik::Kinematics<4> for WaferPrrr {
         [
             [c234, -s234, 0.0, self.a3 * c23 + self.a2 * c2],
             [s234, c234, 0.0, self.a3 * s23 + self.a2 * s2],
-            [0.0, 0.0, 1.0, self.d2 + self.d3 + self.d4 + q[0]],
+            [0.0, 0.0, 1.0, q[0] + self.d2 + self.d4 + self.d3],
         ]
     }
     fn forward_and_jacobian(

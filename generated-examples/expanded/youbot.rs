@@ -264,6 +264,7 @@ impl Youbot {
             joints: &Self::JOINTS,
             reach: 0.6875,
             few: false,
+            given: None,
         };
         let task = ::dh_robot::ik::Task::Axis(p, z);
         ::dh_robot::inverse::solve(
@@ -271,13 +272,14 @@ impl Youbot {
             setting,
             &task,
             &frame,
-            |frame, found| self.candidates(frame, found),
+            |frame, pick, found| self.candidates(frame, pick, found),
         )
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::ik::Pose,
+        pick: ::dh_robot::inverse::Pick,
         found: &mut dyn FnMut([f64; 5], ::dh_robot::Branch, ::dh_robot::FreeJoints),
     ) -> ::dh_robot::inverse::Attempt {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
@@ -287,7 +289,7 @@ impl Youbot {
         let t_4 = t_2 * t[2][2] * 2.0;
         let r0 = ::dh_robot::ik::solve_sincos(-t[1][2], t[0][2], 0.0, 1e-11);
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, "shoulder q1", 1.0, "");
+            attempt.note(r0.outcome, free, "shoulder q1", 1.0, "");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
@@ -295,7 +297,7 @@ impl Youbot {
         } else {
             free
         };
-        for (i0, &[c1, s1]) in r0.or_if_free([1.0, 0.0]).iter().enumerate() {
+        for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
             let a0 = ::dh_robot::math::atan2(s1, c1);
             let t_5 = t[0][3] * c1 + t[1][3] * s1;
             let t_6 = t[0][3] * s1 - t[1][3] * c1;
@@ -316,7 +318,7 @@ impl Youbot {
                 1e-11,
             );
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, "q2 + q3 + q4", 1.0, "");
+                attempt.note(r1.outcome, free, "q2 + q3 + q4", 1.0, "");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -324,7 +326,7 @@ impl Youbot {
             } else {
                 free
             };
-            for (i1, &[c234, s234]) in r1.or_if_free([1.0, 0.0]).iter().enumerate() {
+            for (i1, &[c234, s234]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s234, c234);
                 let t_13 = t_2 - 0.31636363636363635 * c234;
                 let r2 = ::dh_robot::ik::solve_sincos(
@@ -337,6 +339,7 @@ impl Youbot {
                     attempt
                         .note_distance(
                             r2.outcome,
+                            free,
                             "elbow q3",
                             t_5 * t_5 + t_6 * t_6 + t_3,
                             t_11,
@@ -350,7 +353,7 @@ impl Youbot {
                 } else {
                     free
                 };
-                for (i2, &[c3, s3]) in r2.or_if_free([1.0, 0.0]).iter().enumerate() {
+                for (i2, &[c3, s3]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s3, c3);
                     let t_14 = 0.19636363636363638 * s3;
                     let t_15 = 0.22545454545454546 + 0.19636363636363638 * c3;
@@ -363,7 +366,7 @@ impl Youbot {
                         1e-11,
                     );
                     if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, "q2", 0.6875, "m");
+                        attempt.note(r3.outcome, free, "q2", 0.6875, "m");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
@@ -371,11 +374,15 @@ impl Youbot {
                     } else {
                         free
                     };
-                    for (i3, &[c2, s2]) in r3.or_if_free([1.0, 0.0]).iter().enumerate() {
+                    for (i3, &[c2, s2]) in r3
+                        .or_if_free(pick.angle(3))
+                        .iter()
+                        .enumerate()
+                    {
                         let a3 = ::dh_robot::math::atan2(s2, c2);
                         let r4 = ::dh_robot::ik::solve_sincos(0.0, 0.0, 0.0, 1e-11);
                         if r4.roots.is_empty() {
-                            attempt.note(r4.outcome, "q5", 1.0, "");
+                            attempt.note(r4.outcome, free, "q5", 1.0, "");
                         }
                         let free = if r4.is_free() {
                             attempt.degenerate = true;
@@ -384,7 +391,7 @@ impl Youbot {
                             free
                         };
                         for (i4, &[c5, s5]) in r4
-                            .or_if_free([1.0, 0.0])
+                            .or_if_free(pick.angle(4))
                             .iter()
                             .enumerate()
                         {

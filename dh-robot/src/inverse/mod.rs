@@ -142,7 +142,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
     #[cold]
     fn take_chosen(&mut self, mut q: [f64; N], miss: f64, branch: Branch) {
         let exact = miss <= EXACT;
-        if !exact && !(miss < 0.5 && self.polish(&mut q, 12)) {
+        if !(exact || miss < 0.5 && self.polish(&mut q, 12)) {
             self.nearest = self.nearest.min(miss);
             self.lost = true;
             return;
