@@ -105,10 +105,10 @@ impl CupArm {
         );
         let t_2 = c1 * 30.0;
         let t_3 = s1 * 30.0;
-        let t_4 = c2 * 340.0;
+        let t_4 = 340.0 * c2;
         let t_5 = t_2 - c1 * t_4;
         let t_6 = t_3 - s1 * t_4;
-        let t_7 = 373.0 - s2 * 340.0;
+        let t_7 = 373.0 - 340.0 * s2;
         let c1c23 = c1 * c23;
         let s1c23 = s1 * c23;
         let c1s23 = c1 * s23;

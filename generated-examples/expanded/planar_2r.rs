@@ -71,7 +71,7 @@ impl Planar2r {
             ),
             ::dh_robot::pose::from_entries(
                 [[c12, -s12, 0.0], [s12, c12, 0.0], [0.0, 0.0, 1.0]],
-                [c1 * self.l1, s1 * self.l1, 0.0],
+                [self.l1 * c1, self.l1 * s1, 0.0],
             ),
         ]
     }

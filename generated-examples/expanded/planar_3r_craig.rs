@@ -69,8 +69,8 @@ impl Planar3rCraig {
         let ([s1, s12, s123], [c1, c12, c123]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t_2 = c1 * self.l1;
-        let t_3 = s1 * self.l1;
+        let t_2 = self.l1 * c1;
+        let t_3 = self.l1 * s1;
         [
             ::dh_robot::pose::from_entries(
                 [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
@@ -82,7 +82,7 @@ impl Planar3rCraig {
             ),
             ::dh_robot::pose::from_entries(
                 [[c123, -s123, 0.0], [s123, c123, 0.0], [0.0, 0.0, 1.0]],
-                [t_2 + c12 * self.l2, t_3 + s12 * self.l2, 0.0],
+                [t_2 + self.l2 * c12, t_3 + self.l2 * s12, 0.0],
             ),
         ]
     }

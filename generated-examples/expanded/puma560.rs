@@ -121,8 +121,8 @@ impl Puma560 {
         let ([s1, s2, s23, s4, s5, s6], [c1, c2, c23, c4, c5, c6]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let t_2 = c2 * self.a2;
-        let t_3 = s2 * self.a2;
+        let t_2 = self.a2 * c2;
+        let t_3 = self.a2 * s2;
         let t_4 = c1 * t_2 - s1 * self.d3;
         let t_5 = s1 * t_2 + c1 * self.d3;
         let c1c23 = c1 * c23;

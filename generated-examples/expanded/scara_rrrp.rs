@@ -68,7 +68,7 @@ impl ScaraRrrp {
             [
                 self.a2 * c12 + self.a1 * c1,
                 self.a2 * s12 + self.a1 * s1,
-                self.d1 + q[3] + self.d2,
+                self.d1 + self.d2 + q[3],
             ],
         )
     }
@@ -356,14 +356,15 @@ impl ScaraRrrp {
     ) -> Option<::dh_robot::Solutions<f64, 4, 2>> {
         let t_2 = self.d1 * 0.7567958730994166;
         let t_3 = self.d2 * 0.7567958730994166;
-        let t_4 = self.a1 * 0.7567958730994166;
-        let t_5 = self.a2 * 0.7567958730994166;
-        let t_6 = t_3 * (t_3 + t_2 * 2.0);
-        let t_7 = t_4 * t_4 + t_5 * t_5 + t_2 * t_2;
+        let t_4 = t_2 + t_3;
+        let t_5 = self.a1 * 0.7567958730994166;
+        let t_6 = self.a2 * 0.7567958730994166;
+        let t_7 = t_3 * (t_3 + t_2 * 2.0);
+        let t_8 = t_5 * t_5 + t_6 * t_6 + t_2 * t_2;
         let mut m0 = [0.0; 1];
         let mut f0 = [[0.0; 1]; 2];
         for l in 0..1 {
-            let (x, m) = ::dh_robot::lanes::linear(1.0, -(t[2][3] - (t_2 + t_3)));
+            let (x, m) = ::dh_robot::lanes::linear(1.0, -(t[2][3] - t_4));
             f0[0][l] = x;
             f0[1][l] = x;
             m0[l] = m;
@@ -373,16 +374,16 @@ impl ScaraRrrp {
         let mut v42_ = [0.0; 1];
         let mut v43_ = [0.0; 1];
         let mut v79_ = [0.0; 1];
-        let mut v102_ = [0.0; 1];
+        let mut v101_ = [0.0; 1];
         for l in 0..1 {
             let q4 = q4_[l];
-            let t_8 = t[0][3] - t[0][2] * q4;
-            let t_9 = t[1][3] - t[1][2] * q4;
-            let t_10 = t[2][3] - t[2][2] * q4;
-            v42_[l] = t_8;
-            v43_[l] = t_9;
-            v79_[l] = t_6 - (t_8 * t_8 + t_9 * t_9 + t_10 * t_10 - t_7);
-            v102_[l] = t_2 + t_3 + q4;
+            let t_9 = t[0][3] - t[0][2] * q4;
+            let t_10 = t[1][3] - t[1][2] * q4;
+            let t_11 = t[2][3] - t[2][2] * q4;
+            v42_[l] = t_9;
+            v43_[l] = t_10;
+            v79_[l] = t_7 - (t_9 * t_9 + t_10 * t_10 + t_11 * t_11 - t_8);
+            v101_[l] = t_4 + q4;
         }
         let mut m1 = [0.0; 1];
         let mut f1 = [[0.0; 1]; 2];
@@ -408,7 +409,7 @@ impl ScaraRrrp {
         for l in 0..1 {
             let v79 = v79_[l];
             let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
-                2.0 * t_4 * t_5,
+                2.0 * t_5 * t_6,
                 0.0,
                 -v79,
             );
@@ -427,10 +428,10 @@ impl ScaraRrrp {
         for l in 0..2 {
             let c2 = c2_[l];
             let s2 = s2_[l];
-            let t_11 = t_4 + t_5 * c2;
-            let t_12 = t_5 * s2;
-            v82_[l] = t_11;
-            v84_[l] = t_12;
+            let t_12 = t_5 + t_6 * c2;
+            let t_13 = t_6 * s2;
+            v82_[l] = t_12;
+            v84_[l] = t_13;
         }
         let mut m3 = [0.0; 2];
         let mut f3 = [[0.0; 2]; 2];
@@ -447,28 +448,28 @@ impl ScaraRrrp {
         let c1_ = f3[0];
         let s1_ = f3[1];
         let g3: [f64; 2] = ::dh_robot::atan2_batch(&f3[1], &f3[0]);
+        let mut v99_ = [0.0; 2];
         let mut v100_ = [0.0; 2];
-        let mut v101_ = [0.0; 2];
         for l in 0..2 {
             let c2 = c2_[l];
             let s2 = s2_[l];
             let c1 = c1_[l];
             let s1 = s1_[l];
-            v100_[l] = t_5 * (c2 * c1 - s2 * s1) + t_4 * c1;
-            v101_[l] = t_5 * (c2 * s1 + s2 * c1) + t_4 * s1;
+            v99_[l] = t_6 * (c2 * c1 - s2 * s1) + t_5 * c1;
+            v100_[l] = t_6 * (c2 * s1 + s2 * c1) + t_5 * s1;
         }
         let mut error = [0.0; 2];
         for l in 0..2 {
             let c123 = c123_[l % 1];
             let s123 = s123_[l % 1];
+            let v99 = v99_[l];
             let v100 = v100_[l];
-            let v101 = v101_[l];
-            let v102 = v102_[l % 1];
+            let v101 = v101_[l % 1];
             error[l] = (c123 - t[0][0]).abs() + (s123 - t[1][0]).abs()
                 + (0.0 - t[2][0]).abs() + (-s123 - t[0][1]).abs()
                 + (c123 - t[1][1]).abs() + (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs()
-                + (0.0 - t[1][2]).abs() + (1.0 - t[2][2]).abs() + (v100 - t[0][3]).abs()
-                + (v101 - t[1][3]).abs() + (v102 - t[2][3]).abs();
+                + (0.0 - t[1][2]).abs() + (1.0 - t[2][2]).abs() + (v99 - t[0][3]).abs()
+                + (v100 - t[1][3]).abs() + (v101 - t[2][3]).abs();
         }
         let valid: [f64; 2] = ::core::array::from_fn(|l| 1.0 * e2[l % 1 % 1]);
         let margin: [f64; 2] = ::core::array::from_fn(|l| {
@@ -518,7 +519,7 @@ impl ::dh_robot::ik::Kinematics<4> for ScaraRrrp {
         [
             [c123, -s123, 0.0, self.a2 * c12 + self.a1 * c1],
             [s123, c123, 0.0, self.a2 * s12 + self.a1 * s1],
-            [0.0, 0.0, 1.0, self.d1 + q[3] + self.d2],
+            [0.0, 0.0, 1.0, self.d1 + self.d2 + q[3]],
         ]
     }
     fn forward_and_jacobian(

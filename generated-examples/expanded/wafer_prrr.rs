@@ -74,7 +74,7 @@ impl WaferPrrr {
             [
                 self.a3 * c23 + self.a2 * c2,
                 self.a3 * s23 + self.a2 * s2,
-                q[0] + self.d2 + self.d4 + self.d3,
+                self.d2 + self.d3 + self.d4 + q[0],
             ],
         )
     }
@@ -364,15 +364,16 @@ impl WaferPrrr {
         let t_6 = t_3 * t_3 + t_4 * t_4;
         let t_7 = self.d2 * 1.6415283908776575;
         let t_8 = self.d3 * 1.6415283908776575;
-        let t_9 = self.a2 * 1.6415283908776575;
-        let t_10 = self.a3 * 1.6415283908776575;
-        let t_11 = t_8 * (t_8 + t_7 * 2.0);
-        let t_12 = t_9 * t_9 + t_10 * t_10 + t_7 * t_7;
-        let t_13 = t_7 + t_2 + t_8;
+        let t_9 = t_7 + t_8;
+        let t_10 = self.a2 * 1.6415283908776575;
+        let t_11 = self.a3 * 1.6415283908776575;
+        let t_12 = t_8 * (t_8 + t_7 * 2.0);
+        let t_13 = t_10 * t_10 + t_11 * t_11 + t_7 * t_7;
+        let t_14 = t_2 + t_9;
         let mut m0 = [0.0; 1];
         let mut f0 = [[0.0; 1]; 2];
         for l in 0..1 {
-            let (x, m) = ::dh_robot::lanes::linear(1.0, -(t_5 - (t_7 + t_8)));
+            let (x, m) = ::dh_robot::lanes::linear(1.0, -(t_5 - t_9));
             f0[0][l] = x;
             f0[1][l] = x;
             m0[l] = m;
@@ -380,12 +381,12 @@ impl WaferPrrr {
         let q1_ = f0[0];
         let g0: [f64; 1] = f0[0].map(|d| d * 0.6091883671078886);
         let mut v69_ = [0.0; 1];
-        let mut v93_ = [0.0; 1];
+        let mut v92_ = [0.0; 1];
         for l in 0..1 {
             let q1 = q1_[l];
-            let t_14 = t_5 - q1;
-            v69_[l] = t_11 - (t_6 + t_14 * t_14 - t_12);
-            v93_[l] = q1 + t_13;
+            let t_15 = t_5 - q1;
+            v69_[l] = t_12 - (t_6 + t_15 * t_15 - t_13);
+            v92_[l] = q1 + t_14;
         }
         let mut m1 = [0.0; 1];
         let mut f1 = [[0.0; 1]; 2];
@@ -411,7 +412,7 @@ impl WaferPrrr {
         for l in 0..1 {
             let v69 = v69_[l];
             let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
-                2.0 * t_9 * t_10,
+                2.0 * t_10 * t_11,
                 0.0,
                 -v69,
             );
@@ -430,10 +431,10 @@ impl WaferPrrr {
         for l in 0..2 {
             let c3 = c3_[l];
             let s3 = s3_[l];
-            let t_15 = t_9 + t_10 * c3;
-            let t_16 = t_10 * s3;
-            v72_[l] = t_15;
-            v74_[l] = t_16;
+            let t_16 = t_10 + t_11 * c3;
+            let t_17 = t_11 * s3;
+            v72_[l] = t_16;
+            v74_[l] = t_17;
         }
         let mut m3 = [0.0; 2];
         let mut f3 = [[0.0; 2]; 2];
@@ -448,28 +449,28 @@ impl WaferPrrr {
         let c2_ = f3[0];
         let s2_ = f3[1];
         let g3: [f64; 2] = ::dh_robot::atan2_batch(&f3[1], &f3[0]);
+        let mut v89_ = [0.0; 2];
         let mut v90_ = [0.0; 2];
-        let mut v91_ = [0.0; 2];
         for l in 0..2 {
             let c3 = c3_[l];
             let s3 = s3_[l];
             let c2 = c2_[l];
             let s2 = s2_[l];
-            v90_[l] = t_10 * (c3 * c2 - s3 * s2) + t_9 * c2;
-            v91_[l] = t_10 * (c3 * s2 + s3 * c2) + t_9 * s2;
+            v89_[l] = t_11 * (c3 * c2 - s3 * s2) + t_10 * c2;
+            v90_[l] = t_11 * (c3 * s2 + s3 * c2) + t_10 * s2;
         }
         let mut error = [0.0; 2];
         for l in 0..2 {
             let c234 = c234_[l % 1];
             let s234 = s234_[l % 1];
+            let v89 = v89_[l];
             let v90 = v90_[l];
-            let v91 = v91_[l];
-            let v93 = v93_[l % 1];
+            let v92 = v92_[l % 1];
             error[l] = (c234 - t[0][0]).abs() + (s234 - t[1][0]).abs()
                 + (0.0 - t[2][0]).abs() + (-s234 - t[0][1]).abs()
                 + (c234 - t[1][1]).abs() + (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs()
-                + (0.0 - t[1][2]).abs() + (1.0 - t[2][2]).abs() + (v90 - t[0][3]).abs()
-                + (v91 - t[1][3]).abs() + (v93 - t[2][3]).abs();
+                + (0.0 - t[1][2]).abs() + (1.0 - t[2][2]).abs() + (v89 - t[0][3]).abs()
+                + (v90 - t[1][3]).abs() + (v92 - t[2][3]).abs();
         }
         let valid: [f64; 2] = ::core::array::from_fn(|l| 1.0 * e2[l % 1 % 1]);
         let margin: [f64; 2] = ::core::array::from_fn(|l| {
@@ -519,7 +520,7 @@ impl ::dh_robot::ik::Kinematics<4> for WaferPrrr {
         [
             [c234, -s234, 0.0, self.a3 * c23 + self.a2 * c2],
             [s234, c234, 0.0, self.a3 * s23 + self.a2 * s2],
-            [0.0, 0.0, 1.0, q[0] + self.d2 + self.d4 + self.d3],
+            [0.0, 0.0, 1.0, self.d2 + self.d3 + self.d4 + q[0]],
         ]
     }
     fn forward_and_jacobian(
