@@ -2,8 +2,13 @@
 
 mod agreement;
 mod claims;
+mod closure;
+mod determinism;
 mod fixtures;
+mod fresh;
 mod random;
 mod robots;
+mod single;
 mod soup;
+mod tidy;
 mod ui;

@@ -27,6 +27,7 @@ macro_rules! robot {
     };
     ($module:ident, $($path:tt)*) => { <$($path)*>::default() };
 }
+pub(crate) use robot;
 
 macro_rules! list {
     ($($module:ident $name:ident $dof:literal)*) => {

@@ -1,0 +1,116 @@
+//! Rules of the house that no compiler knows: who uses whom, how long a file may be, who may read tokens.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The stages, in order: a folder uses only those before it.
+const STAGES: [&str; 6] = ["algebra", "chain", "kinematics", "planner", "program", "render"];
+
+/// Lines of code that a file may have.
+const LONGEST: usize = 450;
+
+/// Files that are longer and wait to be cut; one that has become short must leave the list.
+const WAITING: &[&str] = &[
+    "dh-symbolic/src/algebra/shape.rs",
+    "dh-symbolic/src/planner/search.rs",
+    "dh-symbolic/src/render/rust/inverse.rs",
+];
+
+/// Who may name `proc_macro2`: those who read the user's tokens or write the generated ones.
+const TOKENS: &[&str] =
+    &["chain/table/", "kinematics/claims", "render/rust/", "diagnostic.rs", "pipeline.rs", "lib.rs", "bin/", "cli"];
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the workspace").to_path_buf()
+}
+
+/// All Rust files below a folder, in order, with their text. Links and build output are left out.
+fn files(folder: &Path) -> Vec<(PathBuf, String)> {
+    let mut all = Vec::new();
+    let mut entries: Vec<PathBuf> =
+        fs::read_dir(folder).expect("a folder").map(|e| e.expect("an entry").path()).collect();
+    entries.sort();
+    for path in entries {
+        if path.is_symlink() || path.file_name().is_some_and(|name| name == "target" || name == "expanded") {
+            continue;
+        }
+        if path.is_dir() {
+            all.extend(files(&path));
+        } else if path.extension().is_some_and(|e| e == "rs") {
+            let text = fs::read_to_string(&path).expect("a text file");
+            all.push((path, text));
+        }
+    }
+    all
+}
+
+/// The lines of code before the unit tests.
+fn code(text: &str) -> impl Iterator<Item = &str> {
+    let end = text.find("\n#[cfg(test)]\nmod tests {").unwrap_or(text.len());
+    text[..end].lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//"))
+}
+
+#[test]
+fn stages_use_only_stages_before_them() {
+    let mut wrong = Vec::new();
+    for (i, stage) in STAGES.iter().enumerate() {
+        let folder = root().join("dh-symbolic/src").join(stage);
+        for (path, text) in files(&folder) {
+            if path.file_stem().is_some_and(|name| name == "tests") {
+                continue;
+            }
+            for line in code(&text) {
+                for later in &STAGES[i + 1..] {
+                    let grouped = line.contains("crate::{") && line.contains(&format!("{later}::"));
+                    if grouped || line.contains(&format!("crate::{later}")) {
+                        wrong.push(format!("{}: {line}", path.display()));
+                    }
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "a stage uses a later one:\n{}", wrong.join("\n"));
+}
+
+#[test]
+fn files_are_short() {
+    let mut long = Vec::new();
+    for name in ["dh-macro", "dh-robot", "dh-symbolic", "generated-examples", "tests"] {
+        for (path, text) in files(&root().join(name)) {
+            let lines = code(&text).count();
+            let name = path.strip_prefix(root()).expect("below").to_string_lossy().replace('\\', "/");
+            let waits = WAITING.contains(&name.as_str());
+            if waits != (lines > LONGEST) && !name.ends_with("/tests.rs") {
+                long.push(format!(
+                    "{name}: {lines} lines of code{}",
+                    if waits { ", and still on the list" } else { "" }
+                ));
+            }
+        }
+    }
+    assert!(long.is_empty(), "more than {LONGEST} lines: would two names fit better than one?\n{}", long.join("\n"));
+}
+
+#[test]
+fn only_the_ends_of_the_pipeline_know_tokens() {
+    let source = root().join("dh-symbolic/src");
+    let named = |(path, text): &(PathBuf, String)| {
+        let name = path.strip_prefix(&source).expect("below").to_string_lossy().replace('\\', "/");
+        let allowed = TOKENS.iter().any(|allowed| name.starts_with(allowed));
+        !allowed && code(text).any(|line| line.contains("proc_macro2"))
+    };
+    let wrong: Vec<PathBuf> = files(&source).into_iter().filter(named).map(|(path, _)| path).collect();
+    assert!(wrong.is_empty(), "proc_macro2 in {wrong:?}");
+}
+
+#[test]
+fn every_file_says_what_it_is() {
+    let source = ["dh-macro/src", "dh-robot/src", "dh-symbolic/src", "generated-examples/src", "tests"];
+    let silent: Vec<PathBuf> = source
+        .iter()
+        .flat_map(|folder| files(&root().join(folder)))
+        .filter(|(path, text)| !text.starts_with("//!") && !path.to_string_lossy().contains("/ui/"))
+        .map(|(path, _)| path)
+        .collect();
+    assert!(silent.is_empty(), "files without `//!`: {silent:?}");
+}
