@@ -303,8 +303,6 @@ mod tests {
                 assert!(residual(&axes, e, &x, &target).abs() < 1e-12, "{e:?}");
                 // A step in a direction outside the family's span changes nothing.
                 for k in 0..4 {
-                    let mut unit = [0.0; 4];
-
                     let touches = family.span.rows().iter().any(|r| r[k].abs() > 1e-9);
                     let mut y = x.clone();
                     y[k] += 0.1;

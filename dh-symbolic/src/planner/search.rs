@@ -480,10 +480,17 @@ impl Search<'_> {
         8
     }
 
+    /// The general elimination takes what is open at once: up to six coordinates, of which one may slide, or two that are neighbours in
+    /// the loop. Fewer than six are filled up with joints that have to come out as zero.
     fn general(&mut self) -> bool {
         let open: Vec<usize> = (0..self.axes.count()).filter(|k| !self.knowledge.has(&self.axes, *k)).collect();
-        let only_given = self.steps.is_empty();
-        if open.len() != 6 || !only_given || !open.iter().all(|k| self.axes.turns(*k)) {
+        let slides: Vec<usize> = (0..open.len()).filter(|i| !self.axes.turns(open[*i])).collect();
+        let fits = match slides.as_slice() {
+            [] | [_] => true,
+            [i, j] => j - i == 1 || (*i == 0 && *j == 5),
+            _ => false,
+        };
+        if open.is_empty() || open.len() > 6 || !fits || always_free(&self.axes, &self.knowledge).is_some() {
             return false;
         }
         let unknown: Vec<Form> = open.iter().map(|k| self.unit(*k)).collect();

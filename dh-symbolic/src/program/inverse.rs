@@ -36,6 +36,8 @@ pub struct Inverse {
     pub joints: Vec<Vec<i8>>,
     /// The pose that the known combinations give (12 values, columns first, lengths over the reach): what a branch is confirmed by.
     pub confirmation: Vec<Value>,
+    /// For the general elimination: which of its joints slide.
+    pub slides: [bool; 6],
     /// For the general elimination: the best ways to cut the loop of joints (`ik::general::Choice`).
     pub choices: [u8; 3],
 }
@@ -60,7 +62,13 @@ impl Inverse {
         let mut plan = plan;
         let ring = &mut plan.knowledge.ring;
         let names = ["g11", "g12", "g13", "g21", "g22", "g23", "g31", "g32", "g33", "gx", "gy", "gz"];
-        let target = names.map(|n| ring.symbol(n));
+        let target = names.map(|n| {
+            let mut name = n.to_string();
+            while ring.find_symbol(&name).is_some() {
+                name.push('_');
+            }
+            ring.symbol(&name)
+        });
         let mut l = Lower { g: Graph::new(chain), plan: &plan, bound: Vec::new() };
         let entry = |l: &mut Lower<'_>, i: usize| l.g.symbol(target[i]);
         let mut w = Pose { columns: [[ZERO; 3]; 3], p: [ZERO; 3] };
@@ -78,7 +86,7 @@ impl Inverse {
             }
             let finds = (step.before..step.before + step.unknown.len()).collect();
             let rows = match step.kind {
-                StepKind::General => l.general(w, step.before),
+                StepKind::General => l.general(w, step),
                 _ => step.collected.iter().map(|c| l.row(step.kind, c)).collect(),
             };
             solvers.push(Solver { kind: step.kind, rows, finds });
@@ -93,9 +101,22 @@ impl Inverse {
             .collect();
         let confirmation = l.confirmation(chain);
         let graph = l.g;
-        let mut inverse = Inverse { graph, target, solvers, joints, confirmation, choices: [0; 3], plan };
+        let mut inverse =
+            Inverse { graph, target, solvers, joints, confirmation, slides: [false; 6], choices: [0; 3], plan };
+        inverse.slides = inverse.sliding();
         inverse.choices = inverse.best_choices(chain);
         inverse
+    }
+
+    /// Which joints of the general elimination slide.
+    fn sliding(&self) -> [bool; 6] {
+        let mut slides = [false; 6];
+        for step in self.plan.steps.iter().filter(|s| s.kind == StepKind::General) {
+            for (slide, form) in slides.iter_mut().zip(&step.unknown) {
+                *slide = form.iter().position(|k| *k != 0).is_some_and(|k| !self.plan.axes.turns(k));
+            }
+        }
+        slides
     }
 
     /// How many known combinations must be there before each node can be computed.
@@ -342,10 +363,10 @@ impl Lower<'_> {
         (turned[0], turned[1])
     }
 
-    /// The constant transforms behind the six open joints, and the target.
-    fn general(&mut self, w: Pose, before: usize) -> Vec<Vec<Value>> {
-        let known = self.plan.knowledge.known[..before].to_vec();
-        let is_known = |j: usize| known.iter().any(|k| k.form.iter().enumerate().all(|(i, x)| (*x != 0) == (i == j)));
+    /// The constant transforms behind the open joints, filled up to six, and the target.
+    fn general(&mut self, w: Pose, step: &crate::planner::Step) -> Vec<Vec<Value>> {
+        let before = step.before;
+        let open = |j: usize| step.unknown.iter().any(|f| f[j] != 0);
         let flat = |t: Pose| [t.columns[0], t.columns[1], t.columns[2], t.p].concat();
         let identity = Pose { columns: super::forward::identity(), p: [ZERO; 3] };
         // Constants between open joints; what stands before the first one is taken off the target.
@@ -354,24 +375,7 @@ impl Lower<'_> {
             let last = list.len() - 1;
             list[last] = self.times(list[last], &hop.before);
             match hop.joint {
-                Some(j) if is_known(j) => match self.plan.axes.coordinates[j] {
-                    Coordinate::Angle(_) => {
-                        let mut unit = vec![0; self.plan.axes.count()];
-                        unit[j] = 1;
-                        let (c, s) = self.cos_sin(&unit, before);
-                        let t = list[last];
-                        let (x, y) = (t.columns[0], t.columns[1]);
-                        let (a, b) = (self.g.times(c, x), self.g.times(s, y));
-                        list[last].columns[0] = self.g.plus(a, b);
-                        let (a, b) = (self.g.times(c, y), self.g.times(s, x));
-                        list[last].columns[1] = self.g.minus(a, b);
-                    }
-                    Coordinate::Length(s) => {
-                        let d = self.g.symbol(s);
-                        let part = self.g.times(d, list[last].columns[2]);
-                        list[last].p = self.g.plus(list[last].p, part);
-                    }
-                },
+                Some(j) if !open(j) => list[last] = self.moved(list[last], j, before),
                 Some(_) => list.push(identity),
                 None => {}
             }
@@ -381,8 +385,44 @@ impl Lower<'_> {
         let p = self.g.minus(w.p, first.p);
         let turned = |g: &mut Graph, v: V3| -> V3 { std::array::from_fn(|i| g.dot(first.columns[i], v)) };
         let goal = Pose { columns: w.columns.map(|v| turned(&mut self.g, v)), p: turned(&mut self.g, p) };
+        // Further joints with transforms around them that cancel when they are zero.
+        let mut undo = Transform::identity();
+        for k in list.len()..6 {
+            let t = filler(k);
+            let last = list.len() - 1;
+            list[last] = self.times(list[last], &t);
+            undo = undo.times(&t);
+            list.push(identity);
+        }
+        if let Some(last) = list.last().copied().filter(|_| undo != Transform::identity()) {
+            let end = list.len() - 1;
+            list[end] = self.times(last, &undo.inverse());
+        }
         list.push(goal);
         list.into_iter().map(flat).collect()
+    }
+
+    /// T times the motion of a joint that is known.
+    fn moved(&mut self, t: Pose, joint: usize, before: usize) -> Pose {
+        let mut out = t;
+        match self.plan.axes.coordinates[joint] {
+            Coordinate::Angle(_) => {
+                let mut unit = vec![0; self.plan.axes.count()];
+                unit[joint] = 1;
+                let (c, s) = self.cos_sin(&unit, before);
+                let (x, y) = (t.columns[0], t.columns[1]);
+                let (a, b) = (self.g.times(c, x), self.g.times(s, y));
+                out.columns[0] = self.g.plus(a, b);
+                let (a, b) = (self.g.times(c, y), self.g.times(s, x));
+                out.columns[1] = self.g.minus(a, b);
+            }
+            Coordinate::Length(s) => {
+                let d = self.g.symbol(s);
+                let part = self.g.times(d, t.columns[2]);
+                out.p = self.g.plus(out.p, part);
+            }
+        }
+        out
     }
 
     /// T * t for a constant t.
@@ -403,6 +443,21 @@ impl Lower<'_> {
         let moved = apply(&mut self.g, v);
         Pose { columns, p: self.g.plus(a.p, moved) }
     }
+}
+
+/// A transform without any structure, lengths over the reach, in front of the k-th joint of the general elimination.
+fn filler(k: usize) -> Transform {
+    let angle = |degrees: i64| {
+        let (c, s) = crate::algebra::Angle::degrees(&Rational::int(degrees)).cos_sin().unwrap_or_default();
+        move |axis: usize| Transform::rotation(axis, (&c, &s))
+    };
+    let length = |n: i64| Poly::constant(Rational::new(n, 100).unwrap_or(Rational::ZERO));
+    let n = k as i64;
+    angle(60)(0)
+        .times(&Transform::translation(0, &length(23 + 7 * n)))
+        .times(&angle(45 + 15 * n)(1))
+        .times(&Transform::translation(2, &length(31 - 5 * n)))
+        .times(&angle(75)(0))
 }
 
 /// Is the rotation part the identity?

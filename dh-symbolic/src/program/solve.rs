@@ -64,7 +64,7 @@ impl Inverse {
                 for (q, x) in q.iter_mut().zip(open) {
                     *q = x;
                 }
-                (ik::Chain { links, slides: [false; 6] }, q)
+                (ik::Chain { links, slides: self.slides }, q)
             })
             .collect();
         let ranked = ik::general::rank::<3>(&samples);
@@ -201,7 +201,7 @@ impl<'a> Run<'a> {
         };
         let rows = numbers(solver, values);
         let turns = solver.finds.first().is_some_and(|k| inverse.plan.knowledge.known[*k].turns);
-        let (roots, is_free) = solve_step((i, turns, solver), &rows, inverse.choices, self.pick);
+        let (roots, is_free) = solve_step((i, turns, solver), &rows, inverse, self.pick);
         self.found.degenerate |= is_free;
         self.found.lost |= roots.is_empty() && !self.free.is_empty();
         for (r, root) in roots.into_iter().enumerate() {
@@ -259,7 +259,7 @@ fn nine(row: &[f64]) -> [f64; 9] {
 fn solve_step(
     (step, turns, solver): (usize, bool, &Solver),
     rows: &[Vec<f64>],
-    choices: [u8; 3],
+    inverse: &Inverse,
     pick: Pick<'_>,
 ) -> (Vec<Vec<Pair>>, bool) {
     let (angle, length) = pick(step);
@@ -310,10 +310,10 @@ fn solve_step(
         StepKind::Choose => (vec![vec![if turns { angle } else { [length, length] }]], true),
         StepKind::General => {
             let links = std::array::from_fn(|r| pose_of(&rows[r]));
-            let solved =
-                ik::general::General6R::new(&links, choices.map(ik::general::Choice::new)).solve(&pose_of(&rows[6]));
-            let pairs = |q: &[f64; 6]| q.iter().map(|x| [x.cos(), x.sin()]).collect();
-            (solved.solutions.iter().map(pairs).collect(), false)
+            let cuts = inverse.choices.map(ik::general::Choice::new);
+            let arm = ik::general::General6R::with_slides(&links, &inverse.slides, cuts);
+            let count = solver.finds.len();
+            (arm.find(&pose_of(&rows[6])).iter().map(|r| r[..count].to_vec()).collect(), false)
         }
     }
 }

@@ -284,7 +284,7 @@ fn candidates(chain: &Chain, inverse: &Inverse) -> String {
         let names: Vec<String> = step.unknown.iter().map(|f| plan.knowledge.form_name(&plan.axes, f)).collect();
         out.push_str(&format!("// {}\n", names.join(", ")));
         let turns = solver.finds.first().is_some_and(|k| plan.knowledge.known[*k].turns);
-        let call = call((i, turns, solver), &body, inverse.choices);
+        let call = call((i, turns, solver), &body, inverse);
         out.push_str(&format!("let r{i} = {};\n", call.text));
         out.push_str(&format!("if r{i}.roots.is_empty() {{ {} }}\n", note(chain, inverse, i, &body)));
         let bits: Vec<String> =
@@ -423,7 +423,7 @@ struct Call {
     pattern: fn(&[[String; 2]]) -> String,
 }
 
-fn call((step, turns, solver): (usize, bool, &Solver), body: &Body<'_>, choices: [u8; 3]) -> Call {
+fn call((step, turns, solver): (usize, bool, &Solver), body: &Body<'_>, inverse: &Inverse) -> Call {
     let noise = format!("{NOISE:e}");
     let v = |r: usize, i: usize| solver.rows.get(r).and_then(|row| row.get(i)).map_or("0.0".into(), |v| body.value(*v));
     let minus =
@@ -499,16 +499,20 @@ fn call((step, turns, solver): (usize, bool, &Solver), body: &Body<'_>, choices:
                     format!("[{}, {}, {}]", row(0), row(1), row(2))
                 })
                 .collect();
-            let cuts = choices.map(|c| format!("::dh_robot::ik::general::Choice::new({c})")).join(", ");
+            let cuts = inverse.choices.map(|c| format!("::dh_robot::ik::general::Choice::new({c})")).join(", ");
             (
                 format!(
-                    "::dh_robot::ik::general::General6R::new(&[{}], [{cuts}]).find(&{})",
+                    "::dh_robot::ik::general::General6R::with_slides(&[{}], &{:?}, [{cuts}]).find(&{})",
                     poses[..6].join(", "),
+                    inverse.slides,
                     poses[6]
                 ),
                 "[[1.0, 0.0]; 6]".into(),
-                (|s| format!("[{}]", s.iter().map(|x| format!("[{}, {}]", x[0], x[1])).collect::<Vec<_>>().join(", ")))
-                    as fn(&[[String; 2]]) -> String,
+                (|s| {
+                    let known = s.iter().map(|x| format!("[{}, {}]", x[0], x[1]));
+                    let all: Vec<String> = known.chain((s.len()..6).map(|_| "_".to_string())).collect();
+                    format!("[{}]", all.join(", "))
+                }) as fn(&[[String; 2]]) -> String,
             )
         }
     };
