@@ -1,27 +1,15 @@
 //! The corpus of hand derivations: every printed line is checked by the algebra, and the verdicts stay what they are.
 
-use dh_symbolic::chain::Chain;
-use dh_symbolic::chain::table::{Claims, parse};
-use dh_symbolic::kinematics::claims::{Report, Verdict, check};
-use dh_symbolic::render::errata::{Page, errata};
+use dh_symbolic::kinematics::claims::Verdict;
 use dh_symbolic::render::verdict::{derivation_report, verdict_word};
+use generated_examples::corpus::{self, Checked};
 use std::collections::BTreeMap;
 use std::fmt::Write;
-use std::path::PathBuf;
 
-/// One file of the corpus, checked.
-struct Checked {
-    name: String,
-    claims: Claims,
-    report: Report,
-}
-
-impl Checked {
-    /// (id, verdict) of the lines that were printed.
-    fn printed(&self) -> impl Iterator<Item = (&str, &Verdict)> {
-        let lines = self.claims.derivation.lines.iter().zip(&self.report.verdicts);
-        lines.filter_map(|(l, v)| Some((id_of(&l.note)?, v)))
-    }
+/// (id, verdict) of the lines that were printed.
+fn printed_lines(c: &Checked) -> impl Iterator<Item = (&str, &Verdict)> {
+    let lines = c.claims.derivation.lines.iter().zip(&c.report.verdicts);
+    lines.filter_map(|(l, v)| Some((id_of(&l.note)?, v)))
 }
 
 /// `[puma_0T1] PUMA 0T1`: the id.
@@ -32,28 +20,14 @@ fn id_of(note: &str) -> Option<&str> {
 }
 
 fn corpus() -> Vec<Checked> {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("corpus");
-    let mut files: Vec<PathBuf> = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
-    files.retain(|p| p.extension().is_some_and(|e| e == "dh"));
-    files.sort();
-    let one = |path: &PathBuf| {
-        let name = path.file_stem().unwrap().to_string_lossy().into_owned();
-        let text = std::fs::read_to_string(path).unwrap();
-        let parsed = parse(text.parse().unwrap());
-        let errors = parsed.errors.draw(&text, &name);
-        let chain = Chain::new(parsed.spec.unwrap_or_else(|| panic!("{errors}")));
-        let claims = Claims::read(&parsed.claims);
-        let report = check(&chain, &claims.derivation);
-        Checked { name, claims, report }
-    };
-    files.iter().map(one).collect()
+    corpus::all().unwrap_or_else(|e| panic!("{e}"))
 }
 
 #[test]
 fn every_line_has_its_verdict() {
     let mut text = String::new();
     for c in corpus() {
-        writeln!(text, "=== {}\n\n{}", c.name, derivation_report(&c.report, &c.claims.derivation)).unwrap();
+        writeln!(text, "=== {}\n\n{}", c.file, derivation_report(&c.report, &c.claims.derivation)).unwrap();
     }
     insta::assert_snapshot!("corpus_verdicts", text);
 }
@@ -61,14 +35,14 @@ fn every_line_has_its_verdict() {
 /// Every id of `printed.json` is a claim of the corpus or a note with a reason.
 #[test]
 fn every_printed_line_is_judged() {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("corpus");
+    let folder = corpus::folder();
     let printed: serde_json::Value =
         serde_json::from_str(&std::fs::read_to_string(folder.join("printed.json")).unwrap()).unwrap();
     let notes = std::fs::read_to_string(folder.join("notes.md")).unwrap();
     let corpus = corpus();
     let mut verdicts: BTreeMap<String, Vec<&str>> = BTreeMap::new();
     for c in &corpus {
-        for (id, v) in c.printed() {
+        for (id, v) in printed_lines(c) {
             verdicts.entry(id.to_string()).or_default().push(verdict_word(v));
         }
     }
@@ -83,10 +57,10 @@ fn every_printed_line_is_judged() {
 /// Document 002 prints the PUMA matrices, too, but its text lost the letters: signs, zeros and ones are compared.
 #[test]
 fn the_skeletons_of_document_002_agree() {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("corpus");
+    let folder = corpus::folder();
     let text = std::fs::read_to_string(folder.join("skeleton_002.txt")).unwrap();
     let corpus = corpus();
-    let puma = &corpus.iter().find(|c| c.name == "puma560").unwrap().claims.derivation;
+    let puma = &corpus.iter().find(|c| c.file == "puma560.dh").unwrap().claims.derivation;
     let mut compared = 0;
     for (id, skeleton) in text.lines().filter(|l| !l.starts_with('#')).map(|l| l.split_once(": ").unwrap()) {
         let lines = puma.lines.iter().filter(|l| id_of(&l.note).is_some_and(|i| i.starts_with(id)));
@@ -108,25 +82,10 @@ fn the_skeletons_of_document_002_agree() {
 fn the_slips_are_found() {
     let mut wrong: Vec<String> = Vec::new();
     for c in &corpus() {
-        let bad = c.printed().filter(|(_, v)| matches!(v, Verdict::Wrong(_) | Verdict::NotUnderstood(..)));
+        let bad = printed_lines(c).filter(|(_, v)| matches!(v, Verdict::Wrong(_) | Verdict::NotUnderstood(..)));
         wrong.extend(bad.map(|(id, _)| id.to_string()));
     }
     wrong.sort();
     wrong.dedup();
     insta::assert_snapshot!("corpus_slips", wrong.join("\n"));
-}
-
-/// The errata page: read as a lecturer would.
-#[test]
-fn errata_page() {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("corpus");
-    let notes = std::fs::read_to_string(folder.join("notes.md")).unwrap();
-    let corpus = corpus();
-    let names: Vec<String> = corpus.iter().map(|c| format!("{}.dh", c.name)).collect();
-    let pages: Vec<Page<'_>> = corpus
-        .iter()
-        .zip(&names)
-        .map(|(c, file)| Page { file, derivation: &c.claims.derivation, report: &c.report })
-        .collect();
-    insta::assert_snapshot!("errata", errata(&pages, &notes));
 }

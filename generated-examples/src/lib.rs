@@ -3,6 +3,7 @@
 //! Read [`planar_2r`] first, then [`puma560`]. What the macro made of each table stands, formatted, in `expanded/`, its
 //! lecture notes in `notes/`; `cargo regen` writes both and `cargo regen --check` compares.
 
+pub mod corpus;
 pub mod source;
 
 /// Declares the robots' modules and the two lists of them, so that a robot is named once.

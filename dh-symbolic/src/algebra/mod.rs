@@ -15,12 +15,12 @@
 pub mod angle;
 mod derivative;
 mod evaluate;
+mod factor;
 mod field;
 mod matrix;
 mod monomial;
 mod poly;
 pub mod rational;
-pub mod shape;
 mod substitute;
 mod symbol;
 #[cfg(test)]

@@ -83,7 +83,7 @@ fn run(arguments: &[String]) -> Answer {
             let options = Options { language: request.language, ..Options::default() };
             Answer::good(notes(&chain, &options).print(request.format))
         }),
-        "check" => with_chain(&source, name, check),
+        "check" => with_chain(&source, name, |parsed, chain| check(parsed, &chain)),
         "plan" => {
             with_chain(&source, name, |_, chain| Answer::good(plan(&chain, &search(&chain)).print(request.format)))
         }
@@ -153,28 +153,21 @@ fn with_chain(source: &str, name: &str, go: impl FnOnce(&Parsed, Chain) -> Answe
     }
 }
 
-/// Number of lines of `prove` blocks, how many are not proven, and the report.
-fn derivation(parsed: &Parsed, chain: &Chain) -> (usize, usize, String) {
+/// The verdicts on the `prove` blocks.
+fn derivation(parsed: &Parsed, chain: &Chain) -> (Claims, claims::Report) {
     let claims = Claims::read(&parsed.claims);
     let report = claims::check(chain, &claims.derivation);
-    let proven = |v: &&claims::Verdict| !matches!(v, claims::Verdict::Wrong(_) | claims::Verdict::NotUnderstood(..));
-    let good = report.verdicts.iter().filter(proven).count();
-    let text = verdict::derivation_report(&report, &claims.derivation);
-    (report.verdicts.len(), report.verdicts.len() - good, text)
+    (claims, report)
 }
 
-fn check(parsed: &Parsed, chain: Chain) -> Answer {
+fn check(parsed: &Parsed, chain: &Chain) -> Answer {
     let mut out = format!("{}: {} rows, {} joints, in order\n", chain.name, chain.links.len(), chain.dof());
     if parsed.claims.is_empty() {
         return Answer::good(out);
     }
-    let (lines, wrong, report) = derivation(parsed, &chain);
-    out.push_str(&report);
-    out.push_str(&match wrong {
-        0 => format!("{lines} lines, none wrong\n"),
-        _ => format!("{lines} lines, {wrong} not proven\n"),
-    });
-    Answer { out, err: String::new(), code: if wrong > 0 { WRONG } else { 0 } }
+    let (claims, report) = derivation(parsed, chain);
+    out.push_str(&verdict::check_text(&report, &claims));
+    Answer { out, err: String::new(), code: if report.is_fine() { 0 } else { WRONG } }
 }
 
 fn expand(source: &str, name: &str) -> Answer {
@@ -185,7 +178,7 @@ fn expand(source: &str, name: &str) -> Answer {
         };
         let (items, errors) = compile(tokens);
         if !errors.is_empty() {
-            let wrong = !parsed.claims.is_empty() && derivation(parsed, &chain).1 > 0;
+            let wrong = !derivation(parsed, &chain).1.is_fine();
             let err = errors.draw(source, name);
             return Answer { out: String::new(), err, code: if wrong { WRONG } else { BAD } };
         }

@@ -67,7 +67,7 @@ pub fn errata(pages: &[Page<'_>], reviewed: &str) -> String {
             && !conditions.is_empty()
         {
             let all: Vec<String> =
-                conditions.iter().map(|c| format!("`{}`", condition_text(&p.page.report.ring, c))).collect();
+                conditions.iter().map(|c| format!("`{}`", condition_text(p.page.report, c))).collect();
             let _ = writeln!(
                 out,
                 "- **{}**, {} (`{}`): `{}` holds where {}.",
@@ -110,7 +110,7 @@ fn corrected(p: &Printed<'_>) -> Option<String> {
                 && fault.mend.is_none()
                 && let FaultKind::Formula { correct, .. } = &fault.kind
             {
-                return Some(ratio_text(&report.ring, correct));
+                return Some(ratio_text(report, correct));
             }
             for m in faults.iter().filter_map(|f| f.mend.as_ref()) {
                 mend.edits.extend(m.edits.iter().filter(|e| !mend.edits.contains(e)).cloned().collect::<Vec<_>>());

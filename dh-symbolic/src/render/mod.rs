@@ -19,6 +19,7 @@ pub mod math;
 pub mod notation;
 pub mod notes;
 pub mod plan;
+pub mod plain;
 mod quantities;
 pub mod rust;
 mod rustdoc;

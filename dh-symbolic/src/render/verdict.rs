@@ -1,7 +1,9 @@
 //! Verdicts on hand derivations in plain words: for `dh check`, for compile errors, for the errata page.
 
-use crate::algebra::Ring;
-use crate::algebra::shape::Shape;
+use super::expression::Expression;
+use super::grouping::Order;
+use super::plain;
+use crate::algebra::Poly;
 use crate::chain::claim::{Derivation, Line, Place, Token, line_text};
 use crate::chain::table::Claims;
 use crate::kinematics::claims::{Condition, Edit, Fault, FaultKind, Mend, Ratio, Report, Verdict};
@@ -31,27 +33,43 @@ fn cut(text: String) -> String {
     format!("{head}...")
 }
 
+fn formula(report: &Report, p: &Poly) -> String {
+    let mut groups = report.groups.clone();
+    groups.dedup();
+    plain::formula(&report.ring, &Order::new(groups), p)
+}
+
 /// A quotient of formulas.
-pub fn ratio_text(ring: &Ring, x: &Ratio) -> String {
+pub fn ratio_text(report: &Report, x: &Ratio) -> String {
     if x.den.is_one() {
-        return cut(ring.book_text(&x.num));
+        return cut(formula(report, &x.num));
     }
     if let Some(q) = x.num.quotient(&x.den) {
-        return cut(ring.book_text(&q));
+        return cut(formula(report, &q));
     }
-    let top = ring.book_text(&x.num);
-    let bracketed = |t: String, simple: bool| if simple { t } else { format!("({t})") };
-    let below = ring.book_text(&x.den);
+    let (top, below) = (formula(report, &x.num), formula(report, &x.den));
+    let top = if top.contains(' ') { format!("({top})") } else { top };
     let simple = below.chars().all(|c| c.is_ascii_alphanumeric());
-    cut(format!("{}/{}", bracketed(top.clone(), !top.contains(' ')), bracketed(below, simple)))
+    cut(if simple { format!("{top}/{below}") } else { format!("{top}/({below})") })
 }
 
 /// `d2 >= 0`
-pub fn condition_text(ring: &Ring, c: &Condition) -> String {
-    match c.formula.shape() {
-        Shape::Negative(inner) => format!("{} {} 0", ring.shape_text(&inner), if c.strict { "<" } else { "<=" }),
-        shape => format!("{} {} 0", ring.shape_text(&shape), if c.strict { ">" } else { ">=" }),
-    }
+pub fn condition_text(report: &Report, c: &Condition) -> String {
+    let order = Order::new(report.groups.clone());
+    let (e, turned) = match order.group(&c.formula) {
+        Expression::Sum(mut terms) if terms.len() == 1 => {
+            let only = terms.remove(0);
+            (only.value, only.negative)
+        }
+        e => (e, false),
+    };
+    let sign = match (turned, c.strict) {
+        (false, false) => ">=",
+        (false, true) => ">",
+        (true, false) => "<=",
+        (true, true) => "<",
+    };
+    format!("{} {sign} 0", plain::expression(&report.ring, &e))
 }
 
 fn number(x: f64) -> String {
@@ -63,13 +81,18 @@ fn tokens_text(tokens: &[Token]) -> String {
     line_text(tokens).0
 }
 
+/// Does what is inserted belong to the word before it?
+fn is_suffix(e: &Edit) -> bool {
+    e.tokens.first().is_some_and(|t| t.is("^") || t.is("."))
+}
+
 /// "`s6` should be `c6`".
 pub fn edit_text(tokens: &[Token], e: &Edit) -> String {
     let old = tokens_text(tokens.get(e.place.clone()).unwrap_or_default());
     let new = tokens_text(&e.tokens);
     let word = |k: usize| tokens.get(k).map(|t| t.text.clone()).unwrap_or_default();
     match (old.is_empty(), new.is_empty()) {
-        (true, _) if e.tokens.first().is_some_and(|t| t.is("^") || t.is(".")) => {
+        (true, _) if is_suffix(e) => {
             format!("`{new}` is missing after `{}`", word(e.place.start.saturating_sub(1)))
         }
         (true, _) => format!("`{new}` is missing before `{}`", word(e.place.start)),
@@ -83,16 +106,16 @@ pub fn mend_text(tokens: &[Token], m: &Mend) -> String {
     m.edits.iter().map(|e| edit_text(tokens, e)).collect::<Vec<_>>().join(" and ")
 }
 
-fn fault_remark(ring: &Ring, d: &Derivation, f: &Fault) -> Remark {
+fn fault_remark(report: &Report, d: &Derivation, f: &Fault) -> Remark {
     let at = f.entry.map_or_else(String::new, |(i, j)| format!("entry ({i},{j}): "));
     let mut r = Remark { place: f.place.clone(), ..Remark::default() };
     match &f.kind {
         FaultKind::Formula { correct, difference, .. } => {
-            r.headline = format!("{at}printed - correct = {}", ratio_text(ring, difference));
-            r.details.push(format!("correct: {}", ratio_text(ring, correct)));
+            r.headline = format!("{at}printed - correct = {}", ratio_text(report, difference));
+            r.details.push(format!("correct: {}", ratio_text(report, correct)));
         }
         FaultKind::Angle(difference) => {
-            r.headline = format!("{at}these angles are not the same: {} is not zero", ratio_text(ring, difference));
+            r.headline = format!("{at}these angles are not the same: {} is not zero", ratio_text(report, difference));
         }
         FaultKind::Opposite => r.headline = format!("{at}these angles differ by half a turn"),
         FaultKind::Number { printed, correct, tolerance, angle } => {
@@ -118,7 +141,7 @@ pub fn remarks(report: &Report, d: &Derivation, verdict: &Verdict) -> Vec<Remark
         Verdict::Noted | Verdict::Proven(_) | Verdict::Agrees => vec![],
         Verdict::Wrong(faults) => {
             // where no entry is written out, the mend stands with the first fault
-            faults.iter().map(|f| fault_remark(&report.ring, d, f)).collect()
+            faults.iter().map(|f| fault_remark(report, d, f)).collect()
         }
         Verdict::NotUnderstood(n, mend) => vec![Remark {
             headline: n.why.clone(),
@@ -167,7 +190,13 @@ fn marks(v: &Verdict, k: usize, r: &Remark) -> Vec<Place> {
         Verdict::NotUnderstood(_, mend) => mend.as_ref(),
         _ => None,
     };
-    mend.map_or_else(|| vec![r.place.clone()], |m| m.edits.iter().map(|e| e.place.clone()).collect())
+    // an insertion is shown at the word that it belongs to
+    let shown = |e: &Edit| match (e.place.is_empty(), is_suffix(e)) {
+        (false, _) => e.place.clone(),
+        (true, true) => e.place.start.saturating_sub(1)..e.place.start,
+        (true, false) => e.place.start..e.place.start + 1,
+    };
+    mend.map_or_else(|| vec![r.place.clone()], |m| m.edits.iter().map(shown).collect())
 }
 
 /// One line with its verdict, as plain text; what is wrong is underlined.
@@ -179,7 +208,7 @@ pub fn line_report(report: &Report, d: &Derivation, line: &Line, verdict: &Verdi
     if let Verdict::Proven(conditions) = verdict
         && !conditions.is_empty()
     {
-        let all: Vec<String> = conditions.iter().map(|c| condition_text(&report.ring, c)).collect();
+        let all: Vec<String> = conditions.iter().map(|c| condition_text(report, c)).collect();
         let _ = writeln!(out, "        where {}", all.join(" and "));
     }
     let mut shown: Option<Place> = None;
@@ -219,8 +248,9 @@ fn carets(places: &[Place], from: usize, tokens: &[Token], columns: &[usize], wi
     carets
 }
 
-/// What `dh check` prints: every claim with its verdict and its line in the file, then how many there are of each kind.
-pub fn check_text(report: &Report, claims: &Claims, file: &str) -> String {
+/// What `dh check` prints: every claim with its verdict behind the number of its line in the file, then how many there are of
+/// each kind.
+pub fn check_text(report: &Report, claims: &Claims) -> String {
     let d = &claims.derivation;
     let mut out = String::new();
     let mut counts: Vec<(&str, usize)> = Vec::new();
@@ -234,11 +264,9 @@ pub fn check_text(report: &Report, claims: &Claims, file: &str) -> String {
             None => counts.push((word, 1)),
         }
         let number = claims.place(&line.place).map_or(0, crate::diagnostic::Place::line);
-        let _ = match number {
-            0 => write!(out, ""),
-            n => writeln!(out, "{file}:{n}"),
-        };
-        out.push_str(&line_report(report, d, line, v));
+        for (k, text) in line_report(report, d, line, v).lines().enumerate() {
+            let _ = if k == 0 && number > 0 { writeln!(out, "{number:>4}  {text}") } else { writeln!(out, "      {text}") };
+        }
     }
     let counts: Vec<String> = counts.iter().map(|(word, n)| format!("{n} {word}")).collect();
     let _ = writeln!(out, "{}", if counts.is_empty() { "no claims".into() } else { counts.join(", ") });

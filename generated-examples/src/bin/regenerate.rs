@@ -1,5 +1,5 @@
-//! Writes what is made from the example robots: `expanded/<robot>.rs`, exactly what the macro leaves behind, formatted, and
-//! `notes/<robot>.md`, their lecture notes.
+//! Writes what is made from the example robots: `expanded/<robot>.rs`, exactly what the macro leaves behind, formatted;
+//! `notes/<robot>.md`, their lecture notes; and `notes/errata.md`, what is wrong in the documents that they come from.
 //!
 //! `cargo regen` writes, `cargo regen --check` compares and fails where a file is stale.
 
@@ -14,6 +14,7 @@ use dh_symbolic::chain::Chain;
 use dh_symbolic::chain::table::parse;
 use dh_symbolic::render::rust::pretty;
 use dh_symbolic::render::{Format, Options, notes};
+use generated_examples::corpus;
 use generated_examples::source::{self, Source};
 use proc_macro2::TokenStream;
 
@@ -63,6 +64,7 @@ fn files() -> io::Result<Files> {
         files.insert(format!("notes/{}.md", source.module).into(), lecture(&source)?);
     }
     files.insert("expanded/mod.rs".into(), modules);
+    files.insert("notes/errata.md".into(), corpus::errata_page()?);
     Ok(files)
 }
 

@@ -24,8 +24,8 @@ pub use ratio::Ratio;
 
 use super::Kinematics;
 use crate::algebra::{Angle, AngleVar, Poly, Ring, Symbol};
-use crate::chain::Chain;
 use crate::chain::claim::{Derivation, NotUnderstood, Place, Token};
+use crate::chain::{Chain, Coordinate, Joint};
 use std::collections::BTreeMap;
 
 /// What was found about a derivation.
@@ -33,6 +33,8 @@ use std::collections::BTreeMap;
 pub struct Report {
     /// The names that the formulas of the verdicts use: the chain's, and those that the derivation added.
     pub ring: Ring,
+    /// The groups of the joints' angles, from base to tip: the order in which formulas are written.
+    pub groups: Vec<u16>,
     /// One verdict per line.
     pub verdicts: Vec<Verdict>,
 }
@@ -142,7 +144,11 @@ pub struct Edit {
 pub fn check(chain: &Chain, derivation: &Derivation) -> Report {
     let mut e = Evaluator::new(chain, &derivation.tokens);
     let verdicts = derivation.lines.iter().map(|l| e.line(l)).collect();
-    Report { ring: e.ring, verdicts }
+    let group = |j: &Joint| match j.coordinate {
+        Coordinate::Angle(v) => Some(v.group()),
+        Coordinate::Length(_) => None,
+    };
+    Report { ring: e.ring, groups: chain.joints.iter().filter_map(group).collect(), verdicts }
 }
 
 /// A square root in a formula: a symbol whose square is the radicand, and which is not negative.

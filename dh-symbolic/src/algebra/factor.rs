@@ -1,16 +1,15 @@
-//! A formula as people write it: factored, collected by the outermost angle first, powers instead of multiple angles.
+//! Factors of a formula: common ones, and those that depend on one angle (or group of parallel angles) alone; exact quotients.
 //!
-//! The normal form decides equality; this is only another way to write it down, so every step here is an identity:
-//! common factors are taken out, factors that depend on one angle (or group of parallel angles) alone are split off, and what
-//! remains is collected by its first angle: `c1*(a2*c2 + a3*c23 - d4*s23) - d3*s1`.
+//! The normal form decides equality; factors serve where a sign or a common divisor is asked for. Formulas are taken as polynomials
+//! in symbols, roots, sines and cosines, with powers instead of multiple angles. Not every factorisation is found.
 
-use super::{AngleVar, Factor, Poly, Rational, Ring, Symbol};
+use super::{AngleVar, Factor, Poly, Rational, Symbol};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 /// What cannot be taken apart.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Atom {
+enum Atom {
     /// The square root of 2 or 3.
     Root(u8),
     /// A symbol.
@@ -37,23 +36,6 @@ impl PartialOrd for Atom {
     fn partial_cmp(&self, other: &Atom) -> Option<Ordering> {
         Some(self.cmp(other))
     }
-}
-
-/// A formula as a tree.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Shape {
-    /// A number that is not negative.
-    Number(Rational),
-    /// A name.
-    Atom(Atom),
-    /// A power above 1.
-    Power(Box<Shape>, u32),
-    /// Two factors or more, none of them negative.
-    Product(Vec<Shape>),
-    /// Two terms or more.
-    Sum(Vec<Shape>),
-    /// A negative number, name, power or product.
-    Negative(Box<Shape>),
 }
 
 /// Powers of atoms, in order.
@@ -326,104 +308,6 @@ fn collect(sum: &Sum, s: (u8, u16)) -> BTreeMap<Powers, Sum> {
     parts
 }
 
-fn power_shape(a: &Atom, n: u32) -> Shape {
-    if n == 1 { Shape::Atom(a.clone()) } else { Shape::Power(Box::new(Shape::Atom(a.clone())), n) }
-}
-
-fn shape_of(sum: Sum) -> Shape {
-    let s = split(sum);
-    if s.number.is_zero() {
-        return Shape::Number(Rational::ZERO);
-    }
-    let mut sums: Vec<Shape> = s.sums.into_iter().map(sum_shape).collect();
-    let mut number = s.number;
-    // -(a - b) reads better as b - a
-    if number.is_negative() {
-        let turned = sums.iter().enumerate().find_map(|(i, f)| Some((i, turned_around(f)?)));
-        if let Some((i, f)) = turned {
-            sums[i] = f;
-            number = -&number;
-        }
-    }
-    let size = number.abs();
-    let mut factors: Vec<Shape> = Vec::new();
-    if !size.is_one() || (s.common.is_empty() && sums.is_empty()) {
-        factors.push(Shape::Number(size));
-    }
-    factors.extend(s.common.iter().map(|(a, n)| power_shape(a, *n)));
-    // equal sums become powers
-    for f in sums {
-        match factors.last_mut() {
-            Some(Shape::Power(base, n)) if **base == f => *n += 1,
-            Some(last) if *last == f => *last = Shape::Power(Box::new(f), 2),
-            _ => factors.push(f),
-        }
-    }
-    let product = if factors.len() == 1 { factors.remove(0) } else { Shape::Product(factors) };
-    match product {
-        p if !number.is_negative() => p,
-        Shape::Sum(terms) => Shape::Sum(terms.into_iter().map(negative).collect()),
-        p => negative(p),
-    }
-}
-
-/// The negative of a shape, where it can be written without a sign in front: b - a for a - b.
-fn turned_around(s: &Shape) -> Option<Shape> {
-    match s {
-        Shape::Negative(inner) => Some((**inner).clone()),
-        Shape::Product(factors) => {
-            let (i, f) = factors.iter().enumerate().find_map(|(i, f)| Some((i, turned_around(f)?)))?;
-            let mut factors = factors.clone();
-            factors[i] = f;
-            Some(Shape::Product(factors))
-        }
-        Shape::Sum(terms) => {
-            let mut terms: Vec<Shape> =
-                terms.iter().map(|t| turned_around(t).unwrap_or_else(|| negative(t.clone()))).collect();
-            let first = terms.iter().position(|t| !matches!(t, Shape::Negative(_)))?;
-            let t = terms.remove(first);
-            terms.insert(0, t);
-            Some(Shape::Sum(terms))
-        }
-        _ => None,
-    }
-}
-
-fn negative(s: Shape) -> Shape {
-    match s {
-        Shape::Negative(inner) => *inner,
-        Shape::Number(x) if x.is_zero() => Shape::Number(x),
-        s => Shape::Negative(Box::new(s)),
-    }
-}
-
-/// A sum without a common factor.
-fn sum_shape(sum: Sum) -> Shape {
-    let simple = |p: &Powers| p.iter().filter(|(a, _)| slot(a).0 == 2).count() < 2;
-    let mut terms = Vec::new();
-    let first = slots(&sum).into_iter().find(|s| collect(&sum, *s).len() < sum.len());
-    match first.filter(|_| !sum.keys().all(simple)) {
-        Some(s) => terms.extend(collect(&sum, s).into_iter().map(|(own, part)| {
-            let part = part.into_iter().map(|(p, c)| (times(&own, &p), c)).collect();
-            shape_of(part)
-        })),
-        None => terms.extend(sum.iter().map(|(p, c)| shape_of(Sum::from([(p.clone(), c.clone())])))),
-    }
-    let mut flat = Vec::new();
-    for t in terms {
-        match t {
-            Shape::Sum(inner) => flat.extend(inner),
-            t => flat.push(t),
-        }
-    }
-    // a sum begins with a positive term where it has one
-    if let Some(i) = flat.iter().position(|t| !matches!(t, Shape::Negative(_))) {
-        let t = flat.remove(i);
-        flat.insert(0, t);
-    }
-    Shape::Sum(flat)
-}
-
 /// The quotient of two sums, where it is one: division from the greatest powers down.
 fn divided(mut a: Sum, b: &Sum) -> Option<Sum> {
     let top = |s: &Sum| s.iter().max_by(|x, y| by_powers(x.0, y.0)).map(|(p, c)| (p.clone(), c.clone()));
@@ -473,11 +357,6 @@ impl Poly {
         divided(to_sum(self), &to_sum(other)).map(|q| to_poly(&q))
     }
 
-    /// The formula as people write it.
-    pub fn shape(&self) -> Shape {
-        shape_of(to_sum(self))
-    }
-
     /// Is this, as it stands, a sum of squares with positive factors?
     pub fn is_sum_of_squares(&self) -> bool {
         let square = |(a, n): &(Atom, u32)| n % 2 == 0 || matches!(a, Atom::Root(_));
@@ -500,109 +379,11 @@ impl Poly {
     }
 }
 
-/// A decimal where it is finite and short, otherwise a fraction.
-pub fn number_text(x: &Rational) -> String {
-    if let Some((n, mut d)) = x.to_small() {
-        let mut places = 0u32;
-        let mut scaled = n;
-        while d > 1 && places < 12 {
-            let step = if d % 10 == 0 {
-                (1, 10)
-            } else if d % 2 == 0 {
-                (5, 2)
-            } else if d % 5 == 0 {
-                (2, 5)
-            } else {
-                break;
-            };
-            let Some(next) = scaled.checked_mul(step.0) else { break };
-            scaled = next;
-            d /= step.1;
-            places += 1;
-        }
-        if d == 1 && places > 0 {
-            let digits = format!("{:0width$}", scaled.unsigned_abs(), width = places as usize + 1);
-            let (whole, fraction) = digits.split_at(digits.len() - places as usize);
-            return format!("{}{whole}.{fraction}", if scaled < 0 { "-" } else { "" });
-        }
-    }
-    x.to_string()
-}
-
-impl Ring {
-    /// The name of an atom.
-    pub fn atom_text(&self, a: &Atom) -> String {
-        match a {
-            Atom::Root(n) => format!("sqrt({n})"),
-            Atom::Symbol(s) => self.symbol_name(*s).to_string(),
-            Atom::Cos(t) => self.harmonic_text(t, false),
-            Atom::Sin(t) => self.harmonic_text(t, true),
-        }
-    }
-
-    /// A shape in plain text.
-    pub fn shape_text(&self, s: &Shape) -> String {
-        match s {
-            Shape::Number(x) => number_text(x),
-            Shape::Atom(a) => self.atom_text(a),
-            Shape::Power(base, n) => format!("{}^{n}", self.bracketed(base, false)),
-            Shape::Product(factors) => factors.iter().map(|f| self.bracketed(f, true)).collect::<Vec<_>>().join("*"),
-            Shape::Negative(inner) => format!("-{}", self.bracketed(inner, true)),
-            Shape::Sum(terms) => {
-                let mut out = String::new();
-                for t in terms {
-                    match t {
-                        Shape::Negative(inner) if !out.is_empty() => {
-                            out.push_str(" - ");
-                            out.push_str(&self.bracketed(inner, true));
-                        }
-                        t => {
-                            if !out.is_empty() {
-                                out.push_str(" + ");
-                            }
-                            out.push_str(&self.shape_text(t));
-                        }
-                    }
-                }
-                out
-            }
-        }
-    }
-
-    fn bracketed(&self, s: &Shape, product_is_fine: bool) -> String {
-        let text = self.shape_text(s);
-        let plain = match s {
-            Shape::Atom(_) => true,
-            Shape::Number(_) | Shape::Power(..) | Shape::Product(_) => product_is_fine,
-            Shape::Negative(_) | Shape::Sum(_) => false,
-        };
-        if plain { text } else { format!("({text})") }
-    }
-
-    /// A formula as people write it, in plain text.
-    pub fn book_text(&self, p: &Poly) -> String {
-        // what nobody will read needs no good shape
-        if p.terms().len() > MOST_TERMS { self.text(p) } else { self.shape_text(&p.shape()) }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn to_poly(s: &Shape) -> Poly {
-        match s {
-            Shape::Number(x) => Poly::constant(x.clone()),
-            Shape::Atom(a) => atom_poly(a),
-            Shape::Power(base, n) => to_poly(base).pow(*n),
-            Shape::Product(f) => f.iter().fold(Poly::one(), |p, x| &p * &to_poly(x)),
-            Shape::Sum(t) => t.iter().map(to_poly).sum(),
-            Shape::Negative(x) => -&to_poly(x),
-        }
-    }
-
     struct Arm {
-        ring: Ring,
         length: Vec<Poly>,
         c: Vec<Poly>,
         s: Vec<Poly>,
@@ -610,7 +391,7 @@ mod tests {
 
     /// Lengths a, b; angles q1 (alone), q2 and q3 (parallel), q4 (alone); c and s of q1, q2, q23, q4.
     fn arm() -> Arm {
-        let mut ring = Ring::new();
+        let mut ring = super::super::Ring::new();
         let length = ["a", "b"].map(|n| Poly::symbol(ring.symbol(n))).to_vec();
         let q1 = ring.angle("q1");
         let q2 = ring.angle("q2");
@@ -619,37 +400,12 @@ mod tests {
         let waves = [vec![(q1, 1)], vec![(q2, 1)], vec![(q2, 1), (q3, 1)], vec![(q4, 1)]];
         let c = waves.iter().map(|w| Poly::harmonic(w, false)).collect();
         let s = waves.iter().map(|w| Poly::harmonic(w, true)).collect();
-        Arm { ring, length, c, s }
+        Arm { length, c, s }
     }
 
     #[test]
-    fn books_write_it_like_this() {
-        let Arm { ring, length, c, s } = arm();
-        let (a, b) = (&length[0], &length[1]);
-        let two = Poly::int(2);
-        let x = &(&c[0] * &(&(a * &c[1]) - &(b * &s[2]))) - &(b * &s[0]);
-        let cases = [
-            (x.clone(), "c1*(a*c2 - b*s23) - b*s1"),
-            (&(&s[0] * &s[3]) * &(&c[2] - &s[2]), "s1*s4*(c23 - s23)"),
-            (&c[3].square() * a, "a*c4^2"),
-            (&s[3] * &c[3], "c4*s4"),
-            (&(a * a) - &(b * b), "a^2 - b^2"),
-            (&two * &(a + b), "2*(a + b)"),
-            (-&(a + b), "-a - b"),
-            (&(b - a) * &c[0], "c1*(b - a)"),
-            (Poly::constant(Rational::new(-381, 10).unwrap()), "-38.1"),
-            (Poly::constant(Rational::new(1, 3).unwrap()), "1/3"),
-            (&Poly::sqrt2() * a, "sqrt(2)*a"),
-            (Poly::zero(), "0"),
-        ];
-        for (p, text) in cases {
-            assert_eq!(ring.book_text(&p), text);
-        }
-    }
-
-    #[test]
-    fn every_shape_is_the_formula() {
-        let Arm { length, c, s, .. } = arm();
+    fn factors_multiply_to_the_formula() {
+        let Arm { length, c, s } = arm();
         let atoms: Vec<&Poly> = length.iter().chain(&c).chain(&s).collect();
         // all products of two sums of two atoms
         for i in 0..atoms.len() {
@@ -657,7 +413,6 @@ mod tests {
                 for k in [0, 3, 7] {
                     let left = atoms[i] - &atoms[j].scale(&Rational::int(3));
                     let p = &(&left * &(atoms[j] + atoms[k])) * &atoms[i].pow(2);
-                    assert_eq!(to_poly(&p.shape()), p);
                     let (number, factors) = p.factors();
                     let product = factors.iter().fold(Poly::constant(number), |x, (f, n)| &x * &f.pow(*n));
                     assert_eq!(product, p);
@@ -668,7 +423,7 @@ mod tests {
 
     #[test]
     fn exact_quotients_are_found() {
-        let Arm { length, c, s, .. } = arm();
+        let Arm { length, c, s } = arm();
         let (a, b) = (&length[0], &length[1]);
         let d = &(a * a) + &(b * b);
         let q = &(a * &c[0]) - &(b * &s[2]);
