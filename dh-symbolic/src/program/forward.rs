@@ -5,6 +5,7 @@
 //! tried and counted; see [`pose`].
 
 use super::graph::{Graph, Value};
+use super::links::link_by_link;
 use super::vector::{V3, unit};
 use super::{Cost, Program};
 use crate::algebra::Poly;
@@ -77,7 +78,7 @@ pub(super) fn columns_from_tip(g: &mut Graph, blocks: &[Block], crossed: Option<
 }
 
 /// Turns three columns by Rz on the right: the forward way.
-fn turn_columns(g: &mut Graph, axis: usize, (c, s): (Value, Value), m: [V3; 3]) -> [V3; 3] {
+pub(super) fn turn_columns(g: &mut Graph, axis: usize, (c, s): (Value, Value), m: [V3; 3]) -> [V3; 3] {
     let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
     let mut w = m;
     let (a, b) = (g.times(c, m[j]), g.times(s, m[k]));
@@ -112,58 +113,102 @@ fn outputs(columns: [V3; 3], p: V3) -> Vec<Value> {
 /// The cheapest program for the pose.
 pub(super) fn pose(chain: &Chain, blocks: &[Block]) -> Program {
     let mut best: Option<(usize, Program)> = None;
+    let mut offer = |graph: Graph, columns: [V3; 3], p: V3| {
+        let program = Program { graph, outputs: outputs(columns, p) }.share_waves();
+        let weight = Cost::of(&program.graph, &program.outputs).weight();
+        if best.as_ref().is_none_or(|b| weight < b.0) {
+            best = Some((weight, program));
+        }
+    };
     let split = without_last_shift(blocks);
-    for choice in 0..2 * (COLUMN_CHOICES.len() + 1) {
+    for choice in 0..=COLUMN_CHOICES.len() {
         let mut g = Graph::new(chain);
-        let columns = match COLUMN_CHOICES.get(choice / 2) {
+        let columns = match COLUMN_CHOICES.get(choice) {
             Some(crossed) => columns_from_tip(&mut g, blocks, *crossed),
             None => blocks.iter().fold(identity(), |m, b| columns_forward(&mut g, &b.turn, &b.exit, m)),
         };
-        let p = match (&split, choice % 2) {
-            (Some((rest, shift)), 1) => {
-                let start = tip(&mut g, rest);
-                let length = g.polynomial(shift);
-                let along = g.times(length, columns[2]);
-                g.plus(start, along)
-            }
-            (None, 1) => continue,
-            _ => tip(&mut g, blocks),
-        };
-        let outputs = outputs(columns, p);
-        let weight = Cost::of(&g, &outputs).weight();
-        if best.as_ref().is_none_or(|b| weight < b.0) {
-            best = Some((weight, Program { graph: g, outputs }));
+        if let Some((rest, shift)) = &split {
+            let mut g = g.clone();
+            let start = tip(&mut g, rest);
+            let length = g.polynomial(shift);
+            let along = g.times(length, columns[2]);
+            let p = g.plus(start, along);
+            offer(g, columns, p);
         }
+        let p = tip(&mut g, blocks);
+        offer(g, columns, p);
     }
+    for shifts in [Shifts::Turned, Shifts::AlongColumns] {
+        let mut g = Graph::new(chain);
+        let walk = outwards(&mut g, blocks, shifts);
+        offer(g, walk.columns, walk.tip);
+    }
+    let mut g = Graph::new(chain);
+    let ((columns, p), _) = link_by_link(&mut g, chain);
+    offer(g, columns, p);
     best.map_or_else(|| Program { graph: Graph::new(chain), outputs: Vec::new() }, |b| b.1)
 }
 
 /// Every link frame, from the base outwards.
 pub(super) fn frames(chain: &Chain, blocks: &[Block]) -> Program {
     let mut g = Graph::new(chain);
-    let mut m = identity();
-    let mut origin = [super::graph::ZERO; 3];
     let mut all = vec![Vec::new(); chain.links.len()];
-    for block in blocks {
-        let mut at = origin;
-        let mut done = 0;
-        let mut marks = block.frames.iter().peekable();
-        loop {
-            while let Some(mark) = marks.next_if(|f| f.pieces == done) {
-                let columns = columns_forward(&mut g, &mark.turn, &mark.exit, m);
-                all[mark.row] = outputs(columns, at);
-            }
-            let Some(piece) = block.pieces.get(done) else { break };
-            let v = g.vector(&piece.v);
-            let local = g.turn_z(&piece.turn, v);
-            for k in 0..3 {
-                let part = g.times(local[k], m[k]);
-                at = g.plus(at, part);
-            }
-            done += 1;
+    let walk = outwards(&mut g, blocks, Shifts::Turned);
+    for (block, stop) in blocks.iter().zip(&walk.stops) {
+        for mark in &block.frames {
+            let columns = columns_forward(&mut g, &mark.turn, &mark.exit, stop.columns);
+            all[mark.row] = outputs(columns, stop.origins[mark.pieces]);
         }
-        origin = at;
-        m = columns_forward(&mut g, &block.turn, &block.exit, m);
     }
-    Program { graph: g, outputs: all.concat() }
+    Program { graph: g, outputs: all.concat() }.share_waves()
+}
+
+/// The way from the base to the tip.
+pub(super) struct Walk {
+    /// Every block.
+    pub(super) stops: Vec<Stop>,
+    /// Columns of the tool's frame.
+    pub(super) columns: [V3; 3],
+    /// Its origin.
+    pub(super) tip: V3,
+}
+
+/// A block on the way.
+pub(super) struct Stop {
+    /// Columns of its frame before its turns.
+    pub(super) columns: [V3; 3],
+    /// Origins after 0, 1, 2, ... of its pieces.
+    pub(super) origins: Vec<V3>,
+}
+
+/// How a shift inside a block gets into the base.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Shifts {
+    /// It is turned into the block's frame first.
+    Turned,
+    /// The block's columns are turned, as the textbook multiplies.
+    AlongColumns,
+}
+
+/// Walks from the base to the tip.
+pub(super) fn outwards(g: &mut Graph, blocks: &[Block], shifts: Shifts) -> Walk {
+    let mut walk = Walk { stops: Vec::new(), columns: identity(), tip: [super::graph::ZERO; 3] };
+    for block in blocks {
+        let mut origins = vec![walk.tip];
+        for piece in &block.pieces {
+            let v = g.vector(&piece.v);
+            let (v, columns) = match shifts {
+                Shifts::Turned => (g.turn_z(&piece.turn, v), walk.columns),
+                Shifts::AlongColumns => (v, columns_forward(g, &piece.turn, &[], walk.columns)),
+            };
+            for (x, column) in v.into_iter().zip(columns) {
+                let part = g.times(x, column);
+                walk.tip = g.plus(walk.tip, part);
+            }
+            origins.push(walk.tip);
+        }
+        walk.stops.push(Stop { columns: walk.columns, origins });
+        walk.columns = columns_forward(g, &block.turn, &block.exit, walk.columns);
+    }
+    walk
 }

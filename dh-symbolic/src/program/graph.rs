@@ -104,7 +104,15 @@ impl Graph {
         &self.waves
     }
 
-    fn push(&mut self, node: Node) -> Value {
+    /// A graph without instructions but 0 and 1, with the same constants and the same knowledge.
+    pub(super) fn emptied(&self) -> Graph {
+        let mut graph = Graph { nodes: Vec::new(), index: HashMap::new(), waves: Vec::new(), ..self.clone() };
+        graph.constant(Poly::zero());
+        graph.constant(Poly::one());
+        graph
+    }
+
+    pub(super) fn push(&mut self, node: Node) -> Value {
         let next = self.nodes.len() as u32;
         let id = *self.index.entry(node).or_insert(next);
         if id == next {

@@ -5,11 +5,12 @@
 //! columns and axes into the base, and there are several ways: one block at a time from the tip, along columns that are known
 //! anyway, or as a multiple of an axis. The cheapest is taken column by column.
 
-use super::forward::{COLUMN_CHOICES, columns_forward, columns_from_tip, identity, lever, to_base};
+use super::forward::{COLUMN_CHOICES, Shifts, columns_forward, columns_from_tip, identity, lever, outwards, to_base};
 use super::graph::{Graph, Value, ZERO};
+use super::links::link_by_link;
 use super::vector::{V3, unit};
 use super::{Cost, Program};
-use crate::chain::Chain;
+use crate::chain::{Chain, Coordinate, Joint};
 use crate::kinematics::Block;
 
 /// How the rotation and the joint axes are found.
@@ -191,6 +192,45 @@ fn build(chain: &Chain, blocks: &[Block], way: Way) -> Option<Program> {
     Some(Program { graph: g, outputs })
 }
 
+/// The textbook's way: all frames from the base, block by block or (`None`) link by link, and z x (tip - origin) for a joint that
+/// turns.
+fn textbook(chain: &Chain, blocks: &[Block], shifts: Option<Shifts>) -> Program {
+    let mut g = Graph::new(chain);
+    let mut axes: Vec<(V3, V3)> = vec![([ZERO; 3], [ZERO; 3]); chain.dof()];
+    let (pose, tip) = match shifts {
+        Some(shifts) => {
+            let walk = outwards(&mut g, blocks, shifts);
+            for (block, stop) in blocks.iter().zip(&walk.stops) {
+                for joint in &block.joints {
+                    let z = stop.columns[2].map(|v| if joint.opposite { -v } else { v });
+                    // Shifts along the axis lead to another point on it, nearer to the tip.
+                    let shifts = block.pieces[joint.pieces..].iter();
+                    let along = shifts.take_while(|p| p.v[0].is_zero() && p.v[1].is_zero()).count();
+                    axes[joint.joint] = (z, stop.origins[joint.pieces + along]);
+                }
+            }
+            (walk.columns, walk.tip)
+        }
+        None => {
+            let (pose, found) = link_by_link(&mut g, chain);
+            axes = found;
+            pose
+        }
+    };
+    let column = |g: &mut Graph, joint: &Joint, (z, origin): (V3, V3)| match joint.coordinate {
+        Coordinate::Angle(_) => {
+            let r = g.minus(tip, origin);
+            [g.cross(z, r), z]
+        }
+        Coordinate::Length(_) => [z, [ZERO; 3]],
+    };
+    let columns: Vec<[V3; 2]> =
+        chain.joints.iter().zip(axes).map(|(joint, axis)| column(&mut g, joint, axis)).collect();
+    let mut outputs: Vec<Value> = [pose[0], pose[1], pose[2], tip].concat();
+    outputs.extend(motor_columns(&mut g, chain, &columns));
+    Program { graph: g, outputs }
+}
+
 /// Columns per motor: J_q = J_x * drive.
 fn motor_columns(g: &mut Graph, chain: &Chain, columns: &[[V3; 2]]) -> Vec<Value> {
     if chain.is_direct() {
@@ -215,7 +255,10 @@ fn motor_columns(g: &mut Graph, chain: &Chain, columns: &[[V3; 2]]) -> Vec<Value
 pub(super) fn jacobian(chain: &Chain, blocks: &[Block]) -> Program {
     let ways = COLUMN_CHOICES.into_iter().map(Way::Tip).chain([Way::Base, Way::Axes]);
     let mut best: Option<(usize, Program)> = None;
-    for program in ways.filter_map(|way| build(chain, blocks, way)) {
+    let built = ways
+        .filter_map(|way| build(chain, blocks, way))
+        .chain([Some(Shifts::Turned), Some(Shifts::AlongColumns), None].map(|shifts| textbook(chain, blocks, shifts)));
+    for program in built.map(Program::share_waves) {
         let weight = Cost::of(&program.graph, &program.outputs).weight();
         if best.as_ref().is_none_or(|b| weight < b.0) {
             best = Some((weight, program));

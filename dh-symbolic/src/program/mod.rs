@@ -12,9 +12,11 @@ mod identity;
 mod interpret;
 mod inverse;
 mod jacobian;
+mod links;
 mod proof;
 mod solve;
 mod vector;
+mod waves;
 
 pub use cost::Cost;
 pub use graph::{Graph, Node, Value};
@@ -24,8 +26,9 @@ pub use inverse::{Inverse, Solver};
 pub use proof::{Disproof, prove_frames, prove_jacobian, prove_pose};
 pub use solve::{Attempt, Candidate, NOISE};
 
-use crate::chain::Chain;
-use crate::kinematics::{Kinematics, blocks};
+use crate::algebra::LinearAngle;
+use crate::chain::{Chain, Elementary};
+use crate::kinematics::{Block, Kinematics, blocks};
 
 /// Instructions with their outputs.
 #[derive(Clone, Debug)]
@@ -61,7 +64,7 @@ impl Forward {
         let jacobian = jacobian::jacobian(chain, &blocks);
         let forward = Forward { pose, frames, jacobian };
         test_identities(&forward, chain, &kinematics)?;
-        if waves_in_a_row(chain, &blocks) <= SHORT {
+        if turns_in_a_row(&blocks) <= SHORT {
             prove_pose(&forward.pose, &kinematics)?;
         }
         Ok(forward)
@@ -79,18 +82,17 @@ impl Forward {
     }
 }
 
-/// Up to this many independent turns the normal form of a pose is short: a term has one factor of each, so there are at most 2^6 times the
+/// Up to this many turns the normal form of a pose is short: a term has one factor of each, so there are at most 2^6 times the
 /// number of lengths.
 const SHORT: usize = 6;
 
-/// Independent turns on the way from base to tip: blocks, and twists without exact sine.
-fn waves_in_a_row(chain: &Chain, blocks: &[crate::kinematics::Block]) -> usize {
-    let named = |e: &crate::chain::Elementary| match e {
-        crate::chain::Elementary::Rotate(_, angle) => !angle.terms.is_empty(),
-        crate::chain::Elementary::Translate(..) => false,
+/// Turns on the way from base to tip that double the number of terms: all but constant ones by quarter turns.
+fn turns_in_a_row(blocks: &[Block]) -> usize {
+    let doubles = |angle: &LinearAngle| {
+        !angle.terms.is_empty() || angle.constant.steps_of_15_degrees().is_none_or(|steps| steps % 6 != 0)
     };
-    let _ = chain;
-    blocks.iter().map(|b| usize::from(!b.joints.is_empty()) + b.exit.iter().filter(|e| named(e)).count()).sum()
+    let exits = |e: &&Elementary| matches!(e, Elementary::Rotate(_, angle) if doubles(angle));
+    blocks.iter().map(|b| usize::from(doubles(&b.turn.0)) + b.exit.iter().filter(exits).count()).sum()
 }
 
 #[cfg(test)]
