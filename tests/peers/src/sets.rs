@@ -1,0 +1,59 @@
+//! Targets near singular configurations: how many each solver loses, and how wrong its answers are.
+
+use std::f64::consts::PI;
+
+use crate::arms::Singular as At;
+use crate::peer::Peer;
+use crate::{Arm, Ours, Pose, Quality, Random, Visit, quality};
+
+/// How far the joint is from its singular value, in radians.
+const OFFSETS: [f64; 4] = [0.0, 1e-9, 1e-6, 1e-3];
+/// Heads of the columns.
+pub const NAMES: [&str; 8] =
+    ["wrist 0", "wrist 1e-9", "wrist 1e-6", "wrist 1e-3", "elbow 0", "elbow 1e-9", "elbow 1e-6", "elbow 1e-3"];
+/// Poses of a set.
+const POSES: usize = 1000;
+
+/// Prints the rows of the second table: `lost / solutions per pose / worst error`.
+pub struct Singular;
+
+impl Visit for Singular {
+    fn arm<R: Arm<N, M>, const N: usize, const M: usize>(
+        &mut self,
+        title: &str,
+        robot: &R,
+        peers: &[Box<dyn Peer<N>>],
+        singular: At,
+    ) {
+        if singular == [None; 2] {
+            return;
+        }
+        let ours = Ours::<R, M>(robot);
+        let mut all: Vec<&dyn Peer<N>> = vec![&ours];
+        all.extend(peers.iter().map(AsRef::as_ref));
+        for peer in all {
+            let mut cells = Vec::new();
+            for place in singular {
+                let Some((joint, value)) = place else {
+                    cells.extend(vec!["-".to_string(); OFFSETS.len()]);
+                    continue;
+                };
+                for offset in OFFSETS {
+                    let mut random = Random(11);
+                    let targets: Vec<Pose> = (0..POSES)
+                        .map(|_| {
+                            let mut q = random.joints(robot);
+                            // Both ways of being straight: the singular value, and half a turn from it.
+                            let other = random.uniform() < 0.0 && joint == 4;
+                            q[joint] = value + offset + if other { PI } else { 0.0 };
+                            robot.forward(&q)
+                        })
+                        .collect();
+                    let Quality { solutions, lost, worst } = quality(robot, peer, &targets);
+                    cells.push(format!("{lost} / {solutions:.2} / {worst:.0e}"));
+                }
+            }
+            println!("| {title} | {} | {} |", peer.name(), cells.join(" | "));
+        }
+    }
+}
