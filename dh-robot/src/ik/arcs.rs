@@ -67,13 +67,15 @@ impl<const C: usize> Search<C> {
     /// A search among coefficients of this size, with a relative limit for touching.
     pub(super) fn new(scale: f64, touch: f64) -> Self {
         let mut search = Self { touch: 0.0, noise: 0.0, nothing: 0.0, brackets: List::new(), touching: List::new() };
-        search.rescale(scale, touch);
+        search.rescale(scale, touch, 0.0);
         search
     }
 
-    /// Changes the size that tolerances refer to.
-    pub(super) fn rescale(&mut self, scale: f64, touch: f64) {
-        (self.touch, self.noise, self.nothing) = (touch * scale, 1e-15 * scale, 1e-14 * scale);
+    /// Changes the size that tolerances refer to, and the error (absolute) of coefficients.
+    pub(super) fn rescale(&mut self, scale: f64, touch: f64, error: f64) {
+        self.touch = error.max(touch * scale);
+        self.noise = 1e-15 * scale;
+        self.nothing = error.max(1e-14 * scale);
     }
 
     /// Finds the roots in an arc, by halving it as often as needed.

@@ -5,7 +5,7 @@ use super::super::pose::Chain;
 use super::super::{Blank, Kinematics, List};
 use super::closure::Closure;
 use super::dialytic::Dialytic;
-use super::solve::General6R;
+use super::solve::{Account, General6R};
 
 /// How the loop of six joints is cut. There are [`Choice::COUNT`]; structured arms make many of them useless.
 ///
@@ -98,6 +98,8 @@ impl Blank for Ranked {
 
 /// Choices worth a full trial.
 const TRIED: usize = 12;
+/// Work of an elimination that only confirms another one.
+const CONFIRMATION: usize = 60;
 /// Samples for the first selection.
 const FIRST_SAMPLES: usize = 3;
 /// A choice that loses more binary digits than this at a generic pose is singular.
@@ -134,8 +136,9 @@ pub fn rank<const K: usize>(samples: &[(Chain<6>, [f64; 6])]) -> List<Ranked, K>
                 .iter()
                 .any(|p: &[f64; 6]| p.iter().zip(&q).all(|(a, b)| sin_cos(0.5 * (a - b)).0.abs() < 1e-5));
             ranked.misses += usize::from(!hit);
-            ranked.unclean += usize::from(!attempt.clean);
-            ranked.work += attempt.work;
+            ranked.unclean += usize::from(attempt.account == Account::Open);
+            // Another elimination must confirm what phantoms may hide.
+            ranked.work += attempt.work + if attempt.account == Account::WithPhantoms { CONFIRMATION } else { 0 };
         }
         ranked.work /= samples.len().max(1);
     }

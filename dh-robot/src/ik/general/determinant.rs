@@ -2,6 +2,7 @@
 
 use super::super::arcs::{Arc, Bracket, MAX_DEPTH, Search};
 use super::super::bernstein::{Nodes, sin_cos_series};
+use super::super::math::sqrt;
 use super::super::{List, TrigPoly};
 use super::dialytic::Dialytic;
 
@@ -87,22 +88,23 @@ impl<const D: usize, const C: usize, const K: usize> Determinant<D, C, K> {
         // Roots that the polynomial itself may refine, and roots of arcs that were computed anew.
         let (mut plain, mut fresh) = (Search::<C>::new(size, touch), Search::<C>::new(size, touch));
         let mut count = 0;
-        let mut stack = List::<(Arc<C>, f64), { MAX_DEPTH + 1 }>::new();
+        // Arcs, with the size and the error of their coefficients.
+        let mut stack = List::<(Arc<C>, [f64; 2]), { MAX_DEPTH + 1 }>::new();
         for arc in self.polynomial.on_arcs() {
-            stack.push((arc, size));
-            while let Some((mut arc, mut scale)) = stack.pop() {
+            stack.push((arc, [size, 0.0]));
+            while let Some((mut arc, [mut scale, mut error])) = stack.pop() {
                 let largest = |arc: &Arc<C>| arc.b.iter().fold(0.0f64, |m, x| m.max(x.abs()));
                 if largest(&arc) < FLAT * scale && count < MAX_NODES {
                     count += 1;
-                    Self::interpolate(dialytic, &mut arc);
+                    error = Self::interpolate(dialytic, &mut arc);
                     scale = largest(&arc);
                 }
                 let search = if scale == size { &mut plain } else { &mut fresh };
-                search.rescale(scale, touch);
+                search.rescale(scale, touch, error);
                 if !search.settle(&arc) {
                     let [left, right] = search.halves(&arc);
-                    stack.push((right, scale));
-                    stack.push((left, scale));
+                    stack.push((right, [scale, error]));
+                    stack.push((left, [scale, error]));
                 }
             }
         }
@@ -118,22 +120,31 @@ impl<const D: usize, const C: usize, const K: usize> Determinant<D, C, K> {
         Effort { determinants: count * C, exhausted: count == MAX_NODES }
     }
 
-    /// Computes the coefficients on an arc from the determinant itself.
-    fn interpolate(dialytic: &Dialytic, arc: &mut Arc<C>) {
+    /// Computes the coefficients on an arc from the determinant itself, and estimates their error.
+    fn interpolate(dialytic: &Dialytic, arc: &mut Arc<C>) -> f64 {
         let [d0, d1] = arc.ends;
-        let values = Self::NODES.at.map(|x| {
+        let mut error = 0.0f64;
+        let mut values = [0.0; C];
+        for (k, (value, x)) in values.iter_mut().zip(&Self::NODES.at).enumerate() {
             let d = [d0[0] + x * (d1[0] - d0[0]), d0[1] + x * (d1[1] - d0[1])];
             let square = d[0] * d[0] + d[1] * d[1];
             let at = [(d[0] * d[0] - d[1] * d[1]) / square, 2.0 * d[0] * d[1] / square];
-            let (mut value, _) = dialytic.determinant(at);
+            *value = dialytic.determinant(at).0;
+            if k % 4 == 0 {
+                // Rounding differs with the order of elimination.
+                error = error.max((*value - dialytic.determinant_again(at)).abs());
+            }
             // |d|^n, with n = 2 D
             for _ in 0..D {
-                value *= square;
+                *value *= square;
             }
-            value
-        });
+        }
+        let mut amplification = 0.0f64;
         for (b, row) in arc.b.iter_mut().zip(&Self::NODES.inverse) {
             *b = row.iter().zip(&values).map(|(a, b)| a * b).sum();
+            amplification = amplification.max(row.iter().map(|a| a * a).sum());
         }
+        // Three standard deviations.
+        3.0 * error * sqrt(amplification)
     }
 }

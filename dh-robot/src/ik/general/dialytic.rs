@@ -110,6 +110,16 @@ impl Dialytic {
         determinant(self.at(at))
     }
 
+    /// The same determinant from columns in the opposite order, so that rounding differs.
+    pub(super) fn determinant_again(&self, at: [f64; 2]) -> f64 {
+        let mut m = self.at(at);
+        for row in &mut m {
+            // Six exchanges: the sign stays.
+            row.reverse();
+        }
+        determinant(m).0
+    }
+
     /// Improves a root of the determinant by Newton's method for nonlinear eigenvalues, and gives the other two middle angles at it.
     ///
     /// With a null vector `x` the step solves `M y = M' x`: then `y` is the better null vector and `(c.x) / (c.y)` the step back, for any
@@ -147,6 +157,19 @@ impl Dialytic {
     /// The number of null vectors at this hidden angle, within rounding of a double root.
     pub(super) fn nullity(&self, at: [f64; 2]) -> usize {
         self.pivots(at).iter().filter(|p| !(**p > 1e-7)).count()
+    }
+
+    /// Does the determinant vanish at this hidden angle exactly to this order?
+    pub(super) fn vanishes_to(&self, at: [f64; 2], order: usize) -> bool {
+        let size = |by: f64| {
+            let (s, c) = sin_cos(by);
+            let (above, _) = self.determinant([at[0] * c - at[1] * s, at[0] * s + at[1] * c]);
+            let (below, _) = self.determinant([at[0] * c + at[1] * s, at[1] * c - at[0] * s]);
+            above.abs() + below.abs()
+        };
+        // Twice as far away it is 2^order times as large; the next order would give twice that.
+        let ratio = size(4e-3) / (size(2e-3) * (1u64 << order.min(60)) as f64);
+        ratio > 0.75 && ratio < 1.5
     }
 
     /// The solutions at a hidden angle with two null vectors: two joint vectors may share the angle. None, if the null vectors are the

@@ -42,10 +42,22 @@ pub struct Solved {
     pub clean: bool,
 }
 
+/// What became of the roots of a determinant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Account {
+    /// Each belongs to a solution.
+    Full,
+    /// Each belongs to a solution or to the complex null vectors that are there at every pose; but a solution next to such a
+    /// root of high order is hard to see.
+    WithPhantoms,
+    /// Not all of them could be explained.
+    Open,
+}
+
 /// How one elimination went.
 pub(super) struct Attempt {
-    /// Is every root of the determinant accounted for by a solution?
-    pub(super) clean: bool,
+    /// What became of the roots of the determinant.
+    pub(super) account: Account,
     /// Roughly the number of factorisations of a 12 x 12 matrix that it took.
     pub(super) work: usize,
 }
@@ -85,8 +97,14 @@ impl General6R {
         if !target.iter().flatten().all(|x| x.is_finite()) {
             return solved;
         }
-        for choice in self.choices {
-            solved.clean = self.attempt(&target, choice, &mut solved.solutions).clean;
+        for (i, choice) in self.choices.into_iter().enumerate() {
+            let before = solved.solutions.len();
+            solved.clean = match self.attempt(&target, choice, &mut solved.solutions).account {
+                Account::Full => true,
+                // Two eliminations that agree.
+                Account::WithPhantoms => i > 0 && solved.solutions.len() == before,
+                Account::Open => false,
+            };
             if solved.clean {
                 break;
             }
@@ -158,11 +176,11 @@ impl General6R {
         choice: Choice,
         solutions: &mut List<[f64; 6], 16>,
     ) -> Attempt {
-        let mut attempt = Attempt { clean: false, work: K };
+        let mut attempt = Attempt { account: Account::Open, work: K };
         if !(determinant.noise < ALL_NOISE && determinant.regularity > SINGULAR) {
             return attempt;
         }
-        let mut clean = true;
+        let (mut clean, mut phantoms) = (true, false);
         let (mut roots, mut found, mut work) = (0, 0, 0);
         let effort = determinant.each_root(dialytic, |root, touches| {
             let mut try_from = |refined: &Refined| {
@@ -182,7 +200,7 @@ impl General6R {
                 return;
             }
             let nullity = if refined.settled() { dialytic.nullity(refined.hidden) } else { 1 };
-            if nullity == 2 {
+            if nullity == 2 && dialytic.vanishes_to(refined.hidden, 2) {
                 // Two solutions may share the hidden angle.
                 let pair = dialytic.pair(refined.hidden);
                 if pair.iter().all(Refined::fits) && !pair.is_empty() {
@@ -193,8 +211,12 @@ impl General6R {
                     return;
                 }
             }
-            if nullity >= 2 && nullity == self.usual_nullity(choice, refined.hidden) {
+            if nullity >= 2
+                && nullity == self.usual_nullity(choice, refined.hidden)
+                && dialytic.vanishes_to(refined.hidden, nullity)
+            {
                 // The null vectors are complex, and there at every pose.
+                phantoms = true;
                 return;
             }
             clean = false;
@@ -206,7 +228,9 @@ impl General6R {
         });
         attempt.work += effort.determinants + work;
         // Later eliminations may only confirm what is known.
-        attempt.clean = clean && !effort.exhausted && (found == roots || solutions.len() == roots);
+        if clean && !effort.exhausted && (found == roots || solutions.len() == roots) {
+            attempt.account = if phantoms { Account::WithPhantoms } else { Account::Full };
+        }
         attempt
     }
 
