@@ -191,7 +191,8 @@ impl Cobra600 {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        if let Some(solutions) = self.lanes(&frame) {
+        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
+        if self.lanes(&frame, &mut solutions) {
             return solutions;
         }
         let setting = ::dh_robot::inverse::Setting {
@@ -328,16 +329,17 @@ impl Cobra600 {
         }
         attempt
     }
-    /// The plan for all branches at once; `None` where the robust way has to decide.
+    /// The plan for all branches at once; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-    ) -> Option<::dh_robot::Solutions<f64, 4, 2>> {
+        solutions: &mut ::dh_robot::Solutions<f64, 4, 2>,
+    ) -> bool {
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
         let t_3 = t_2 - 0.3397962776479236;
-        let mut m0 = [0.0; 1];
         let mut f0 = [[0.0; 1]; 2];
+        let mut m0 = [0.0; 1];
         for l in 0..1 {
             let (x, m) = ::dh_robot::lanes::linear(-1.0, -(t[2][3] - 0.39209726443769));
             f0[0][l] = x;
@@ -353,26 +355,17 @@ impl Cobra600 {
             v43_[l] = q3 * (0.78419452887538 - q3) + t_3;
             v67_[l] = 0.39209726443769 - q3;
         }
-        let mut m1 = [0.0; 1];
         let mut f1 = [[0.0; 1]; 2];
         for l in 0..1 {
-            let ([x, y], m) = ::dh_robot::lanes::pair(
-                1.0,
-                0.0,
-                t[0][0],
-                0.0,
-                1.0,
-                t[0][1],
-            );
+            let [x, y] = ::dh_robot::lanes::unit(t[0][0], t[0][1]);
             f1[0][l] = x;
             f1[1][l] = y;
-            m1[l] = m;
         }
         let c12m4_ = f1[0];
         let s12m4_ = f1[1];
         let g1: [f64; 1] = ::dh_robot::atan2_batch(&f1[1], &f1[0]);
-        let mut m2 = [0.0; 1];
         let mut f2 = [[0.0; 2]; 2];
+        let mut m2 = [0.0; 1];
         let mut e2 = [0.0; 1];
         for l in 0..1 {
             let v43 = v43_[l];
@@ -401,8 +394,8 @@ impl Cobra600 {
             v48_[l] = t_4;
             v50_[l] = t_5;
         }
-        let mut m3 = [0.0; 2];
         let mut f3 = [[0.0; 2]; 2];
+        let mut m3 = [0.0; 2];
         for l in 0..2 {
             let v48 = v48_[l];
             let v50 = v50_[l];
@@ -437,24 +430,19 @@ impl Cobra600 {
         }
         let mut error = [0.0; 2];
         for l in 0..2 {
-            let c12m4 = c12m4_[l % 1];
             let s12m4 = s12m4_[l % 1];
+            let c12m4 = c12m4_[l % 1];
             let v65 = v65_[l];
             let v66 = v66_[l];
             let v67 = v67_[l % 1];
-            error[l] = (c12m4 - t[0][0]).abs() + (s12m4 - t[1][0]).abs()
-                + (0.0 - t[2][0]).abs() + (s12m4 - t[0][1]).abs()
-                + (-c12m4 - t[1][1]).abs() + (0.0 - t[2][1]).abs()
-                + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs() + (-1.0 - t[2][2]).abs()
-                + (v65 - t[0][3]).abs() + (v66 - t[1][3]).abs() + (v67 - t[2][3]).abs();
+            error[l] = (s12m4 - t[0][1]).abs() + (-c12m4 - t[1][1]).abs()
+                + (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs()
+                + (-1.0 - t[2][2]).abs() + (v65 - t[0][3]).abs() + (v66 - t[1][3]).abs()
+                + (v67 - t[2][3]).abs();
         }
         let valid: [f64; 2] = ::core::array::from_fn(|l| 1.0 * e2[l % 1 % 1]);
         let margin: [f64; 2] = ::core::array::from_fn(|l| {
-            1.0_f64
-                .min(m0[l % 1 % 1])
-                .min(m1[l % 1 % 1])
-                .min(m2[l % 1 % 1])
-                .min(m3[l % 2 % 2])
+            1.0_f64.min(m0[l % 1 % 1]).min(m2[l % 1 % 1]).min(m3[l % 2 % 2])
         });
         let q: [[f64; 2]; 4] = [
             ::core::array::from_fn(|l| g3[l % 2]),
@@ -464,15 +452,12 @@ impl Cobra600 {
                 -g1[l % 1] + g2[l / 1 % 2 * 1 + l % 1] + g3[l % 2],
             )),
         ];
-        ::dh_robot::lanes::collect(
-            &Self::JOINTS,
-            &valid,
-            &margin,
-            &error,
-            &q,
-            |l| {
+        const BRANCHES: [::dh_robot::Branch; 2] = {
+            let mut all = [::dh_robot::Branch::ANY; 2];
+            let mut l = 0;
+            while l < 2 {
                 let i2 = l / 1 % 2;
-                ::dh_robot::Branch::ANY
+                all[l] = ::dh_robot::Branch::ANY
                     .with_step(0, i2)
                     .with_elbow(
                         if i2 == 0 {
@@ -480,9 +465,12 @@ impl Cobra600 {
                         } else {
                             ::dh_robot::Elbow::Down
                         },
-                    )
-            },
-        )
+                    );
+                l += 1;
+            }
+            all
+        };
+        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
     }
 }
 #[allow(clippy::all, clippy::pedantic)]

@@ -322,7 +322,8 @@ impl CupArm {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        if let Some(solutions) = self.lanes(&frame) {
+        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
+        if self.lanes(&frame, &mut solutions) {
             return solutions;
         }
         let setting = ::dh_robot::inverse::Setting {
@@ -532,18 +533,19 @@ impl CupArm {
         }
         attempt
     }
-    /// The plan for all branches at once; `None` where the robust way has to decide.
+    /// The plan for all branches at once; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-    ) -> Option<::dh_robot::Solutions<f64, 6, 8>> {
+        solutions: &mut ::dh_robot::Solutions<f64, 6, 8>,
+    ) -> bool {
         let t_2 = t[0][3] - t[0][2] * 0.2159329140461216;
         let t_3 = t[1][3] - t[1][2] * 0.2159329140461216;
         let t_4 = t[2][3] - t[2][2] * 0.2159329140461216 - 0.39098532494758914;
         let t_5 = t_4 * t_4;
-        let mut m0 = [0.0; 1];
         let mut f0 = [[0.0; 2]; 2];
+        let mut m0 = [0.0; 1];
         for l in 0..1 {
             let ([x, y], m) = ::dh_robot::lanes::half_turn(-t_3, t_2);
             f0[0][l] = x;
@@ -597,8 +599,8 @@ impl CupArm {
             v94_[l] = t_14 + t_5 + t_6 * t_6 + t_7 * t_7 - 0.25430164946006883;
             v95_[l] = t_15;
         }
-        let mut m1 = [0.0; 2];
         let mut f1 = [[0.0; 4]; 2];
+        let mut m1 = [0.0; 2];
         let mut e1 = [0.0; 2];
         for l in 0..2 {
             let v94 = v94_[l];
@@ -627,8 +629,8 @@ impl CupArm {
             v104_[l] = t_16;
             v107_[l] = c3 * 0.35429769392033544 - 0.041928721174004195 * s3;
         }
-        let mut m2 = [0.0; 4];
         let mut f2 = [[0.0; 4]; 2];
+        let mut m2 = [0.0; 4];
         for l in 0..4 {
             let v95 = v95_[l % 2];
             let v104 = v104_[l];
@@ -689,8 +691,8 @@ impl CupArm {
             v306_[l] = t_28;
             v307_[l] = t_29;
         }
-        let mut m3 = [0.0; 4];
         let mut f3 = [[0.0; 8]; 2];
+        let mut m3 = [0.0; 4];
         for l in 0..4 {
             let v68 = v68_[l % 2];
             let v143 = v143_[l];
@@ -734,15 +736,13 @@ impl CupArm {
             v180_[l] = t_31;
             v186_[l] = v143 * c4 + v68 * s4;
         }
-        let mut m4 = [0.0; 8];
         let mut f4 = [[0.0; 8]; 2];
         for l in 0..8 {
             let v186 = v186_[l];
             let v146 = v146_[l % 4];
-            let ([x, y], m) = ::dh_robot::lanes::pair(0.0, -1.0, v186, 1.0, 0.0, -v146);
+            let [x, y] = ::dh_robot::lanes::unit(-v146, -v186);
             f4[0][l] = x;
             f4[1][l] = y;
-            m4[l] = m;
         }
         let c5_ = f4[0];
         let s5_ = f4[1];
@@ -786,15 +786,13 @@ impl CupArm {
             v312_[l] = v306 + 0.2159329140461216 * t_35;
             v313_[l] = v307 + 0.2159329140461216 * t_33;
         }
-        let mut m5 = [0.0; 8];
         let mut f5 = [[0.0; 8]; 2];
         for l in 0..8 {
             let v217 = v217_[l];
             let v223 = v223_[l];
-            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v217, 0.0, -1.0, v223);
+            let [x, y] = ::dh_robot::lanes::unit(v217, -v223);
             f5[0][l] = x;
             f5[1][l] = y;
-            m5[l] = m;
         }
         let c6_ = f5[0];
         let s6_ = f5[1];
@@ -802,9 +800,6 @@ impl CupArm {
         let mut v264_ = [0.0; 8];
         let mut v267_ = [0.0; 8];
         let mut v270_ = [0.0; 8];
-        let mut v287_ = [0.0; 8];
-        let mut v290_ = [0.0; 8];
-        let mut v293_ = [0.0; 8];
         for l in 0..8 {
             let c1 = c1_[l % 2];
             let s1 = s1_[l % 2];
@@ -814,9 +809,6 @@ impl CupArm {
             let s4 = s4_[l];
             let c5 = c5_[l];
             let s5 = s5_[l];
-            let v278 = v278_[l];
-            let v281 = v281_[l];
-            let v284 = v284_[l];
             let c6 = c6_[l];
             let s6 = s6_[l];
             let c5c6 = c5 * c6;
@@ -824,24 +816,15 @@ impl CupArm {
             let t_36 = c4 * c5c6 - s4 * s6;
             let t_37 = s4 * c5c6 + c4 * s6;
             let t_38 = v125 * t_36 - v128 * s5c6;
-            let t_39 = v128 * t_36 + v125 * s5c6;
-            let t_40 = c1 * t_38 + s1 * t_37;
-            let t_41 = s1 * t_38 - c1 * t_37;
-            v264_[l] = t_39;
-            v267_[l] = t_40;
-            v270_[l] = t_41;
-            v287_[l] = t_39 * v284 - t_41 * v278;
-            v290_[l] = t_40 * v278 - t_39 * v281;
-            v293_[l] = t_41 * v281 - t_40 * v284;
+            v264_[l] = v128 * t_36 + v125 * s5c6;
+            v267_[l] = c1 * t_38 + s1 * t_37;
+            v270_[l] = s1 * t_38 - c1 * t_37;
         }
         let mut error = [0.0; 8];
         for l in 0..8 {
             let v267 = v267_[l];
             let v270 = v270_[l];
             let v264 = v264_[l];
-            let v287 = v287_[l];
-            let v290 = v290_[l];
-            let v293 = v293_[l];
             let v281 = v281_[l];
             let v284 = v284_[l];
             let v278 = v278_[l];
@@ -849,11 +832,10 @@ impl CupArm {
             let v312 = v312_[l];
             let v313 = v313_[l];
             error[l] = (v267 - t[0][0]).abs() + (v270 - t[1][0]).abs()
-                + (-v264 - t[2][0]).abs() + (v287 - t[0][1]).abs()
-                + (v290 - t[1][1]).abs() + (-v293 - t[2][1]).abs()
-                + (-v281 - t[0][2]).abs() + (-v284 - t[1][2]).abs()
-                + (v278 - t[2][2]).abs() + (-v311 - t[0][3]).abs()
-                + (-v312 - t[1][3]).abs() + (v313 - t[2][3]).abs();
+                + (-v264 - t[2][0]).abs() + (-v281 - t[0][2]).abs()
+                + (-v284 - t[1][2]).abs() + (v278 - t[2][2]).abs()
+                + (-v311 - t[0][3]).abs() + (-v312 - t[1][3]).abs()
+                + (v313 - t[2][3]).abs();
         }
         let valid: [f64; 8] = ::core::array::from_fn(|l| 1.0 * e1[l % 2 % 2]);
         let margin: [f64; 8] = ::core::array::from_fn(|l| {
@@ -862,8 +844,6 @@ impl CupArm {
                 .min(m1[l % 2 % 2])
                 .min(m2[l % 4 % 4])
                 .min(m3[l % 4 % 4])
-                .min(m4[l % 8 % 8])
-                .min(m5[l % 8 % 8])
         });
         let q: [[f64; 8]; 6] = [
             ::core::array::from_fn(|l| g0[l / 1 % 2 * 1 + l % 1]),
@@ -873,17 +853,14 @@ impl CupArm {
             ::core::array::from_fn(|l| g4[l % 8]),
             ::core::array::from_fn(|l| g5[l % 8]),
         ];
-        ::dh_robot::lanes::collect(
-            &Self::JOINTS,
-            &valid,
-            &margin,
-            &error,
-            &q,
-            |l| {
+        const BRANCHES: [::dh_robot::Branch; 8] = {
+            let mut all = [::dh_robot::Branch::ANY; 8];
+            let mut l = 0;
+            while l < 8 {
                 let i0 = l / 1 % 2;
                 let i1 = l / 2 % 2;
                 let i3 = l / 4 % 2;
-                ::dh_robot::Branch::ANY
+                all[l] = ::dh_robot::Branch::ANY
                     .with_step(0, i0)
                     .with_shoulder(
                         if i0 == 0 {
@@ -907,9 +884,12 @@ impl CupArm {
                         } else {
                             ::dh_robot::Wrist::Flip
                         },
-                    )
-            },
-        )
+                    );
+                l += 1;
+            }
+            all
+        };
+        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
     }
 }
 #[allow(clippy::all, clippy::pedantic)]

@@ -225,7 +225,8 @@ impl GantryWrist {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        if let Some(solutions) = self.lanes(&frame) {
+        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
+        if self.lanes(&frame, &mut solutions) {
             return solutions;
         }
         let setting = ::dh_robot::inverse::Setting {
@@ -392,19 +393,20 @@ impl GantryWrist {
         }
         attempt
     }
-    /// The plan for all branches at once; `None` where the robust way has to decide.
+    /// The plan for all branches at once; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-    ) -> Option<::dh_robot::Solutions<f64, 6, 2>> {
+        solutions: &mut ::dh_robot::Solutions<f64, 6, 2>,
+    ) -> bool {
         let t_2 = t[0][0] * 0.8660254037844386 - t[0][1] * 0.5;
         let t_3 = t[2][0] * 0.8660254037844386 - t[2][1] * 0.5;
         let t_4 = t[0][0] * 0.5 + t[0][1] * 0.8660254037844386;
         let t_5 = t[2][0] * 0.5 + t[2][1] * 0.8660254037844386;
         let t_6 = t[1][3] - t[1][2] * 0.6666666666666666 - 0.3333333333333333;
-        let mut m0 = [0.0; 1];
         let mut f0 = [[0.0; 1]; 2];
+        let mut m0 = [0.0; 1];
         for l in 0..1 {
             let (x, m) = ::dh_robot::lanes::linear(
                 1.0,
@@ -416,8 +418,8 @@ impl GantryWrist {
         }
         let q1_ = f0[0];
         let g0: [f64; 1] = f0[0].map(|d| d * 0.30000000000000004);
-        let mut m1 = [0.0; 1];
         let mut f1 = [[0.0; 1]; 2];
+        let mut m1 = [0.0; 1];
         for l in 0..1 {
             let (x, m) = ::dh_robot::lanes::linear(
                 -1.0,
@@ -429,8 +431,8 @@ impl GantryWrist {
         }
         let q2_ = f1[0];
         let g1: [f64; 1] = f1[0].map(|d| d * 0.30000000000000004);
-        let mut m2 = [0.0; 1];
         let mut f2 = [[0.0; 1]; 2];
+        let mut m2 = [0.0; 1];
         for l in 0..1 {
             let (x, m) = ::dh_robot::lanes::linear(-1.0, t_6);
             f2[0][l] = x;
@@ -445,8 +447,8 @@ impl GantryWrist {
             let t_7 = 0.3333333333333333 + q3;
             v201_[l] = t_7;
         }
-        let mut m3 = [0.0; 1];
         let mut f3 = [[0.0; 2]; 2];
+        let mut m3 = [0.0; 1];
         for l in 0..1 {
             let ([x, y], m) = ::dh_robot::lanes::half_turn(
                 -(t[1][0] * 0.5 + t[1][1] * 0.8660254037844386),
@@ -487,59 +489,45 @@ impl GantryWrist {
             v177_[l] = t_8;
             v180_[l] = t_9;
         }
-        let mut m4 = [0.0; 2];
         let mut f4 = [[0.0; 2]; 2];
         for l in 0..2 {
             let v102 = v102_[l];
             let v103 = v103_[l];
-            let ([x, y], m) = ::dh_robot::lanes::pair(0.0, 1.0, -v102, -1.0, 0.0, -v103);
+            let [x, y] = ::dh_robot::lanes::unit(v103, -v102);
             f4[0][l] = x;
             f4[1][l] = y;
-            m4[l] = m;
         }
         let c4_ = f4[0];
         let s4_ = f4[1];
         let g4: [f64; 2] = ::dh_robot::atan2_batch(&f4[1], &f4[0]);
         let mut v143_ = [0.0; 2];
         let mut v151_ = [0.0; 2];
-        let mut v186_ = [0.0; 2];
-        let mut v189_ = [0.0; 2];
         let mut v194_ = [0.0; 2];
         let mut v197_ = [0.0; 2];
         for l in 0..2 {
             let c6 = c6_[l];
             let s6 = s6_[l];
             let v177 = v177_[l];
-            let v180 = v180_[l];
             let c4 = c4_[l];
             let s4 = s4_[l];
-            let t_10 = s4 * v180;
-            let t_11 = c4 * v180;
-            let t_12 = s4 * v177;
-            let t_13 = c4 * v177;
+            let t_10 = s4 * v177;
+            let t_11 = c4 * v177;
             v143_[l] = t[2][2] * c4 + t[0][2] * s4;
             v151_[l] = c6 * (t_3 * c4 + t_2 * s4) - s6 * (t_5 * c4 + t_4 * s4);
-            v186_[l] = t_10;
-            v189_[l] = t_11;
-            v194_[l] = t_12;
-            v197_[l] = t_13;
+            v194_[l] = t_10;
+            v197_[l] = t_11;
         }
-        let mut m5 = [0.0; 2];
         let mut f5 = [[0.0; 2]; 2];
         for l in 0..2 {
             let v151 = v151_[l];
             let v143 = v143_[l];
-            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v151, 0.0, -1.0, v143);
+            let [x, y] = ::dh_robot::lanes::unit(v151, -v143);
             f5[0][l] = x;
             f5[1][l] = y;
-            m5[l] = m;
         }
         let c5_ = f5[0];
         let s5_ = f5[1];
         let g5: [f64; 2] = ::dh_robot::atan2_batch(&f5[1], &f5[0]);
-        let mut v184_ = [0.0; 2];
-        let mut v187_ = [0.0; 2];
-        let mut v190_ = [0.0; 2];
         let mut v192_ = [0.0; 2];
         let mut v195_ = [0.0; 2];
         let mut v198_ = [0.0; 2];
@@ -553,25 +541,18 @@ impl GantryWrist {
             let q2 = q2_[l % 1];
             let c4 = c4_[l];
             let s4 = s4_[l];
-            let v177 = v177_[l];
             let v180 = v180_[l];
-            let v186 = v186_[l];
-            let v189 = v189_[l];
             let v194 = v194_[l];
             let v197 = v197_[l];
             let v201 = v201_[l % 1];
             let c5 = c5_[l];
             let s5 = s5_[l];
-            let t_14 = v177 * c5;
-            let t_15 = v180 * c5;
+            let t_12 = v180 * c5;
             let c4s5 = c4 * s5;
             let s4s5 = s4 * s5;
-            v184_[l] = v177 * s5;
-            v187_[l] = c4 * t_14 - v186;
-            v190_[l] = s4 * t_14 + v189;
             v192_[l] = v180 * s5;
-            v195_[l] = c4 * t_15 + v194;
-            v198_[l] = s4 * t_15 - v197;
+            v195_[l] = c4 * t_12 + v194;
+            v198_[l] = s4 * t_12 - v197;
             v199_[l] = c4s5;
             v200_[l] = s4s5;
             v205_[l] = q2 - 0.6666666666666666 * s4s5;
@@ -580,9 +561,6 @@ impl GantryWrist {
         }
         let mut error = [0.0; 2];
         for l in 0..2 {
-            let v190 = v190_[l];
-            let v184 = v184_[l];
-            let v187 = v187_[l];
             let v198 = v198_[l];
             let v192 = v192_[l];
             let v195 = v195_[l];
@@ -592,11 +570,9 @@ impl GantryWrist {
             let v205 = v205_[l];
             let v206 = v206_[l];
             let v207 = v207_[l];
-            error[l] = (v190 - t[0][0]).abs() + (v184 - t[1][0]).abs()
-                + (v187 - t[2][0]).abs() + (-v198 - t[0][1]).abs()
-                + (-v192 - t[1][1]).abs() + (-v195 - t[2][1]).abs()
-                + (-v200 - t[0][2]).abs() + (c5 - t[1][2]).abs()
-                + (-v199 - t[2][2]).abs() + (v205 - t[0][3]).abs()
+            error[l] = (-v198 - t[0][1]).abs() + (-v192 - t[1][1]).abs()
+                + (-v195 - t[2][1]).abs() + (-v200 - t[0][2]).abs()
+                + (c5 - t[1][2]).abs() + (-v199 - t[2][2]).abs() + (v205 - t[0][3]).abs()
                 + (v206 - t[1][3]).abs() + (v207 - t[2][3]).abs();
         }
         let valid: [f64; 2] = ::core::array::from_fn(|l| 1.0);
@@ -606,8 +582,6 @@ impl GantryWrist {
                 .min(m1[l % 1 % 1])
                 .min(m2[l % 1 % 1])
                 .min(m3[l % 1 % 1])
-                .min(m4[l % 2 % 2])
-                .min(m5[l % 2 % 2])
         });
         let q: [[f64; 2]; 6] = [
             ::core::array::from_fn(|l| g0[l % 1]),
@@ -617,15 +591,12 @@ impl GantryWrist {
             ::core::array::from_fn(|l| g5[l % 2]),
             ::core::array::from_fn(|l| g3[l / 1 % 2 * 1 + l % 1]),
         ];
-        ::dh_robot::lanes::collect(
-            &Self::JOINTS,
-            &valid,
-            &margin,
-            &error,
-            &q,
-            |l| {
+        const BRANCHES: [::dh_robot::Branch; 2] = {
+            let mut all = [::dh_robot::Branch::ANY; 2];
+            let mut l = 0;
+            while l < 2 {
                 let i3 = l / 1 % 2;
-                ::dh_robot::Branch::ANY
+                all[l] = ::dh_robot::Branch::ANY
                     .with_step(0, i3)
                     .with_wrist(
                         if i3 == 0 {
@@ -633,9 +604,12 @@ impl GantryWrist {
                         } else {
                             ::dh_robot::Wrist::Flip
                         },
-                    )
-            },
-        )
+                    );
+                l += 1;
+            }
+            all
+        };
+        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
     }
 }
 #[allow(clippy::all, clippy::pedantic)]

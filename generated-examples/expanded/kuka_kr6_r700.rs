@@ -328,7 +328,8 @@ impl KukaKr6R700 {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        if let Some(solutions) = self.lanes(&frame) {
+        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
+        if self.lanes(&frame, &mut solutions) {
             return solutions;
         }
         let setting = ::dh_robot::inverse::Setting {
@@ -542,18 +543,19 @@ impl KukaKr6R700 {
         }
         attempt
     }
-    /// The plan for all branches at once; `None` where the robust way has to decide.
+    /// The plan for all branches at once; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-    ) -> Option<::dh_robot::Solutions<f64, 6, 8>> {
+        solutions: &mut ::dh_robot::Solutions<f64, 6, 8>,
+    ) -> bool {
         let t_2 = t[0][3] - t[0][2] * 0.06557377049180327;
         let t_3 = t[1][3] - t[1][2] * 0.06557377049180327;
         let t_4 = t[2][3] - t[2][2] * 0.06557377049180327 - 0.32786885245901637;
         let t_5 = t_4 * t_4;
-        let mut m0 = [0.0; 1];
         let mut f0 = [[0.0; 2]; 2];
+        let mut m0 = [0.0; 1];
         for l in 0..1 {
             let ([x, y], m) = ::dh_robot::lanes::half_turn(-t_3, t_2);
             f0[0][l] = x;
@@ -607,8 +609,8 @@ impl KukaKr6R700 {
             v98_[l] = t_14 + t_6 * t_6 + t_7 * t_7 + t_5 - 0.15699744692287015;
             v99_[l] = t_15;
         }
-        let mut m1 = [0.0; 2];
         let mut f1 = [[0.0; 4]; 2];
+        let mut m1 = [0.0; 2];
         let mut e1 = [0.0; 2];
         for l in 0..2 {
             let v98 = v98_[l];
@@ -637,8 +639,8 @@ impl KukaKr6R700 {
             v106_[l] = 0.2991803278688524 * c3 + 0.028688524590163935 * s3;
             v111_[l] = t_16;
         }
-        let mut m2 = [0.0; 4];
         let mut f2 = [[0.0; 4]; 2];
+        let mut m2 = [0.0; 4];
         for l in 0..4 {
             let v99 = v99_[l % 2];
             let v106 = v106_[l];
@@ -705,8 +707,8 @@ impl KukaKr6R700 {
             v328_[l] = t_34;
             v329_[l] = t_35;
         }
-        let mut m3 = [0.0; 4];
         let mut f3 = [[0.0; 8]; 2];
+        let mut m3 = [0.0; 4];
         for l in 0..4 {
             let v68 = v68_[l % 2];
             let v159 = v159_[l];
@@ -750,15 +752,13 @@ impl KukaKr6R700 {
             v196_[l] = t_37;
             v202_[l] = v159 * c4 + v68 * s4;
         }
-        let mut m4 = [0.0; 8];
         let mut f4 = [[0.0; 8]; 2];
         for l in 0..8 {
             let v202 = v202_[l];
             let v162 = v162_[l % 4];
-            let ([x, y], m) = ::dh_robot::lanes::pair(0.0, -1.0, v202, 1.0, 0.0, -v162);
+            let [x, y] = ::dh_robot::lanes::unit(-v162, -v202);
             f4[0][l] = x;
             f4[1][l] = y;
-            m4[l] = m;
         }
         let c5_ = f4[0];
         let s5_ = f4[1];
@@ -802,15 +802,13 @@ impl KukaKr6R700 {
             v334_[l] = v329 - 0.06557377049180327 * t_41;
             v335_[l] = v327 - 0.06557377049180327 * t_39;
         }
-        let mut m5 = [0.0; 8];
         let mut f5 = [[0.0; 8]; 2];
         for l in 0..8 {
             let v233 = v233_[l];
             let v239 = v239_[l];
-            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v233, 0.0, -1.0, v239);
+            let [x, y] = ::dh_robot::lanes::unit(v233, -v239);
             f5[0][l] = x;
             f5[1][l] = y;
-            m5[l] = m;
         }
         let c6_ = f5[0];
         let s6_ = f5[1];
@@ -818,9 +816,6 @@ impl KukaKr6R700 {
         let mut v286_ = [0.0; 8];
         let mut v289_ = [0.0; 8];
         let mut v292_ = [0.0; 8];
-        let mut v309_ = [0.0; 8];
-        let mut v312_ = [0.0; 8];
-        let mut v315_ = [0.0; 8];
         for l in 0..8 {
             let c1 = c1_[l % 2];
             let s1 = s1_[l % 2];
@@ -830,9 +825,6 @@ impl KukaKr6R700 {
             let s5 = s5_[l];
             let v277 = v277_[l % 4];
             let v280 = v280_[l % 4];
-            let v300 = v300_[l];
-            let v303 = v303_[l];
-            let v306 = v306_[l];
             let c6 = c6_[l];
             let s6 = s6_[l];
             let c5c6 = c5 * c6;
@@ -840,24 +832,15 @@ impl KukaKr6R700 {
             let t_42 = c4 * c5c6 - s4 * s6;
             let t_43 = s4 * c5c6 + c4 * s6;
             let t_44 = t_42 * v280 + s5c6 * v277;
-            let t_45 = t_42 * v277 - s5c6 * v280;
-            let t_46 = c1 * t_44 + s1 * t_43;
-            let t_47 = s1 * t_44 - c1 * t_43;
-            v286_[l] = t_45;
-            v289_[l] = t_46;
-            v292_[l] = t_47;
-            v309_[l] = t_45 * v306 - t_47 * v300;
-            v312_[l] = t_46 * v300 - t_45 * v303;
-            v315_[l] = t_47 * v303 - t_46 * v306;
+            v286_[l] = t_42 * v277 - s5c6 * v280;
+            v289_[l] = c1 * t_44 + s1 * t_43;
+            v292_[l] = s1 * t_44 - c1 * t_43;
         }
         let mut error = [0.0; 8];
         for l in 0..8 {
             let v289 = v289_[l];
             let v292 = v292_[l];
             let v286 = v286_[l];
-            let v309 = v309_[l];
-            let v312 = v312_[l];
-            let v315 = v315_[l];
             let v303 = v303_[l];
             let v306 = v306_[l];
             let v300 = v300_[l];
@@ -865,11 +848,10 @@ impl KukaKr6R700 {
             let v334 = v334_[l];
             let v335 = v335_[l];
             error[l] = (v289 - t[0][0]).abs() + (v292 - t[1][0]).abs()
-                + (v286 - t[2][0]).abs() + (-v309 - t[0][1]).abs()
-                + (-v312 - t[1][1]).abs() + (-v315 - t[2][1]).abs()
-                + (-v303 - t[0][2]).abs() + (-v306 - t[1][2]).abs()
-                + (-v300 - t[2][2]).abs() + (v333 - t[0][3]).abs()
-                + (v334 - t[1][3]).abs() + (v335 - t[2][3]).abs();
+                + (v286 - t[2][0]).abs() + (-v303 - t[0][2]).abs()
+                + (-v306 - t[1][2]).abs() + (-v300 - t[2][2]).abs()
+                + (v333 - t[0][3]).abs() + (v334 - t[1][3]).abs()
+                + (v335 - t[2][3]).abs();
         }
         let valid: [f64; 8] = ::core::array::from_fn(|l| 1.0 * e1[l % 2 % 2]);
         let margin: [f64; 8] = ::core::array::from_fn(|l| {
@@ -878,28 +860,27 @@ impl KukaKr6R700 {
                 .min(m1[l % 2 % 2])
                 .min(m2[l % 4 % 4])
                 .min(m3[l % 4 % 4])
-                .min(m4[l % 8 % 8])
-                .min(m5[l % 8 % 8])
         });
         let q: [[f64; 8]; 6] = [
             ::core::array::from_fn(|l| g0[l / 1 % 2 * 1 + l % 1]),
-            ::core::array::from_fn(|l| g2[l % 4]),
+            ::core::array::from_fn(|l| ::dh_robot::lanes::into_range(
+                g2[l % 4],
+                -3.316125578789226,
+                0.7853981633974483,
+            )),
             ::core::array::from_fn(|l| g1[l / 2 % 2 * 2 + l % 2]),
             ::core::array::from_fn(|l| g3[l / 4 % 2 * 4 + l % 4]),
             ::core::array::from_fn(|l| g4[l % 8]),
             ::core::array::from_fn(|l| g5[l % 8]),
         ];
-        ::dh_robot::lanes::collect(
-            &Self::JOINTS,
-            &valid,
-            &margin,
-            &error,
-            &q,
-            |l| {
+        const BRANCHES: [::dh_robot::Branch; 8] = {
+            let mut all = [::dh_robot::Branch::ANY; 8];
+            let mut l = 0;
+            while l < 8 {
                 let i0 = l / 1 % 2;
                 let i1 = l / 2 % 2;
                 let i3 = l / 4 % 2;
-                ::dh_robot::Branch::ANY
+                all[l] = ::dh_robot::Branch::ANY
                     .with_step(0, i0)
                     .with_shoulder(
                         if i0 == 0 {
@@ -923,9 +904,12 @@ impl KukaKr6R700 {
                         } else {
                             ::dh_robot::Wrist::Flip
                         },
-                    )
-            },
-        )
+                    );
+                l += 1;
+            }
+            all
+        };
+        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
     }
 }
 #[allow(clippy::all, clippy::pedantic)]

@@ -319,7 +319,8 @@ impl Puma560 {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        if let Some(solutions) = self.lanes(&frame) {
+        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
+        if self.lanes(&frame, &mut solutions) {
             return solutions;
         }
         let setting = ::dh_robot::inverse::Setting {
@@ -526,20 +527,21 @@ impl Puma560 {
         }
         attempt
     }
-    /// The plan for all branches at once; `None` where the robust way has to decide.
+    /// The plan for all branches at once; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-    ) -> Option<::dh_robot::Solutions<f64, 6, 8>> {
+        solutions: &mut ::dh_robot::Solutions<f64, 6, 8>,
+    ) -> bool {
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
         let t_3 = self.d3 * 0.9507065940252585;
         let t_4 = self.a2 * 0.9507065940252585;
         let t_5 = 2.0 * t_4;
         let t_6 = self.a3 * 0.9507065940252585;
         let t_7 = self.d4 * 0.9507065940252585;
-        let mut m0 = [0.0; 1];
         let mut f0 = [[0.0; 2]; 2];
+        let mut m0 = [0.0; 1];
         let mut e0 = [0.0; 1];
         for l in 0..1 {
             let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
@@ -588,8 +590,8 @@ impl Puma560 {
             v303_[l] = t_15;
             v306_[l] = t_16;
         }
-        let mut m1 = [0.0; 1];
         let mut f1 = [[0.0; 2]; 2];
+        let mut m1 = [0.0; 1];
         let mut e1 = [0.0; 1];
         for l in 0..1 {
             let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
@@ -615,8 +617,8 @@ impl Puma560 {
             v97_[l] = t_4 + t_6 * c3 - t_7 * s3;
             v100_[l] = t_6 * s3 + t_7 * c3;
         }
-        let mut m2 = [0.0; 4];
         let mut f2 = [[0.0; 4]; 2];
+        let mut m2 = [0.0; 4];
         for l in 0..4 {
             let v54 = v54_[l % 2];
             let v97 = v97_[l];
@@ -679,8 +681,8 @@ impl Puma560 {
             v304_[l] = c1 * t_24 - v303;
             v307_[l] = s1 * t_24 + v306;
         }
-        let mut m3 = [0.0; 4];
         let mut f3 = [[0.0; 8]; 2];
+        let mut m3 = [0.0; 4];
         for l in 0..4 {
             let v75 = v75_[l % 2];
             let v137 = v137_[l];
@@ -724,15 +726,13 @@ impl Puma560 {
             v178_[l] = t_26;
             v184_[l] = v137 * c4 + v75 * s4;
         }
-        let mut m4 = [0.0; 8];
         let mut f4 = [[0.0; 8]; 2];
         for l in 0..8 {
             let v184 = v184_[l];
             let v140 = v140_[l % 4];
-            let ([x, y], m) = ::dh_robot::lanes::pair(0.0, -1.0, v184, 1.0, 0.0, -v140);
+            let [x, y] = ::dh_robot::lanes::unit(-v140, -v184);
             f4[0][l] = x;
             f4[1][l] = y;
-            m4[l] = m;
         }
         let c5_ = f4[0];
         let s5_ = f4[1];
@@ -758,24 +758,19 @@ impl Puma560 {
             let c4s5 = c4 * s5;
             let s4s5 = s4 * s5;
             let t_27 = v119 * c4s5 + v122 * c5;
-            let t_28 = v122 * c4s5 - v119 * c5;
-            let t_29 = c1 * t_27 + s1 * s4s5;
-            let t_30 = s1 * t_27 - c1 * s4s5;
             v215_[l] = v172 * c5 - v128 * s5;
             v221_[l] = v178 * c5 - v134 * s5;
-            v276_[l] = t_28;
-            v279_[l] = t_29;
-            v282_[l] = t_30;
+            v276_[l] = v122 * c4s5 - v119 * c5;
+            v279_[l] = c1 * t_27 + s1 * s4s5;
+            v282_[l] = s1 * t_27 - c1 * s4s5;
         }
-        let mut m5 = [0.0; 8];
         let mut f5 = [[0.0; 8]; 2];
         for l in 0..8 {
             let v215 = v215_[l];
             let v221 = v221_[l];
-            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v215, 0.0, -1.0, v221);
+            let [x, y] = ::dh_robot::lanes::unit(v215, -v221);
             f5[0][l] = x;
             f5[1][l] = y;
-            m5[l] = m;
         }
         let c6_ = f5[0];
         let s6_ = f5[1];
@@ -783,9 +778,6 @@ impl Puma560 {
         let mut v262_ = [0.0; 8];
         let mut v265_ = [0.0; 8];
         let mut v268_ = [0.0; 8];
-        let mut v285_ = [0.0; 8];
-        let mut v288_ = [0.0; 8];
-        let mut v291_ = [0.0; 8];
         for l in 0..8 {
             let c1 = c1_[l % 2];
             let s1 = s1_[l % 2];
@@ -795,34 +787,22 @@ impl Puma560 {
             let s4 = s4_[l];
             let c5 = c5_[l];
             let s5 = s5_[l];
-            let v276 = v276_[l];
-            let v279 = v279_[l];
-            let v282 = v282_[l];
             let c6 = c6_[l];
             let s6 = s6_[l];
             let c5c6 = c5 * c6;
             let s5c6 = s5 * c6;
-            let t_31 = c4 * c5c6 - s4 * s6;
-            let t_32 = s4 * c5c6 + c4 * s6;
-            let t_33 = v119 * t_31 - v122 * s5c6;
-            let t_34 = v122 * t_31 + v119 * s5c6;
-            let t_35 = c1 * t_33 + s1 * t_32;
-            let t_36 = s1 * t_33 - c1 * t_32;
-            v262_[l] = t_34;
-            v265_[l] = t_35;
-            v268_[l] = t_36;
-            v285_[l] = t_34 * v282 - t_36 * v276;
-            v288_[l] = t_35 * v276 - t_34 * v279;
-            v291_[l] = t_36 * v279 - t_35 * v282;
+            let t_28 = c4 * c5c6 - s4 * s6;
+            let t_29 = s4 * c5c6 + c4 * s6;
+            let t_30 = v119 * t_28 - v122 * s5c6;
+            v262_[l] = v122 * t_28 + v119 * s5c6;
+            v265_[l] = c1 * t_30 + s1 * t_29;
+            v268_[l] = s1 * t_30 - c1 * t_29;
         }
         let mut error = [0.0; 8];
         for l in 0..8 {
             let v265 = v265_[l];
             let v268 = v268_[l];
             let v262 = v262_[l];
-            let v285 = v285_[l];
-            let v288 = v288_[l];
-            let v291 = v291_[l];
             let v279 = v279_[l];
             let v282 = v282_[l];
             let v276 = v276_[l];
@@ -830,11 +810,10 @@ impl Puma560 {
             let v307 = v307_[l % 4];
             let v301 = v301_[l % 4];
             error[l] = (v265 - t[0][0]).abs() + (v268 - t[1][0]).abs()
-                + (-v262 - t[2][0]).abs() + (v285 - t[0][1]).abs()
-                + (v288 - t[1][1]).abs() + (-v291 - t[2][1]).abs()
-                + (-v279 - t[0][2]).abs() + (-v282 - t[1][2]).abs()
-                + (v276 - t[2][2]).abs() + (v304 - t[0][3]).abs()
-                + (v307 - t[1][3]).abs() + (-v301 - t[2][3]).abs();
+                + (-v262 - t[2][0]).abs() + (-v279 - t[0][2]).abs()
+                + (-v282 - t[1][2]).abs() + (v276 - t[2][2]).abs()
+                + (v304 - t[0][3]).abs() + (v307 - t[1][3]).abs()
+                + (-v301 - t[2][3]).abs();
         }
         let valid: [f64; 8] = ::core::array::from_fn(|l| {
             1.0 * e0[l % 1 % 1] * e1[l % 2 % 1]
@@ -845,28 +824,31 @@ impl Puma560 {
                 .min(m1[l % 2 % 1])
                 .min(m2[l % 4 % 4])
                 .min(m3[l % 4 % 4])
-                .min(m4[l % 8 % 8])
-                .min(m5[l % 8 % 8])
         });
         let q: [[f64; 8]; 6] = [
             ::core::array::from_fn(|l| g0[l / 1 % 2 * 1 + l % 1]),
-            ::core::array::from_fn(|l| g2[l % 4]),
-            ::core::array::from_fn(|l| g1[l / 2 % 2 * 1 + l % 1]),
+            ::core::array::from_fn(|l| ::dh_robot::lanes::into_range(
+                g2[l % 4],
+                -3.9269908169872414,
+                0.7853981633974483,
+            )),
+            ::core::array::from_fn(|l| ::dh_robot::lanes::into_range(
+                g1[l / 2 % 2 * 1 + l % 1],
+                -0.7853981633974483,
+                3.9269908169872414,
+            )),
             ::core::array::from_fn(|l| g3[l / 4 % 2 * 4 + l % 4]),
             ::core::array::from_fn(|l| g4[l % 8]),
             ::core::array::from_fn(|l| g5[l % 8]),
         ];
-        ::dh_robot::lanes::collect(
-            &Self::JOINTS,
-            &valid,
-            &margin,
-            &error,
-            &q,
-            |l| {
+        const BRANCHES: [::dh_robot::Branch; 8] = {
+            let mut all = [::dh_robot::Branch::ANY; 8];
+            let mut l = 0;
+            while l < 8 {
                 let i0 = l / 1 % 2;
                 let i1 = l / 2 % 2;
                 let i3 = l / 4 % 2;
-                ::dh_robot::Branch::ANY
+                all[l] = ::dh_robot::Branch::ANY
                     .with_step(0, i0)
                     .with_shoulder(
                         if i0 == 0 {
@@ -890,9 +872,12 @@ impl Puma560 {
                         } else {
                             ::dh_robot::Wrist::Flip
                         },
-                    )
-            },
-        )
+                    );
+                l += 1;
+            }
+            all
+        };
+        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
     }
 }
 #[allow(clippy::all, clippy::pedantic)]

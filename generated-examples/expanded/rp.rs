@@ -153,7 +153,8 @@ impl Rp {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        if let Some(solutions) = self.lanes(&frame) {
+        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
+        if self.lanes(&frame, &mut solutions) {
             return solutions;
         }
         let setting = ::dh_robot::inverse::Setting {
@@ -221,15 +222,16 @@ impl Rp {
         }
         attempt
     }
-    /// The plan for all branches at once; `None` where the robust way has to decide.
+    /// The plan for all branches at once; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-    ) -> Option<::dh_robot::Solutions<f64, 2, 1>> {
+        solutions: &mut ::dh_robot::Solutions<f64, 2, 1>,
+    ) -> bool {
         let t_2 = t[0][2] * t[0][3] + t[1][2] * t[1][3] + t[2][2] * t[2][3];
-        let mut m0 = [0.0; 1];
         let mut f0 = [[0.0; 1]; 2];
+        let mut m0 = [0.0; 1];
         for l in 0..1 {
             let (x, m) = ::dh_robot::lanes::linear(-1.0, t_2);
             f0[0][l] = x;
@@ -238,20 +240,11 @@ impl Rp {
         }
         let q2_ = f0[0];
         let g0: [f64; 1] = f0[0].map(|d| d * 1.0);
-        let mut m1 = [0.0; 1];
         let mut f1 = [[0.0; 1]; 2];
         for l in 0..1 {
-            let ([x, y], m) = ::dh_robot::lanes::pair(
-                1.0,
-                0.0,
-                t[0][0],
-                0.0,
-                -1.0,
-                t[0][2],
-            );
+            let [x, y] = ::dh_robot::lanes::unit(t[0][0], -t[0][2]);
             f1[0][l] = x;
             f1[1][l] = y;
-            m1[l] = m;
         }
         let c1_ = f1[0];
         let s1_ = f1[1];
@@ -267,32 +260,31 @@ impl Rp {
         }
         let mut error = [0.0; 1];
         for l in 0..1 {
-            let c1 = c1_[l];
             let s1 = s1_[l];
+            let c1 = c1_[l];
             let v63 = v63_[l];
             let v64 = v64_[l];
-            error[l] = (c1 - t[0][0]).abs() + (s1 - t[1][0]).abs()
-                + (0.0 - t[2][0]).abs() + (0.0 - t[0][1]).abs() + (0.0 - t[1][1]).abs()
+            error[l] = (0.0 - t[0][1]).abs() + (0.0 - t[1][1]).abs()
                 + (-1.0 - t[2][1]).abs() + (-s1 - t[0][2]).abs() + (c1 - t[1][2]).abs()
                 + (0.0 - t[2][2]).abs() + (-v63 - t[0][3]).abs() + (v64 - t[1][3]).abs()
                 + (0.0 - t[2][3]).abs();
         }
         let valid: [f64; 1] = ::core::array::from_fn(|l| 1.0);
-        let margin: [f64; 1] = ::core::array::from_fn(|l| {
-            1.0_f64.min(m0[l % 1 % 1]).min(m1[l % 1 % 1])
-        });
+        let margin: [f64; 1] = ::core::array::from_fn(|l| 1.0_f64.min(m0[l % 1 % 1]));
         let q: [[f64; 1]; 2] = [
             ::core::array::from_fn(|l| g1[l % 1]),
             ::core::array::from_fn(|l| g0[l % 1]),
         ];
-        ::dh_robot::lanes::collect(
-            &Self::JOINTS,
-            &valid,
-            &margin,
-            &error,
-            &q,
-            |l| { ::dh_robot::Branch::ANY },
-        )
+        const BRANCHES: [::dh_robot::Branch; 1] = {
+            let mut all = [::dh_robot::Branch::ANY; 1];
+            let mut l = 0;
+            while l < 1 {
+                all[l] = ::dh_robot::Branch::ANY;
+                l += 1;
+            }
+            all
+        };
+        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
     }
 }
 #[allow(clippy::all, clippy::pedantic)]

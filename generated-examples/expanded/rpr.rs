@@ -170,7 +170,8 @@ impl Rpr {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        if let Some(solutions) = self.lanes(&frame) {
+        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
+        if self.lanes(&frame, &mut solutions) {
             return solutions;
         }
         let setting = ::dh_robot::inverse::Setting {
@@ -266,17 +267,18 @@ impl Rpr {
         }
         attempt
     }
-    /// The plan for all branches at once; `None` where the robust way has to decide.
+    /// The plan for all branches at once; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-    ) -> Option<::dh_robot::Solutions<f64, 3, 1>> {
+        solutions: &mut ::dh_robot::Solutions<f64, 3, 1>,
+    ) -> bool {
         let t_2 = self.l2 * 2.472065658063878;
         let t_3 = t[0][2] * (t[0][3] - t[0][2] * t_2)
             + t[1][2] * (t[1][3] - t[1][2] * t_2);
-        let mut m0 = [0.0; 1];
         let mut f0 = [[0.0; 1]; 2];
+        let mut m0 = [0.0; 1];
         for l in 0..1 {
             let (x, m) = ::dh_robot::lanes::linear(
                 -1.0,
@@ -294,20 +296,11 @@ impl Rpr {
             let t_4 = t_2 + q2;
             v91_[l] = t_4;
         }
-        let mut m1 = [0.0; 1];
         let mut f1 = [[0.0; 1]; 2];
         for l in 0..1 {
-            let ([x, y], m) = ::dh_robot::lanes::pair(
-                0.0,
-                1.0,
-                t[0][2],
-                -1.0,
-                0.0,
-                t[1][2],
-            );
+            let [x, y] = ::dh_robot::lanes::unit(-t[1][2], t[0][2]);
             f1[0][l] = x;
             f1[1][l] = y;
-            m1[l] = m;
         }
         let c1_ = f1[0];
         let s1_ = f1[1];
@@ -325,21 +318,17 @@ impl Rpr {
             v92_[l] = s1 * v91;
             v93_[l] = c1 * v91;
         }
-        let mut m2 = [0.0; 1];
         let mut f2 = [[0.0; 1]; 2];
         for l in 0..1 {
             let v51 = v51_[l];
             let v57 = v57_[l];
-            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v51, 0.0, -1.0, v57);
+            let [x, y] = ::dh_robot::lanes::unit(v51, -v57);
             f2[0][l] = x;
             f2[1][l] = y;
-            m2[l] = m;
         }
         let c3_ = f2[0];
         let s3_ = f2[1];
         let g2: [f64; 1] = ::dh_robot::atan2_batch(&f2[1], &f2[0]);
-        let mut v87_ = [0.0; 1];
-        let mut v88_ = [0.0; 1];
         let mut v89_ = [0.0; 1];
         let mut v90_ = [0.0; 1];
         for l in 0..1 {
@@ -347,16 +336,11 @@ impl Rpr {
             let s1 = s1_[l];
             let c3 = c3_[l];
             let s3 = s3_[l];
-            v87_[l] = c1 * c3;
-            v88_[l] = s1 * c3;
             v89_[l] = c1 * s3;
             v90_[l] = s1 * s3;
         }
         let mut error = [0.0; 1];
         for l in 0..1 {
-            let v87 = v87_[l];
-            let v88 = v88_[l];
-            let s3 = s3_[l];
             let v89 = v89_[l];
             let v90 = v90_[l];
             let c3 = c3_[l];
@@ -364,29 +348,28 @@ impl Rpr {
             let c1 = c1_[l];
             let v92 = v92_[l];
             let v93 = v93_[l];
-            error[l] = (v87 - t[0][0]).abs() + (v88 - t[1][0]).abs()
-                + (s3 - t[2][0]).abs() + (-v89 - t[0][1]).abs() + (-v90 - t[1][1]).abs()
+            error[l] = (-v89 - t[0][1]).abs() + (-v90 - t[1][1]).abs()
                 + (c3 - t[2][1]).abs() + (s1 - t[0][2]).abs() + (-c1 - t[1][2]).abs()
                 + (0.0 - t[2][2]).abs() + (v92 - t[0][3]).abs() + (-v93 - t[1][3]).abs()
                 + (0.0 - t[2][3]).abs();
         }
         let valid: [f64; 1] = ::core::array::from_fn(|l| 1.0);
-        let margin: [f64; 1] = ::core::array::from_fn(|l| {
-            1.0_f64.min(m0[l % 1 % 1]).min(m1[l % 1 % 1]).min(m2[l % 1 % 1])
-        });
+        let margin: [f64; 1] = ::core::array::from_fn(|l| 1.0_f64.min(m0[l % 1 % 1]));
         let q: [[f64; 1]; 3] = [
             ::core::array::from_fn(|l| g1[l % 1]),
             ::core::array::from_fn(|l| g0[l % 1]),
             ::core::array::from_fn(|l| g2[l % 1]),
         ];
-        ::dh_robot::lanes::collect(
-            &Self::JOINTS,
-            &valid,
-            &margin,
-            &error,
-            &q,
-            |l| { ::dh_robot::Branch::ANY },
-        )
+        const BRANCHES: [::dh_robot::Branch; 1] = {
+            let mut all = [::dh_robot::Branch::ANY; 1];
+            let mut l = 0;
+            while l < 1 {
+                all[l] = ::dh_robot::Branch::ANY;
+                l += 1;
+            }
+            all
+        };
+        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
     }
 }
 #[allow(clippy::all, clippy::pedantic)]

@@ -205,7 +205,8 @@ impl ScaraRrrp {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        if let Some(solutions) = self.lanes(&frame) {
+        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
+        if self.lanes(&frame, &mut solutions) {
             return solutions;
         }
         let setting = ::dh_robot::inverse::Setting {
@@ -348,12 +349,13 @@ impl ScaraRrrp {
         }
         attempt
     }
-    /// The plan for all branches at once; `None` where the robust way has to decide.
+    /// The plan for all branches at once; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-    ) -> Option<::dh_robot::Solutions<f64, 4, 2>> {
+        solutions: &mut ::dh_robot::Solutions<f64, 4, 2>,
+    ) -> bool {
         let t_2 = self.d1 * 0.7567958730994166;
         let t_3 = self.d2 * 0.7567958730994166;
         let t_4 = t_2 + t_3;
@@ -361,8 +363,8 @@ impl ScaraRrrp {
         let t_6 = self.a2 * 0.7567958730994166;
         let t_7 = t_3 * (t_3 + t_2 * 2.0);
         let t_8 = t_5 * t_5 + t_6 * t_6 + t_2 * t_2;
-        let mut m0 = [0.0; 1];
         let mut f0 = [[0.0; 1]; 2];
+        let mut m0 = [0.0; 1];
         for l in 0..1 {
             let (x, m) = ::dh_robot::lanes::linear(1.0, -(t[2][3] - t_4));
             f0[0][l] = x;
@@ -385,26 +387,17 @@ impl ScaraRrrp {
             v79_[l] = t_7 - (t_9 * t_9 + t_10 * t_10 + t_11 * t_11 - t_8);
             v101_[l] = t_4 + q4;
         }
-        let mut m1 = [0.0; 1];
         let mut f1 = [[0.0; 1]; 2];
         for l in 0..1 {
-            let ([x, y], m) = ::dh_robot::lanes::pair(
-                1.0,
-                0.0,
-                t[0][0],
-                0.0,
-                -1.0,
-                t[0][1],
-            );
+            let [x, y] = ::dh_robot::lanes::unit(t[0][0], -t[0][1]);
             f1[0][l] = x;
             f1[1][l] = y;
-            m1[l] = m;
         }
         let c123_ = f1[0];
         let s123_ = f1[1];
         let g1: [f64; 1] = ::dh_robot::atan2_batch(&f1[1], &f1[0]);
-        let mut m2 = [0.0; 1];
         let mut f2 = [[0.0; 2]; 2];
+        let mut m2 = [0.0; 1];
         let mut e2 = [0.0; 1];
         for l in 0..1 {
             let v79 = v79_[l];
@@ -433,8 +426,8 @@ impl ScaraRrrp {
             v82_[l] = t_12;
             v84_[l] = t_13;
         }
-        let mut m3 = [0.0; 2];
         let mut f3 = [[0.0; 2]; 2];
+        let mut m3 = [0.0; 2];
         for l in 0..2 {
             let v82 = v82_[l];
             let v84 = v84_[l];
@@ -460,24 +453,19 @@ impl ScaraRrrp {
         }
         let mut error = [0.0; 2];
         for l in 0..2 {
-            let c123 = c123_[l % 1];
             let s123 = s123_[l % 1];
+            let c123 = c123_[l % 1];
             let v99 = v99_[l];
             let v100 = v100_[l];
             let v101 = v101_[l % 1];
-            error[l] = (c123 - t[0][0]).abs() + (s123 - t[1][0]).abs()
-                + (0.0 - t[2][0]).abs() + (-s123 - t[0][1]).abs()
-                + (c123 - t[1][1]).abs() + (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs()
-                + (0.0 - t[1][2]).abs() + (1.0 - t[2][2]).abs() + (v99 - t[0][3]).abs()
-                + (v100 - t[1][3]).abs() + (v101 - t[2][3]).abs();
+            error[l] = (-s123 - t[0][1]).abs() + (c123 - t[1][1]).abs()
+                + (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs()
+                + (1.0 - t[2][2]).abs() + (v99 - t[0][3]).abs() + (v100 - t[1][3]).abs()
+                + (v101 - t[2][3]).abs();
         }
         let valid: [f64; 2] = ::core::array::from_fn(|l| 1.0 * e2[l % 1 % 1]);
         let margin: [f64; 2] = ::core::array::from_fn(|l| {
-            1.0_f64
-                .min(m0[l % 1 % 1])
-                .min(m1[l % 1 % 1])
-                .min(m2[l % 1 % 1])
-                .min(m3[l % 2 % 2])
+            1.0_f64.min(m0[l % 1 % 1]).min(m2[l % 1 % 1]).min(m3[l % 2 % 2])
         });
         let q: [[f64; 2]; 4] = [
             ::core::array::from_fn(|l| g3[l % 2]),
@@ -487,15 +475,12 @@ impl ScaraRrrp {
             )),
             ::core::array::from_fn(|l| g0[l % 1]),
         ];
-        ::dh_robot::lanes::collect(
-            &Self::JOINTS,
-            &valid,
-            &margin,
-            &error,
-            &q,
-            |l| {
+        const BRANCHES: [::dh_robot::Branch; 2] = {
+            let mut all = [::dh_robot::Branch::ANY; 2];
+            let mut l = 0;
+            while l < 2 {
                 let i2 = l / 1 % 2;
-                ::dh_robot::Branch::ANY
+                all[l] = ::dh_robot::Branch::ANY
                     .with_step(0, i2)
                     .with_elbow(
                         if i2 == 0 {
@@ -503,9 +488,12 @@ impl ScaraRrrp {
                         } else {
                             ::dh_robot::Elbow::Down
                         },
-                    )
-            },
-        )
+                    );
+                l += 1;
+            }
+            all
+        };
+        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
     }
 }
 #[allow(clippy::all, clippy::pedantic)]

@@ -286,7 +286,8 @@ impl SixAxisChain {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        if let Some(solutions) = self.lanes(&frame) {
+        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
+        if self.lanes(&frame, &mut solutions) {
             return solutions;
         }
         let setting = ::dh_robot::inverse::Setting {
@@ -486,18 +487,19 @@ impl SixAxisChain {
         }
         attempt
     }
-    /// The plan for all branches at once; `None` where the robust way has to decide.
+    /// The plan for all branches at once; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-    ) -> Option<::dh_robot::Solutions<f64, 6, 8>> {
+        solutions: &mut ::dh_robot::Solutions<f64, 6, 8>,
+    ) -> bool {
         let t_2 = self.a4 * 0.896092131359586;
         let t_3 = self.a2 * 0.896092131359586;
         let t_4 = self.a3 * 0.896092131359586;
         let t_5 = t_3 * t_3 + t_4 * t_4;
-        let mut m0 = [0.0; 1];
         let mut f0 = [[0.0; 2]; 2];
+        let mut m0 = [0.0; 1];
         for l in 0..1 {
             let ([x, y], m) = ::dh_robot::lanes::half_turn(-t[1][3], t[0][3]);
             f0[0][l] = x;
@@ -539,8 +541,8 @@ impl SixAxisChain {
             v56_[l] = t_9;
             v59_[l] = t[0][2] * s1 - t[1][2] * c1;
         }
-        let mut m1 = [0.0; 2];
         let mut f1 = [[0.0; 4]; 2];
+        let mut m1 = [0.0; 2];
         for l in 0..2 {
             let v56 = v56_[l];
             let ([x, y], m) = ::dh_robot::lanes::half_turn(-t[2][2], v56);
@@ -578,15 +580,13 @@ impl SixAxisChain {
             v238_[l] = t_10;
             v239_[l] = t_11;
         }
-        let mut m2 = [0.0; 4];
         let mut f2 = [[0.0; 4]; 2];
         for l in 0..4 {
             let v59 = v59_[l % 2];
             let v80 = v80_[l];
-            let ([x, y], m) = ::dh_robot::lanes::pair(-1.0, 0.0, -v59, 0.0, 1.0, v80);
+            let [x, y] = ::dh_robot::lanes::unit(v59, v80);
             f2[0][l] = x;
             f2[1][l] = y;
-            m2[l] = m;
         }
         let c5_ = f2[0];
         let s5_ = f2[1];
@@ -613,20 +613,17 @@ impl SixAxisChain {
             let t_14 = t[2][2] * s5;
             let t_15 = v56 * s5;
             let c234s5 = c234 * s5;
-            let s234s5 = s234 * s5;
-            let t_16 = c1 * c234s5 + s1 * c5;
-            let t_17 = s1 * c234s5 - c1 * c5;
             v82_[l] = c234c5;
             v107_[l] = t_12;
             v108_[l] = t_13;
             v109_[l] = t_14;
             v172_[l] = t_15;
-            v222_[l] = s234s5;
-            v225_[l] = t_16;
-            v228_[l] = t_17;
+            v222_[l] = s234 * s5;
+            v225_[l] = c1 * c234s5 + s1 * c5;
+            v228_[l] = s1 * c234s5 - c1 * c5;
         }
-        let mut m3 = [0.0; 4];
         let mut f3 = [[0.0; 4]; 2];
+        let mut m3 = [0.0; 4];
         for l in 0..4 {
             let v82 = v82_[l];
             let s234 = s234_[l];
@@ -646,9 +643,6 @@ impl SixAxisChain {
         let mut v214_ = [0.0; 4];
         let mut v217_ = [0.0; 4];
         let mut v220_ = [0.0; 4];
-        let mut v231_ = [0.0; 4];
-        let mut v234_ = [0.0; 4];
-        let mut v237_ = [0.0; 4];
         for l in 0..4 {
             let c1 = c1_[l % 2];
             let s1 = s1_[l % 2];
@@ -663,32 +657,23 @@ impl SixAxisChain {
             let v108 = v108_[l];
             let v109 = v109_[l];
             let v172 = v172_[l];
-            let v222 = v222_[l];
-            let v225 = v225_[l];
-            let v228 = v228_[l];
             let c6 = c6_[l];
             let s6 = s6_[l];
-            let t_18 = t[0][3] - (c5 * (t[0][0] * c6 - t[0][1] * s6) + v107) * t_2;
-            let t_19 = t[1][3] - (c5 * (t[1][0] * c6 - t[1][1] * s6) + v108) * t_2;
-            let t_20 = t[2][3] - (c5 * (t[2][0] * c6 - t[2][1] * s6) + v109) * t_2;
+            let t_16 = t[0][3] - (c5 * (t[0][0] * c6 - t[0][1] * s6) + v107) * t_2;
+            let t_17 = t[1][3] - (c5 * (t[1][0] * c6 - t[1][1] * s6) + v108) * t_2;
+            let t_18 = t[2][3] - (c5 * (t[2][0] * c6 - t[2][1] * s6) + v109) * t_2;
             let c5c6 = c5 * c6;
             let c6s5 = c6 * s5;
-            let t_21 = c234 * c5c6 - s234 * s6;
-            let t_22 = s234 * c5c6 + c234 * s6;
-            let t_23 = c1 * t_21 - s1 * c6s5;
-            let t_24 = s1 * t_21 + c1 * c6s5;
-            v128_[l] = t_20;
-            v157_[l] = t_18 * t_18 + t_19 * t_19 + t_20 * t_20 - t_5;
+            let t_19 = c234 * c5c6 - s234 * s6;
+            v128_[l] = t_18;
+            v157_[l] = t_16 * t_16 + t_17 * t_17 + t_18 * t_18 - t_5;
             v184_[l] = v38 - t_2 * (c5 * (v44 * c6 - v50 * s6) + v172);
-            v214_[l] = t_22;
-            v217_[l] = t_23;
-            v220_[l] = t_24;
-            v231_[l] = t_22 * v228 - t_24 * v222;
-            v234_[l] = t_23 * v222 - t_22 * v225;
-            v237_[l] = t_24 * v225 - t_23 * v228;
+            v214_[l] = s234 * c5c6 + c234 * s6;
+            v217_[l] = c1 * t_19 - s1 * c6s5;
+            v220_[l] = s1 * t_19 + c1 * c6s5;
         }
-        let mut m4 = [0.0; 4];
         let mut f4 = [[0.0; 8]; 2];
+        let mut m4 = [0.0; 4];
         let mut e4 = [0.0; 4];
         for l in 0..4 {
             let v157 = v157_[l];
@@ -712,13 +697,13 @@ impl SixAxisChain {
         for l in 0..8 {
             let c3 = c3_[l];
             let s3 = s3_[l];
-            let t_25 = t_3 + t_4 * c3;
-            let t_26 = t_4 * s3;
-            v204_[l] = t_25;
-            v206_[l] = t_26;
+            let t_20 = t_3 + t_4 * c3;
+            let t_21 = t_4 * s3;
+            v204_[l] = t_20;
+            v206_[l] = t_21;
         }
-        let mut m5 = [0.0; 8];
         let mut f5 = [[0.0; 8]; 2];
+        let mut m5 = [0.0; 8];
         for l in 0..8 {
             let v204 = v204_[l];
             let v206 = v206_[l];
@@ -751,19 +736,16 @@ impl SixAxisChain {
             let v239 = v239_[l % 4];
             let c2 = c2_[l];
             let s2 = s2_[l];
-            let t_27 = v238 + t_4 * (c3 * c2 - s3 * s2) + t_3 * c2;
+            let t_22 = v238 + t_4 * (c3 * c2 - s3 * s2) + t_3 * c2;
             v255_[l] = v239 + t_4 * (c3 * s2 + s3 * c2) + t_3 * s2;
-            v256_[l] = c1 * t_27;
-            v257_[l] = s1 * t_27;
+            v256_[l] = c1 * t_22;
+            v257_[l] = s1 * t_22;
         }
         let mut error = [0.0; 8];
         for l in 0..8 {
             let v217 = v217_[l % 4];
             let v220 = v220_[l % 4];
             let v214 = v214_[l % 4];
-            let v231 = v231_[l % 4];
-            let v234 = v234_[l % 4];
-            let v237 = v237_[l % 4];
             let v225 = v225_[l % 4];
             let v228 = v228_[l % 4];
             let v222 = v222_[l % 4];
@@ -771,18 +753,16 @@ impl SixAxisChain {
             let v257 = v257_[l];
             let v255 = v255_[l];
             error[l] = (v217 - t[0][0]).abs() + (v220 - t[1][0]).abs()
-                + (v214 - t[2][0]).abs() + (v231 - t[0][1]).abs()
-                + (v234 - t[1][1]).abs() + (v237 - t[2][1]).abs()
-                + (v225 - t[0][2]).abs() + (v228 - t[1][2]).abs()
-                + (v222 - t[2][2]).abs() + (v256 - t[0][3]).abs()
-                + (v257 - t[1][3]).abs() + (v255 - t[2][3]).abs();
+                + (v214 - t[2][0]).abs() + (v225 - t[0][2]).abs()
+                + (v228 - t[1][2]).abs() + (v222 - t[2][2]).abs()
+                + (v256 - t[0][3]).abs() + (v257 - t[1][3]).abs()
+                + (v255 - t[2][3]).abs();
         }
         let valid: [f64; 8] = ::core::array::from_fn(|l| 1.0 * e4[l % 4 % 4]);
         let margin: [f64; 8] = ::core::array::from_fn(|l| {
             1.0_f64
                 .min(m0[l % 1 % 1])
                 .min(m1[l % 2 % 2])
-                .min(m2[l % 4 % 4])
                 .min(m3[l % 4 % 4])
                 .min(m4[l % 4 % 4])
                 .min(m5[l % 8 % 8])
@@ -797,17 +777,14 @@ impl SixAxisChain {
             ::core::array::from_fn(|l| g2[l % 4]),
             ::core::array::from_fn(|l| g3[l % 4]),
         ];
-        ::dh_robot::lanes::collect(
-            &Self::JOINTS,
-            &valid,
-            &margin,
-            &error,
-            &q,
-            |l| {
+        const BRANCHES: [::dh_robot::Branch; 8] = {
+            let mut all = [::dh_robot::Branch::ANY; 8];
+            let mut l = 0;
+            while l < 8 {
                 let i0 = l / 1 % 2;
                 let i1 = l / 2 % 2;
                 let i4 = l / 4 % 2;
-                ::dh_robot::Branch::ANY
+                all[l] = ::dh_robot::Branch::ANY
                     .with_step(0, i0)
                     .with_shoulder(
                         if i0 == 0 {
@@ -824,9 +801,12 @@ impl SixAxisChain {
                             ::dh_robot::Elbow::Down
                         },
                     )
-                    .with_step(2, i4)
-            },
-        )
+                    .with_step(2, i4);
+                l += 1;
+            }
+            all
+        };
+        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
     }
 }
 #[allow(clippy::all, clippy::pedantic)]

@@ -302,7 +302,8 @@ impl Stanford {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        if let Some(solutions) = self.lanes(&frame) {
+        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
+        if self.lanes(&frame, &mut solutions) {
             return solutions;
         }
         let setting = ::dh_robot::inverse::Setting {
@@ -493,15 +494,16 @@ impl Stanford {
         }
         attempt
     }
-    /// The plan for all branches at once; `None` where the robust way has to decide.
+    /// The plan for all branches at once; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-    ) -> Option<::dh_robot::Solutions<f64, 6, 8>> {
+        solutions: &mut ::dh_robot::Solutions<f64, 6, 8>,
+    ) -> bool {
         let t_2 = t[2][3] - 0.7027119222241174;
-        let mut m0 = [0.0; 1];
         let mut f0 = [[0.0; 2]; 2];
+        let mut m0 = [0.0; 1];
         let mut e0 = [0.0; 1];
         for l in 0..1 {
             let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
@@ -550,8 +552,8 @@ impl Stanford {
             v272_[l] = t_10;
             v275_[l] = t_11;
         }
-        let mut m1 = [0.0; 2];
         let mut f1 = [[0.0; 4]; 2];
+        let mut m1 = [0.0; 2];
         for l in 0..2 {
             let v39 = v39_[l];
             let ([x, y], m) = ::dh_robot::lanes::half_turn(-v39, t_2);
@@ -599,8 +601,8 @@ impl Stanford {
             v102_[l] = v53 * s2 + t[2][1] * c2;
             v105_[l] = t_14;
         }
-        let mut m2 = [0.0; 4];
         let mut f2 = [[0.0; 4]; 2];
+        let mut m2 = [0.0; 4];
         for l in 0..4 {
             let v90 = v90_[l];
             let (x, m) = ::dh_robot::lanes::linear(-1.0, v90);
@@ -626,8 +628,8 @@ impl Stanford {
             v273_[l] = c1 * t_15 - v272;
             v276_[l] = s1 * t_15 + v275;
         }
-        let mut m3 = [0.0; 4];
         let mut f3 = [[0.0; 8]; 2];
+        let mut m3 = [0.0; 4];
         for l in 0..4 {
             let v102 = v102_[l];
             let v96 = v96_[l];
@@ -665,15 +667,13 @@ impl Stanford {
             v146_[l] = v50 * s6 + v56 * c6;
             v147_[l] = v93 * s6 + v99 * c6;
         }
-        let mut m4 = [0.0; 8];
         let mut f4 = [[0.0; 8]; 2];
         for l in 0..8 {
             let v146 = v146_[l];
             let v147 = v147_[l];
-            let ([x, y], m) = ::dh_robot::lanes::pair(0.0, -1.0, v146, 1.0, 0.0, v147);
+            let [x, y] = ::dh_robot::lanes::unit(v147, -v146);
             f4[0][l] = x;
             f4[1][l] = y;
-            m4[l] = m;
         }
         let c4_ = f4[0];
         let s4_ = f4[1];
@@ -700,15 +700,13 @@ impl Stanford {
             v228_[l] = s6c4;
             v231_[l] = s6s4;
         }
-        let mut m5 = [0.0; 8];
         let mut f5 = [[0.0; 8]; 2];
         for l in 0..8 {
             let v199 = v199_[l];
             let v191 = v191_[l];
-            let ([x, y], m) = ::dh_robot::lanes::pair(1.0, 0.0, v199, 0.0, -1.0, -v191);
+            let [x, y] = ::dh_robot::lanes::unit(v199, v191);
             f5[0][l] = x;
             f5[1][l] = y;
-            m5[l] = m;
         }
         let c5_ = f5[0];
         let s5_ = f5[1];
@@ -719,9 +717,6 @@ impl Stanford {
         let mut v252_ = [0.0; 8];
         let mut v255_ = [0.0; 8];
         let mut v258_ = [0.0; 8];
-        let mut v261_ = [0.0; 8];
-        let mut v264_ = [0.0; 8];
-        let mut v267_ = [0.0; 8];
         for l in 0..8 {
             let c1 = c1_[l % 2];
             let s1 = s1_[l % 2];
@@ -739,33 +734,21 @@ impl Stanford {
             let t_16 = s4 * c6c5 + v228;
             let t_17 = c4 * c6c5 - v231;
             let t_18 = c2 * t_16 - s2 * c6s5;
-            let t_19 = s2 * t_16 + c2 * c6s5;
-            let t_20 = c1 * t_18 + s1 * t_17;
-            let t_21 = s1 * t_18 - c1 * t_17;
             let s4s5 = s4 * s5;
             let c4s5 = c4 * s5;
-            let t_22 = c2 * s4s5 + s2 * c5;
-            let t_23 = s2 * s4s5 - c2 * c5;
-            let t_24 = c1 * t_22 + s1 * c4s5;
-            let t_25 = s1 * t_22 - c1 * c4s5;
-            v238_[l] = t_19;
-            v241_[l] = t_20;
-            v244_[l] = t_21;
-            v252_[l] = t_23;
-            v255_[l] = t_24;
-            v258_[l] = t_25;
-            v261_[l] = t_19 * t_25 - t_21 * t_23;
-            v264_[l] = t_20 * t_23 - t_19 * t_24;
-            v267_[l] = t_21 * t_24 - t_20 * t_25;
+            let t_19 = c2 * s4s5 + s2 * c5;
+            v238_[l] = s2 * t_16 + c2 * c6s5;
+            v241_[l] = c1 * t_18 + s1 * t_17;
+            v244_[l] = s1 * t_18 - c1 * t_17;
+            v252_[l] = s2 * s4s5 - c2 * c5;
+            v255_[l] = c1 * t_19 + s1 * c4s5;
+            v258_[l] = s1 * t_19 - c1 * c4s5;
         }
         let mut error = [0.0; 8];
         for l in 0..8 {
             let v241 = v241_[l];
             let v244 = v244_[l];
             let v238 = v238_[l];
-            let v261 = v261_[l];
-            let v264 = v264_[l];
-            let v267 = v267_[l];
             let v255 = v255_[l];
             let v258 = v258_[l];
             let v252 = v252_[l];
@@ -773,11 +756,10 @@ impl Stanford {
             let v276 = v276_[l % 4];
             let v270 = v270_[l % 4];
             error[l] = (v241 - t[0][0]).abs() + (v244 - t[1][0]).abs()
-                + (-v238 - t[2][0]).abs() + (-v261 - t[0][1]).abs()
-                + (-v264 - t[1][1]).abs() + (v267 - t[2][1]).abs()
-                + (v255 - t[0][2]).abs() + (v258 - t[1][2]).abs()
-                + (-v252 - t[2][2]).abs() + (v273 - t[0][3]).abs()
-                + (v276 - t[1][3]).abs() + (v270 - t[2][3]).abs();
+                + (-v238 - t[2][0]).abs() + (v255 - t[0][2]).abs()
+                + (v258 - t[1][2]).abs() + (-v252 - t[2][2]).abs()
+                + (v273 - t[0][3]).abs() + (v276 - t[1][3]).abs()
+                + (v270 - t[2][3]).abs();
         }
         let valid: [f64; 8] = ::core::array::from_fn(|l| 1.0 * e0[l % 1 % 1]);
         let margin: [f64; 8] = ::core::array::from_fn(|l| {
@@ -786,8 +768,6 @@ impl Stanford {
                 .min(m1[l % 2 % 2])
                 .min(m2[l % 4 % 4])
                 .min(m3[l % 4 % 4])
-                .min(m4[l % 8 % 8])
-                .min(m5[l % 8 % 8])
         });
         let q: [[f64; 8]; 6] = [
             ::core::array::from_fn(|l| g0[l / 1 % 2 * 1 + l % 1]),
@@ -797,17 +777,14 @@ impl Stanford {
             ::core::array::from_fn(|l| g5[l % 8]),
             ::core::array::from_fn(|l| g3[l / 4 % 2 * 4 + l % 4]),
         ];
-        ::dh_robot::lanes::collect(
-            &Self::JOINTS,
-            &valid,
-            &margin,
-            &error,
-            &q,
-            |l| {
+        const BRANCHES: [::dh_robot::Branch; 8] = {
+            let mut all = [::dh_robot::Branch::ANY; 8];
+            let mut l = 0;
+            while l < 8 {
                 let i0 = l / 1 % 2;
                 let i1 = l / 2 % 2;
                 let i3 = l / 4 % 2;
-                ::dh_robot::Branch::ANY
+                all[l] = ::dh_robot::Branch::ANY
                     .with_step(0, i0)
                     .with_shoulder(
                         if i0 == 0 {
@@ -831,9 +808,12 @@ impl Stanford {
                         } else {
                             ::dh_robot::Wrist::Flip
                         },
-                    )
-            },
-        )
+                    );
+                l += 1;
+            }
+            all
+        };
+        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
     }
 }
 #[allow(clippy::all, clippy::pedantic)]

@@ -319,7 +319,8 @@ impl Ur5 {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        if let Some(solutions) = self.lanes(&frame) {
+        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
+        if self.lanes(&frame, &mut solutions) {
             return solutions;
         }
         let setting = ::dh_robot::inverse::Setting {
@@ -521,18 +522,19 @@ impl Ur5 {
         }
         attempt
     }
-    /// The plan for all branches at once; `None` where the robust way has to decide.
+    /// The plan for all branches at once; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-    ) -> Option<::dh_robot::Solutions<f64, 6, 8>> {
+        solutions: &mut ::dh_robot::Solutions<f64, 6, 8>,
+    ) -> bool {
         let t_2 = t[0][3] - t[0][2] * 0.06899679663718164;
         let t_3 = t[1][3] - t[1][2] * 0.06899679663718164;
         let t_4 = t[2][3] - t[2][2] * 0.06899679663718164;
         let t_5 = t_4 - 0.07499859575170878;
-        let mut m0 = [0.0; 1];
         let mut f0 = [[0.0; 2]; 2];
+        let mut m0 = [0.0; 1];
         let mut e0 = [0.0; 1];
         for l in 0..1 {
             let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
@@ -583,8 +585,8 @@ impl Ur5 {
             v262_[l] = t_13;
             v265_[l] = t_14;
         }
-        let mut m1 = [0.0; 2];
         let mut f1 = [[0.0; 4]; 2];
+        let mut m1 = [0.0; 2];
         for l in 0..2 {
             let v66 = v66_[l];
             let ([x, y], m) = ::dh_robot::lanes::half_turn(-t[2][2], v66);
@@ -619,8 +621,8 @@ impl Ur5 {
             v242_[l] = t_15;
             v243_[l] = t_16;
         }
-        let mut m2 = [0.0; 4];
         let mut f2 = [[0.0; 4]; 2];
+        let mut m2 = [0.0; 4];
         for l in 0..4 {
             let v69 = v69_[l % 2];
             let s234 = s234_[l];
@@ -678,8 +680,8 @@ impl Ur5 {
             v268_[l] = t_22;
             v269_[l] = t_23;
         }
-        let mut m3 = [0.0; 4];
         let mut f3 = [[0.0; 4]; 2];
+        let mut m3 = [0.0; 4];
         for l in 0..4 {
             let v97 = v97_[l];
             let s234 = s234_[l];
@@ -700,9 +702,6 @@ impl Ur5 {
         let mut v218_ = [0.0; 4];
         let mut v221_ = [0.0; 4];
         let mut v224_ = [0.0; 4];
-        let mut v235_ = [0.0; 4];
-        let mut v238_ = [0.0; 4];
-        let mut v241_ = [0.0; 4];
         for l in 0..4 {
             let c1 = c1_[l % 2];
             let s1 = s1_[l % 2];
@@ -718,9 +717,6 @@ impl Ur5 {
             let s5 = s5_[l];
             let v161 = v161_[l];
             let v163 = v163_[l];
-            let v226 = v226_[l];
-            let v229 = v229_[l];
-            let v232 = v232_[l];
             let c6 = c6_[l];
             let s6 = s6_[l];
             let t_24 = (t[2][0] * s6 + t[2][1] * c6) * 0.07935050791870282;
@@ -733,22 +729,16 @@ impl Ur5 {
             let c5c6 = c5 * c6;
             let c6s5 = c6 * s5;
             let t_31 = c234 * c5c6 - s234 * s6;
-            let t_32 = s234 * c5c6 + c234 * s6;
-            let t_33 = c1 * t_31 + s1 * c6s5;
-            let t_34 = s1 * t_31 - c1 * c6s5;
             v147_[l] = t_28;
             v170_[l] = t_25 - t_29;
             v172_[l] = t_27 - t_30;
             v210_[l] = 0.07499859575170878 + t_30 - (t_4 + t_24);
-            v218_[l] = t_32;
-            v221_[l] = t_33;
-            v224_[l] = t_34;
-            v235_[l] = t_32 * v232 - t_34 * v226;
-            v238_[l] = t_33 * v226 - t_32 * v229;
-            v241_[l] = t_34 * v229 - t_33 * v232;
+            v218_[l] = s234 * c5c6 + c234 * s6;
+            v221_[l] = c1 * t_31 + s1 * c6s5;
+            v224_[l] = s1 * t_31 - c1 * c6s5;
         }
-        let mut m4 = [0.0; 4];
         let mut f4 = [[0.0; 8]; 2];
+        let mut m4 = [0.0; 4];
         let mut e4 = [0.0; 4];
         for l in 0..4 {
             let v147 = v147_[l];
@@ -772,13 +762,13 @@ impl Ur5 {
         for l in 0..8 {
             let c3 = c3_[l];
             let s3 = s3_[l];
-            let t_35 = 0.3563018052345346 + 0.32884560730175577 * c3;
-            let t_36 = 0.32884560730175577 * s3;
-            v207_[l] = t_35;
-            v209_[l] = t_36;
+            let t_32 = 0.3563018052345346 + 0.32884560730175577 * c3;
+            let t_33 = 0.32884560730175577 * s3;
+            v207_[l] = t_32;
+            v209_[l] = t_33;
         }
-        let mut m5 = [0.0; 8];
         let mut f5 = [[0.0; 8]; 2];
+        let mut m5 = [0.0; 8];
         for l in 0..8 {
             let v207 = v207_[l];
             let v209 = v209_[l];
@@ -817,22 +807,19 @@ impl Ur5 {
             let v269 = v269_[l % 4];
             let c2 = c2_[l];
             let s2 = s2_[l];
-            let t_37 = v242 - 0.32884560730175577 * (c3 * c2 - s3 * s2)
+            let t_34 = v242 - 0.32884560730175577 * (c3 * c2 - s3 * s2)
                 - 0.3563018052345346 * c2;
-            let t_38 = v243 + 0.32884560730175577 * (c3 * s2 + s3 * c2)
+            let t_35 = v243 + 0.32884560730175577 * (c3 * s2 + s3 * c2)
                 + 0.3563018052345346 * s2;
-            v270_[l] = c1 * t_37 + v262 - v267;
-            v271_[l] = s1 * t_37 - v265 - v268;
-            v272_[l] = 0.07499859575170878 - t_38 - v269;
+            v270_[l] = c1 * t_34 + v262 - v267;
+            v271_[l] = s1 * t_34 - v265 - v268;
+            v272_[l] = 0.07499859575170878 - t_35 - v269;
         }
         let mut error = [0.0; 8];
         for l in 0..8 {
             let v221 = v221_[l % 4];
             let v224 = v224_[l % 4];
             let v218 = v218_[l % 4];
-            let v235 = v235_[l % 4];
-            let v238 = v238_[l % 4];
-            let v241 = v241_[l % 4];
             let v229 = v229_[l % 4];
             let v232 = v232_[l % 4];
             let v226 = v226_[l % 4];
@@ -840,11 +827,10 @@ impl Ur5 {
             let v271 = v271_[l];
             let v272 = v272_[l];
             error[l] = (v221 - t[0][0]).abs() + (v224 - t[1][0]).abs()
-                + (v218 - t[2][0]).abs() + (-v235 - t[0][1]).abs()
-                + (-v238 - t[1][1]).abs() + (-v241 - t[2][1]).abs()
-                + (-v229 - t[0][2]).abs() + (-v232 - t[1][2]).abs()
-                + (-v226 - t[2][2]).abs() + (v270 - t[0][3]).abs()
-                + (v271 - t[1][3]).abs() + (v272 - t[2][3]).abs();
+                + (v218 - t[2][0]).abs() + (-v229 - t[0][2]).abs()
+                + (-v232 - t[1][2]).abs() + (-v226 - t[2][2]).abs()
+                + (v270 - t[0][3]).abs() + (v271 - t[1][3]).abs()
+                + (v272 - t[2][3]).abs();
         }
         let valid: [f64; 8] = ::core::array::from_fn(|l| {
             1.0 * e0[l % 1 % 1] * e4[l % 4 % 4]
@@ -868,17 +854,14 @@ impl Ur5 {
             ::core::array::from_fn(|l| g2[l % 4]),
             ::core::array::from_fn(|l| g3[l % 4]),
         ];
-        ::dh_robot::lanes::collect(
-            &Self::JOINTS,
-            &valid,
-            &margin,
-            &error,
-            &q,
-            |l| {
+        const BRANCHES: [::dh_robot::Branch; 8] = {
+            let mut all = [::dh_robot::Branch::ANY; 8];
+            let mut l = 0;
+            while l < 8 {
                 let i0 = l / 1 % 2;
                 let i1 = l / 2 % 2;
                 let i4 = l / 4 % 2;
-                ::dh_robot::Branch::ANY
+                all[l] = ::dh_robot::Branch::ANY
                     .with_step(0, i0)
                     .with_shoulder(
                         if i0 == 0 {
@@ -895,9 +878,12 @@ impl Ur5 {
                             ::dh_robot::Elbow::Down
                         },
                     )
-                    .with_step(2, i4)
-            },
-        )
+                    .with_step(2, i4);
+                l += 1;
+            }
+            all
+        };
+        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
     }
 }
 #[allow(clippy::all, clippy::pedantic)]

@@ -210,7 +210,8 @@ impl WaferPrrr {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        if let Some(solutions) = self.lanes(&frame) {
+        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
+        if self.lanes(&frame, &mut solutions) {
             return solutions;
         }
         let setting = ::dh_robot::inverse::Setting {
@@ -351,12 +352,13 @@ impl WaferPrrr {
         }
         attempt
     }
-    /// The plan for all branches at once; `None` where the robust way has to decide.
+    /// The plan for all branches at once; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-    ) -> Option<::dh_robot::Solutions<f64, 4, 2>> {
+        solutions: &mut ::dh_robot::Solutions<f64, 4, 2>,
+    ) -> bool {
         let t_2 = self.d4 * 1.6415283908776575;
         let t_3 = t[0][3] - t[0][2] * t_2;
         let t_4 = t[1][3] - t[1][2] * t_2;
@@ -370,8 +372,8 @@ impl WaferPrrr {
         let t_12 = t_8 * (t_8 + t_7 * 2.0);
         let t_13 = t_10 * t_10 + t_11 * t_11 + t_7 * t_7;
         let t_14 = t_2 + t_9;
-        let mut m0 = [0.0; 1];
         let mut f0 = [[0.0; 1]; 2];
+        let mut m0 = [0.0; 1];
         for l in 0..1 {
             let (x, m) = ::dh_robot::lanes::linear(1.0, -(t_5 - t_9));
             f0[0][l] = x;
@@ -388,26 +390,17 @@ impl WaferPrrr {
             v69_[l] = t_12 - (t_6 + t_15 * t_15 - t_13);
             v92_[l] = q1 + t_14;
         }
-        let mut m1 = [0.0; 1];
         let mut f1 = [[0.0; 1]; 2];
         for l in 0..1 {
-            let ([x, y], m) = ::dh_robot::lanes::pair(
-                1.0,
-                0.0,
-                t[0][0],
-                0.0,
-                -1.0,
-                t[0][1],
-            );
+            let [x, y] = ::dh_robot::lanes::unit(t[0][0], -t[0][1]);
             f1[0][l] = x;
             f1[1][l] = y;
-            m1[l] = m;
         }
         let c234_ = f1[0];
         let s234_ = f1[1];
         let g1: [f64; 1] = ::dh_robot::atan2_batch(&f1[1], &f1[0]);
-        let mut m2 = [0.0; 1];
         let mut f2 = [[0.0; 2]; 2];
+        let mut m2 = [0.0; 1];
         let mut e2 = [0.0; 1];
         for l in 0..1 {
             let v69 = v69_[l];
@@ -436,8 +429,8 @@ impl WaferPrrr {
             v72_[l] = t_16;
             v74_[l] = t_17;
         }
-        let mut m3 = [0.0; 2];
         let mut f3 = [[0.0; 2]; 2];
+        let mut m3 = [0.0; 2];
         for l in 0..2 {
             let v72 = v72_[l];
             let v74 = v74_[l];
@@ -461,24 +454,19 @@ impl WaferPrrr {
         }
         let mut error = [0.0; 2];
         for l in 0..2 {
-            let c234 = c234_[l % 1];
             let s234 = s234_[l % 1];
+            let c234 = c234_[l % 1];
             let v89 = v89_[l];
             let v90 = v90_[l];
             let v92 = v92_[l % 1];
-            error[l] = (c234 - t[0][0]).abs() + (s234 - t[1][0]).abs()
-                + (0.0 - t[2][0]).abs() + (-s234 - t[0][1]).abs()
-                + (c234 - t[1][1]).abs() + (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs()
-                + (0.0 - t[1][2]).abs() + (1.0 - t[2][2]).abs() + (v89 - t[0][3]).abs()
-                + (v90 - t[1][3]).abs() + (v92 - t[2][3]).abs();
+            error[l] = (-s234 - t[0][1]).abs() + (c234 - t[1][1]).abs()
+                + (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs()
+                + (1.0 - t[2][2]).abs() + (v89 - t[0][3]).abs() + (v90 - t[1][3]).abs()
+                + (v92 - t[2][3]).abs();
         }
         let valid: [f64; 2] = ::core::array::from_fn(|l| 1.0 * e2[l % 1 % 1]);
         let margin: [f64; 2] = ::core::array::from_fn(|l| {
-            1.0_f64
-                .min(m0[l % 1 % 1])
-                .min(m1[l % 1 % 1])
-                .min(m2[l % 1 % 1])
-                .min(m3[l % 2 % 2])
+            1.0_f64.min(m0[l % 1 % 1]).min(m2[l % 1 % 1]).min(m3[l % 2 % 2])
         });
         let q: [[f64; 2]; 4] = [
             ::core::array::from_fn(|l| g0[l % 1]),
@@ -488,15 +476,12 @@ impl WaferPrrr {
                 g1[l % 1] - g2[l / 1 % 2 * 1 + l % 1] - g3[l % 2],
             )),
         ];
-        ::dh_robot::lanes::collect(
-            &Self::JOINTS,
-            &valid,
-            &margin,
-            &error,
-            &q,
-            |l| {
+        const BRANCHES: [::dh_robot::Branch; 2] = {
+            let mut all = [::dh_robot::Branch::ANY; 2];
+            let mut l = 0;
+            while l < 2 {
                 let i2 = l / 1 % 2;
-                ::dh_robot::Branch::ANY
+                all[l] = ::dh_robot::Branch::ANY
                     .with_step(0, i2)
                     .with_elbow(
                         if i2 == 0 {
@@ -504,9 +489,12 @@ impl WaferPrrr {
                         } else {
                             ::dh_robot::Elbow::Down
                         },
-                    )
-            },
-        )
+                    );
+                l += 1;
+            }
+            all
+        };
+        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
     }
 }
 #[allow(clippy::all, clippy::pedantic)]

@@ -8,13 +8,19 @@ use crate::{Real, Why};
 /// # Errors
 /// Numbers that are not finite, a matrix that is no rotation.
 pub fn frame_of<T: Real>(target: &nalgebra::IsometryMatrix3<T>, reach: f64) -> Result<Pose, Why<T>> {
-    crate::pose::check(target)?;
     let r = target.rotation.matrix();
+    let deviation = crate::pose::rotation_deviation(r);
+    // What is not a number fails the comparison too; `check` says what is wrong.
+    let position = target.translation.vector.iter().all(|x| x.is_finite());
+    if !(position && deviation <= T::ROTATION_TOLERANCE) {
+        crate::pose::check(target)?;
+    }
     let mut wide = crate::pose::from_entries(
         core::array::from_fn(|i| core::array::from_fn(|j| r[(i, j)].to_f64())),
         core::array::from_fn(|i| target.translation.vector[i].to_f64()),
     );
-    if crate::pose::rotation_deviation(wide.rotation.matrix()) > 1e-14 {
+    // The entries of a narrower scalar are rounded, even where its own arithmetic sees nothing of that.
+    if T::EPSILON > T::of(1e-10) || deviation > T::of(1e-14) {
         wide = crate::pose::orthonormalized(&wide);
     }
     let r = wide.rotation.matrix();

@@ -17,7 +17,11 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
     let given = if chain.redundant.is_some() { format!(", given: {f}") } else { String::new() };
     let pass = if chain.redundant.is_some() { ", given.into()" } else { "" };
     let fits = lanes::fits(chain, inverse);
-    let fast = if fits { "if let Some(solutions) = self.lanes(&frame) {\nreturn solutions;\n}\n" } else { "" };
+    let fast = if fits {
+        "let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);\nif self.lanes(&frame, &mut solutions) {\nreturn solutions;\n}\n"
+    } else {
+        ""
+    };
     let fixed = chain.redundant.map_or("None".into(), |k| format!("Some(({k}, given.into()))"));
     let few = n + usize::from(chain.redundant.is_none()) <= 6 && chain.task == Task::Pose;
     let mut out = format!(

@@ -2,7 +2,8 @@
 
 use super::body::Body;
 use super::inverse::{branch, combination, identifier, inputs, motors};
-use super::{literal, scalar_name};
+use super::{bound, literal, scalar_name};
+use crate::algebra::Poly;
 use crate::chain::{Chain, Scalar, Task};
 use crate::planner::StepKind;
 use crate::program::{Graph, Inverse, Node, Solver, Value};
@@ -30,7 +31,8 @@ pub(super) fn lanes(chain: &Chain, inverse: &Inverse) -> String {
     let plan = &inverse.plan;
     let (n, f, m) = (chain.dof(), scalar_name(chain.scalar), plan.max_solutions);
     let mut outputs: Vec<Value> = inverse.solvers.iter().flat_map(|s| s.rows.concat()).collect();
-    outputs.extend(&inverse.confirmation);
+    let confirmation = confirmation(inverse, &outputs);
+    outputs.extend(confirmation.iter().map(|(_, v)| *v));
     let depths = inverse.depths();
     let live = inverse.graph.live(&outputs);
     let wanted = needed_depths(inverse, &depths, &live);
@@ -42,10 +44,18 @@ pub(super) fn lanes(chain: &Chain, inverse: &Inverse) -> String {
         all.push(last * step.roots);
     }
     let total = all[all.len() - 1];
-    let mut w = Writer { inverse, depths: &depths, live: &live, wanted: &wanted, all: &all, out: String::new() };
+    let mut w = Writer {
+        inverse,
+        confirmation: &confirmation,
+        depths: &depths,
+        live: &live,
+        wanted: &wanted,
+        all: &all,
+        out: String::new(),
+    };
     w.out.push_str(&format!(
-        "/// The plan for all branches at once; `None` where the robust way has to decide.\n#[inline]\n\
-         fn lanes(&self, t: &::dh_robot::ik::Pose) -> Option<::dh_robot::Solutions<{f}, {n}, {m}>> {{\n"
+        "/// The plan for all branches at once; false where the robust way has to decide.\n#[inline]\n\
+         fn lanes(&self, t: &::dh_robot::ik::Pose, solutions: &mut ::dh_robot::Solutions<{f}, {n}, {m}>) -> bool {{\n"
     ));
     w.depth(&mut body, 0);
     let mut valid = Vec::new();
@@ -58,6 +68,19 @@ pub(super) fn lanes(chain: &Chain, inverse: &Inverse) -> String {
     w.finish(&mut body, chain, total, &valid, &margins);
     w.out.push_str("}\n");
     w.out
+}
+
+/// The entries of the pose that confirm a branch, with their places: two columns of the rotation fix the third, so the one that costs
+/// most is left out.
+fn confirmation(inverse: &Inverse, rows: &[Value]) -> Vec<(usize, Value)> {
+    let without = |column: usize| -> Vec<(usize, Value)> {
+        inverse.confirmation.iter().copied().enumerate().filter(|(k, _)| k / 3 != column).collect()
+    };
+    let cost = |column: &usize| {
+        let outputs: Vec<Value> = rows.iter().copied().chain(without(*column).iter().map(|(_, v)| *v)).collect();
+        inverse.graph.live(&outputs).iter().filter(|live| **live).count()
+    };
+    without((0..3).min_by_key(cost).unwrap_or(0))
 }
 
 /// The greatest depth at which each node is used.
@@ -82,6 +105,7 @@ fn needed_depths(inverse: &Inverse, depths: &[usize], live: &[bool]) -> Vec<usiz
 
 struct Writer<'a> {
     inverse: &'a Inverse,
+    confirmation: &'a [(usize, Value)],
     depths: &'a [usize],
     live: &'a [bool],
     wanted: &'a [usize],
@@ -169,7 +193,7 @@ impl Writer<'_> {
             .solvers
             .iter()
             .flat_map(|s| s.rows.concat())
-            .chain(self.inverse.confirmation.iter().copied())
+            .chain(self.confirmation.iter().map(|(_, v)| *v))
             .map(|v| v.node as usize)
             .collect();
         let kept: Vec<usize> = here.into_iter().filter(|i| self.wanted[*i] > depth || step_rows.contains(i)).collect();
@@ -188,6 +212,30 @@ impl Writer<'_> {
         match self.graph().nodes()[node] {
             Node::Symbol(s) => identifier(self.inverse.plan.knowledge.ring.symbol_name(s)),
             _ => body.known(node).unwrap_or("0.0").to_string(),
+        }
+    }
+
+    /// Cosine and sine of a pair of equations whose coefficients are 1, -1 and 0: each equation is one of them.
+    fn unit(&self, body: &Body<'_>, solver: &Solver) -> Option<(String, String)> {
+        if solver.kind != StepKind::AtanPair {
+            return None;
+        }
+        let whole = |r: usize, k: usize| {
+            let p = self.graph().as_constant(solver.rows[r][k])?;
+            [(0, Poly::zero()), (1, Poly::one()), (-1, -&Poly::one())]
+                .into_iter()
+                .find(|(_, n)| p == *n)
+                .map(|(n, _)| n)
+        };
+        // a x + c = 0 with a = 1 or -1.
+        let root = |r: usize, a: i64| {
+            let c = solver.rows[r][2];
+            if a > 0 { body.negative(c) } else { body.value(c) }
+        };
+        match [whole(0, 0)?, whole(0, 1)?, whole(1, 0)?, whole(1, 1)?] {
+            [a, 0, 0, b] if a * b != 0 => Some((root(0, a), root(1, b))),
+            [0, a, b, 0] if a * b != 0 => Some((root(1, b), root(0, a))),
+            _ => None,
         }
     }
 
@@ -220,9 +268,14 @@ impl Writer<'_> {
         }
         let v = |r: usize, k: usize| body.value(solver.rows[r][k]);
         let minus = |r: usize, k: usize| body.negative(solver.rows[r][k]);
+        let unit = self.unit(body, solver);
         let q = p * roots;
         let turns = known.turns;
-        self.out.push_str(&format!("// {}\nlet mut m{i} = [0.0; {p}];\nlet mut f{i} = [[0.0; {q}]; 2];\n", known.name));
+        self.out.push_str(&format!("// {}\nlet mut f{i} = [[0.0; {q}]; 2];\n", known.name));
+        if unit.is_none() {
+            self.out.push_str(&format!("let mut m{i} = [0.0; {p}];\n"));
+            margins.push((format!("m{i}"), p, before));
+        }
         match solver.kind {
             StepKind::HalfTurn => inner.push_str(&format!(
                 "let ([x, y], m) = ::dh_robot::lanes::half_turn({}, {});\nf{i}[0][l] = x;\nf{i}[1][l] = y;\nf{i}[0][l + {p}] = -x;\nf{i}[1][l + {p}] = -y;\nm{i}[l] = m;\n",
@@ -236,6 +289,12 @@ impl Writer<'_> {
                 ));
                 valid.push((format!("e{i}"), p, before));
             }
+            StepKind::AtanPair if unit.is_some() => {
+                let (x, y) = unit.unwrap_or_default();
+                inner.push_str(&format!(
+                    "let [x, y] = ::dh_robot::lanes::unit({x}, {y});\nf{i}[0][l] = x;\nf{i}[1][l] = y;\n"
+                ));
+            }
             StepKind::AtanPair => inner.push_str(&format!(
                 "let ([x, y], m) = ::dh_robot::lanes::pair({}, {}, {}, {}, {}, {});\nf{i}[0][l] = x;\nf{i}[1][l] = y;\nm{i}[l] = m;\n",
                 v(0, 0), v(0, 1), minus(0, 2), v(1, 0), v(1, 1), minus(1, 2)
@@ -245,7 +304,6 @@ impl Writer<'_> {
                 v(0, 0), v(0, 1)
             )),
         }
-        margins.push((format!("m{i}"), p, before));
         self.out.push_str(&format!("for l in 0..{p} {{\n{inner}}}\n"));
         // Lane k of the new depth: root k / before of lane k % before.
         let lanes = before * roots;
@@ -288,7 +346,7 @@ impl Writer<'_> {
         let plan = &self.inverse.plan;
         self.out.push_str(&format!("let mut error = [0.0; {total}];\nfor l in 0..{total} {{\n"));
         let mut loaded: Vec<usize> = Vec::new();
-        for v in &self.inverse.confirmation {
+        for (_, v) in self.confirmation {
             let node = v.node as usize;
             if self.depths[node] > 0 && !loaded.contains(&node) {
                 loaded.push(node);
@@ -300,7 +358,7 @@ impl Writer<'_> {
             }
         }
         let mut terms = Vec::new();
-        for (k, v) in self.inverse.confirmation.iter().enumerate() {
+        for (k, v) in self.confirmation {
             let (row, column) = (k % 3, k / 3);
             terms.push(format!("({} - t[{row}][{column}]).abs()", body.value(*v)));
         }
@@ -338,6 +396,7 @@ impl Writer<'_> {
                 let shifted = !chain.joints[k].shift.is_zero();
                 let wraps = plan.axes.turns(k) && (shifted || !plain(form));
                 let value = if wraps { format!("::dh_robot::lanes::wrap({q})") } else { q };
+                let value = if plan.axes.turns(k) { into_range(chain, k, value) } else { value };
                 format!("::core::array::from_fn(|l| {value})")
             })
             .collect();
@@ -347,8 +406,27 @@ impl Writer<'_> {
             roots.push_str(&format!("let i{i} = l / {} % {};\n", self.all[i], step.roots));
         }
         self.out.push_str(&format!(
-            "::dh_robot::lanes::collect(&Self::JOINTS, &valid, &margin, &error, &q, |l| {{\n{roots}{}\n}})\n",
+            "const BRANCHES: [::dh_robot::Branch; {total}] = {{\nlet mut all = [::dh_robot::Branch::ANY; {total}];\nlet mut l = 0;\n\
+             while l < {total} {{\n{roots}all[l] = {};\nl += 1;\n}}\nall\n}};\n\
+             ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)\n",
             branch(self.inverse)
         ));
+    }
+}
+
+/// The angle brought into the joint's range by a turn, where one can: what can be decided now is.
+fn into_range(chain: &Chain, k: usize, angle: String) -> String {
+    use core::f64::consts::PI;
+    let Some((least, greatest)) = &chain.joints[k].range else { return angle };
+    let (least, greatest) = (bound(least), bound(greatest));
+    if (least <= -PI && greatest >= PI) || (least > -PI + 1e-3 && greatest < PI - 1e-3) {
+        // Every angle is in range, or no turn brings one in.
+        angle
+    } else if least <= PI && greatest >= -PI {
+        let (least, greatest) = (literal(least, Scalar::F64), literal(greatest, Scalar::F64));
+        format!("::dh_robot::lanes::into_range({angle}, {least}, {greatest})")
+    } else {
+        let (least, greatest) = (literal(least, Scalar::F64), literal(greatest, Scalar::F64));
+        format!("::dh_robot::Joint::revolute(\"\").with_range({least}, {greatest}).normalize({angle})")
     }
 }
