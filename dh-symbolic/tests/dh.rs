@@ -49,6 +49,16 @@ fn notes_in_every_format() {
 }
 
 #[test]
+fn plans_and_what_has_none() {
+    let (code, out, err) = dh(&["plan"], &PLANAR.replace("convention", "task = position; convention"));
+    assert_eq!((code, err.as_str()), (0, ""));
+    assert!(out.contains("the law of cosines"), "{out}");
+    let chart = dh(&["plan", "--to", "mermaid"], &PLANAR.replace("convention", "task = position; convention")).1;
+    assert!(chart.starts_with("flowchart TD") && chart.contains("-->"), "{chart}");
+    assert_eq!(dh(&["notes", "--to", "mermaid"], PLANAR).0, 2);
+}
+
+#[test]
 fn a_wrong_claim_is_code_1() {
     let with = |claim: &str| format!("{PLANAR}prove {{ {claim} }}");
     let right = with("T(0,3).px = l1*c1 + l2*c12;");

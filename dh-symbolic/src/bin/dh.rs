@@ -7,7 +7,6 @@ use dh_symbolic::chain::table::{Claims, Parsed, parse};
 use dh_symbolic::diagnostic::lex;
 use dh_symbolic::kinematics::claims;
 use dh_symbolic::pipeline::compile;
-use dh_symbolic::planner::search;
 use dh_symbolic::render::notes::{Language, Options, notes};
 use dh_symbolic::render::{Format, plan, rust::pretty, verdict};
 use std::io::{Read, Write};
@@ -16,10 +15,13 @@ use std::process::ExitCode;
 const USAGE: &str = "\
 dh: kinematics from a Denavit-Hartenberg table
 
-  dh notes  [FILE] [--to FORMAT] [--lang en|zh]   lecture notes: text, latex, markdown, typst, html
-  dh check  [FILE]                                the table, and the claims of its prove blocks
-  dh plan   [FILE] [--to FORMAT]                  how the arm is inverted: structure, steps, equations, branches
-  dh expand [FILE]                                the Rust code that dh_robot! leaves behind
+  dh notes  [FILE]   lecture notes
+  dh check  [FILE]   the table, and the claims of its prove blocks
+  dh plan   [FILE]   the steps of the inverse kinematics
+  dh expand [FILE]   the Rust code that dh_robot! leaves behind
+
+  --to text|latex|markdown|typst|html   format of notes and plans; plans also: mermaid
+  --lang en|zh                          their language
 
 FILE holds the body of dh_robot!; without it, or with -, standard input is read.
 Exit code: 0, 1 (a claim is wrong), 2 (bad usage or table).
@@ -58,7 +60,8 @@ fn main() -> ExitCode {
 struct Request {
     command: String,
     file: Option<String>,
-    format: Format,
+    /// `None`: a flow chart.
+    format: Option<Format>,
     language: Language,
 }
 
@@ -81,18 +84,16 @@ fn run(arguments: &[String]) -> Answer {
     match request.command.as_str() {
         "notes" => with_chain(&source, name, |_, chain| {
             let options = Options { language: request.language, ..Options::default() };
-            Answer::good(notes(&chain, &options).print(request.format))
+            Answer::good(notes(&chain, &options).print(request.format.unwrap_or(Format::Text)))
         }),
         "check" => with_chain(&source, name, |parsed, chain| check(parsed, &chain)),
-        "plan" => {
-            with_chain(&source, name, |_, chain| Answer::good(plan(&chain, &search(&chain)).print(request.format)))
-        }
+        "plan" => with_chain(&source, name, |_, chain| Answer::good(show_plan(&request, &chain))),
         _ => expand(&source, name),
     }
 }
 
 fn request(arguments: &[String]) -> Result<Request, String> {
-    let mut r = Request { command: String::new(), file: None, format: Format::Text, language: Language::English };
+    let mut r = Request { command: String::new(), file: None, format: Some(Format::Text), language: Language::English };
     let mut list = arguments.iter();
     while let Some(a) = list.next() {
         let (name, attached) = match a.split_once('=') {
@@ -103,11 +104,12 @@ fn request(arguments: &[String]) -> Result<Request, String> {
         match name {
             "--to" => {
                 let wanted = value()?;
-                let known = Format::ALL.iter().find(|(n, _)| *n == wanted);
-                r.format = known.map(|(_, f)| *f).ok_or_else(|| {
+                let known = Format::ALL.iter().find(|(n, _)| *n == wanted).map(|(_, f)| *f);
+                if known.is_none() && wanted != "mermaid" {
                     let names: Vec<&str> = Format::ALL.iter().map(|(n, _)| *n).collect();
-                    format!("no format `{wanted}`: one of {}", names.join(", "))
-                })?;
+                    return Err(format!("no format `{wanted}`: one of {}, or mermaid for plans", names.join(", ")));
+                }
+                r.format = known;
             }
             "--lang" => {
                 r.language = match value()?.as_str() {
@@ -123,6 +125,7 @@ fn request(arguments: &[String]) -> Result<Request, String> {
         }
     }
     match r.command.as_str() {
+        "notes" if r.format.is_none() => Err("mermaid is for plans".into()),
         "notes" | "check" | "plan" | "expand" => Ok(r),
         "" => Err("what shall be done?".into()),
         other => Err(format!("no command `{other}`")),
@@ -168,6 +171,14 @@ fn check(parsed: &Parsed, chain: &Chain) -> Answer {
     let (claims, report) = derivation(parsed, chain);
     out.push_str(&verdict::check_text(&report, &claims));
     Answer { out, err: String::new(), code: if report.is_fine() { 0 } else { WRONG } }
+}
+
+/// The plan, or why there is none.
+fn show_plan(request: &Request, chain: &Chain) -> String {
+    match request.format {
+        Some(format) => plan(chain, request.language).print(format),
+        None => plan::mermaid(chain, request.language),
+    }
 }
 
 fn expand(source: &str, name: &str) -> Answer {

@@ -97,17 +97,22 @@ pub fn math(m: &Math) -> String {
             Sign::Comma => "<mo separator=\"true\">,</mo>",
             Sign::Degree => "<mi mathvariant=\"normal\">°</mi>",
             Sign::PlusMinus => "<mo>±</mo>",
+            Sign::Either => "<mo form=\"prefix\">±</mo>",
             Sign::Arrow => "<mo>→</mo>",
             Sign::Apply => "<mo>&#x2061;</mo><mspace width=\"0.17em\"/>",
             Sign::Thin => "<mspace width=\"0.17em\"/>",
             Sign::Wide => "<mspace width=\"2em\"/>",
+            Sign::Prime => "<mo>′</mo>",
             Sign::Dots => "<mo>,</mo><mo>…</mo><mo>,</mo>",
         }
         .to_string(),
         Math::Open(c) => format!("<mo stretchy=\"false\" form=\"prefix\">{c}</mo>"),
         Math::Close(c) => format!("<mo stretchy=\"false\" form=\"postfix\">{c}</mo>"),
         Math::Script(s) => script(s),
-        Math::Fraction(n, d) => format!("<mfrac displaystyle=\"false\">{}{}</mfrac>", math(n), math(d)),
+        Math::Fraction(n, d) => {
+            let large = n.glyphs() + d.glyphs() >= 6;
+            format!("<mfrac displaystyle=\"{large}\">{}{}</mfrac>", math(n), math(d))
+        }
         Math::Root(x) => format!("<msqrt>{}</msqrt>", math(x)),
         Math::Matrix(rows) => {
             let rows: String = rows

@@ -118,7 +118,7 @@ fn write(m: &Math, out: &mut String) {
             None => push(out, &c.to_string()),
         },
         Math::Word(w) => match w.as_str() {
-            "cos" | "sin" | "det" => push(out, &format!("\\{w}")),
+            "cos" | "sin" | "tan" | "det" => push(out, &format!("\\{w}")),
             "atan2" => push(out, "\\operatorname{atan2}"),
             _ => push(out, &format!("\\mathrm{{{}}}", escape(w))),
         },
@@ -133,18 +133,24 @@ fn write(m: &Math, out: &mut String) {
                 Sign::Times => "\\,",
                 Sign::Comma => ",",
                 Sign::Degree => "^{\\circ}",
-                Sign::PlusMinus => "\\pm ",
+                Sign::PlusMinus => " \\pm ",
+                Sign::Either => "\\pm ",
                 Sign::Arrow => " \\to ",
                 Sign::Apply => "",
                 Sign::Thin => "\\,",
                 Sign::Wide => "\\qquad ",
                 Sign::Dots => ",\\dots,",
+                Sign::Prime => "\\prime ",
             },
         ),
         Math::Open(c) => push(out, if *c == '{' { "\\{" } else { bracket(*c) }),
         Math::Close(c) => push(out, if *c == '}' { "\\}" } else { bracket(*c) }),
         Math::Script(s) => script(s, out),
-        Math::Fraction(n, d) => push(out, &format!("\\tfrac{{{}}}{{{}}}", math(n), math(d))),
+        Math::Fraction(n, d) => {
+            // Numbers stay small beside their formula.
+            let small = n.glyphs() + d.glyphs() < 6;
+            push(out, &format!("\\{}frac{{{}}}{{{}}}", if small { "t" } else { "d" }, math(n), math(d)));
+        }
         Math::Root(x) => push(out, &format!("\\sqrt{{{}}}", math(x))),
         Math::Matrix(rows) => {
             let rows: Vec<String> = rows.iter().map(|r| r.iter().map(math).collect::<Vec<_>>().join(" & ")).collect();

@@ -44,10 +44,14 @@ pub enum Sign {
     Comma,
     /// The sign of degrees.
     Degree,
-    /// Plus and minus.
+    /// Plus or minus, between summands.
     PlusMinus,
+    /// Plus or minus, before a summand.
+    Either,
     /// Follows from; leads to.
     Arrow,
+    /// A prime, as an index.
+    Prime,
     /// Between a function's name and an argument without brackets.
     Apply,
     /// Nothing but a little room.

@@ -18,13 +18,14 @@ pub mod markdown;
 pub mod math;
 pub mod notation;
 pub mod notes;
-pub mod plan;
 pub mod plain;
+pub mod plan;
 mod quantities;
 pub mod rust;
 mod rustdoc;
 #[cfg(test)]
 mod samples;
+mod story;
 pub mod text;
 mod typeset;
 pub mod typst;

@@ -8,7 +8,7 @@ use crate::chain::{Chain, Coordinate};
 /// Names for everything in a ring.
 #[derive(Clone, Debug, Default)]
 pub struct Notation {
-    symbols: Vec<(Symbol, Name)>,
+    symbols: Vec<(Symbol, Math)>,
     angles: Vec<(AngleVar, Name)>,
 }
 
@@ -102,7 +102,7 @@ impl Notation {
     /// The names as they stand in the ring: `q2` is called q2.
     pub fn of_ring(ring: &Ring) -> Notation {
         Notation {
-            symbols: ring.symbols().map(|s| (s, Name::of(ring.symbol_name(s)))).collect(),
+            symbols: ring.symbols().map(|s| (s, Name::of(ring.symbol_name(s)).math())).collect(),
             angles: ring.angles().map(|v| (v, Name::of(ring.angle_name(v)))).collect(),
         }
     }
@@ -146,8 +146,28 @@ impl Notation {
 
     /// Calls a length by another name.
     pub fn rename_symbol(&mut self, s: Symbol, name: Name) {
-        if let Some(entry) = self.symbols.iter_mut().find(|(t, _)| *t == s) {
-            entry.1 = name;
+        self.set_symbol(s, name.math());
+    }
+
+    /// Writes a length in another way.
+    pub fn set_symbol(&mut self, s: Symbol, math: Math) {
+        match self.symbols.iter_mut().find(|(t, _)| *t == s) {
+            Some(entry) => entry.1 = math,
+            None => self.symbols.push((s, math)),
+        }
+    }
+
+    /// Adds the names that the other has and this one has not.
+    pub fn extend(&mut self, other: &Notation) {
+        for (s, math) in &other.symbols {
+            if !self.symbols.iter().any(|(t, _)| t == s) {
+                self.symbols.push((*s, math.clone()));
+            }
+        }
+        for (v, name) in &other.angles {
+            if !self.angles.iter().any(|(w, _)| w == v) {
+                self.angles.push((*v, name.clone()));
+            }
         }
     }
 
@@ -157,7 +177,7 @@ impl Notation {
 
     /// A length as typeset.
     pub fn symbol(&self, s: Symbol) -> Math {
-        self.symbols.iter().find(|(t, _)| *t == s).map_or_else(|| Math::word("length"), |(_, n)| n.math())
+        self.symbols.iter().find(|(t, _)| *t == s).map_or_else(|| Math::word("length"), |(_, m)| m.clone())
     }
 
     /// An angle as typeset.

@@ -1,220 +1,164 @@
-//! A plan for paper: the structure that was found, every step with its equation, its branches and where it degenerates; and the
-//! same as a Mermaid graph.
+//! The plan of the inverse kinematics at a glance: a table of steps, and the flow from the pose to the joints.
 
 use super::document::{Block, Document, Span, Text};
-use crate::algebra::{Poly, Ring};
-use crate::chain::{Chain, Coordinate};
-use crate::planner::{Collected, Equation, Pair, Part, Plan, Refusal, Scalar, Step, StepKind, Structure};
+use super::math::Math;
+use super::notation::Notation;
+use super::notes::words::Phrase;
+use super::notes::{Language, method};
+use super::quantities::named_offsets;
+use super::story::{StepStory, Story};
+use super::text;
+use crate::chain::Chain;
+use crate::planner::{self, Axes, Pair, Structure};
+use std::fmt::Write;
 
-fn plain(text: impl Into<String>) -> Text {
-    Text(vec![Span::Plain(text.into())])
-}
-
-/// The plan of an arm, or why there is none.
-pub fn plan(chain: &Chain, found: &Result<Plan, Refusal>) -> Document {
-    let title = format!("Inverse kinematics of {}", chain.name);
-    let mut out = Document { title, language: "en", blocks: Vec::new() };
-    match found {
+/// What the axes have in common, the steps of the plan (what each finds, how, from which earlier steps, how many solutions,
+/// where it fails), its equations, the flow chart; or at which joints the search got stuck.
+pub fn plan(chain: &Chain, language: Language) -> Document {
+    let named = named_offsets(chain);
+    let chain = named.as_ref().unwrap_or(chain);
+    let title = Phrase::PlanTitle.in_language(language).replace("{}", &chain.name);
+    let mut blocks = structure(chain, language);
+    match planner::search(chain) {
         Ok(plan) => {
-            structure(chain, plan, &mut out);
-            out.blocks.push(Block::Heading(2, plain("Steps")));
-            out.blocks.push(Block::Paragraph(plain(
-                "W is the target pose as the first and the last joint see it, with entries r11..r33, px, py, pz; pp = p.p and b = -R^T p. \
-                 A prefix (a_, b_, ...) marks W brought back over joints that are known by then.",
-            )));
-            for (i, step) in plan.steps.iter().enumerate() {
-                steps(plan, i, step, &mut out);
-            }
-            let product: Vec<String> = plan.steps.iter().map(|s| s.roots.to_string()).collect();
-            out.blocks.push(Block::Paragraph(plain(format!(
-                "At most {} solutions ({}).",
-                plan.max_solutions,
-                product.join(" x ")
-            ))));
-            out.blocks.push(Block::Code("mermaid", mermaid(plan)));
+            let story = Story::new(chain, &plan, &Notation::textbook(chain));
+            blocks.extend(steps(&story, language));
+            blocks.push(Block::Code("mermaid", chart(&story, language)));
         }
         Err(refusal) => {
             let names: Vec<&str> =
                 refusal.open.iter().filter_map(|k| chain.joints.get(*k)).map(|j| j.name.as_str()).collect();
-            let solved = if refusal.solved.is_empty() { "nothing".to_string() } else { refusal.solved.join(", ") };
-            out.blocks.push(Block::Paragraph(plain(format!(
-                "No plan: {solved} can be found, {} stay open.",
-                names.join(", ")
-            ))));
+            let solved = if refusal.solved.is_empty() { "-".to_string() } else { refusal.solved.join(", ") };
+            let pieces = vec![Span::Code(names.join(", ")), Span::Code(solved)];
+            blocks.push(Block::Paragraph(Text::fill(Phrase::PlanOpen.in_language(language), pieces)));
         }
     }
-    out
+    Document { title, language: language.tag(), blocks }
 }
 
-fn structure(chain: &Chain, plan: &Plan, out: &mut Document) {
-    let found = Structure::new(chain, &plan.axes);
-    out.blocks.push(Block::Heading(2, plain("Structure")));
+/// Which neighbouring axes are parallel or meet, by which cells of the table.
+fn structure(chain: &Chain, language: Language) -> Vec<Block> {
+    let found = Structure::new(chain, &Axes::new(chain));
+    let number = |n: usize| Span::Plain(n.to_string());
     let mut lines = Vec::new();
     for n in &found.neighbours {
-        let (a, b) = (n.first + 1, n.first + 2);
-        let how = match n.pair {
-            Pair::Parallel => "are parallel",
-            Pair::Meeting => "meet",
-            Pair::Skew => "are skew",
+        let phrase = match n.pair {
+            Pair::Parallel => Phrase::AxesParallel,
+            Pair::Meeting => Phrase::AxesMeet,
+            Pair::Skew => Phrase::AxesSkew,
         };
-        let cells = if n.cells.is_empty() { String::new() } else { format!(" ({})", n.cells.join(", ")) };
-        lines.push(plain(format!("Axes {a} and {b} {how}{cells}.")));
+        let pieces = vec![number(n.first + 1), number(n.first + 2)];
+        let mut line = Text::fill(phrase.in_language(language), pieces);
+        if !n.cells.is_empty() {
+            line.0.push(Span::Plain(": ".into()));
+            line.0.push(Span::Code(n.cells.join(", ")));
+        }
+        lines.push(line);
     }
     for first in &found.common_points {
-        lines.push(plain(format!("Axes {}, {} and {} pass through one point.", first + 1, first + 2, first + 3)));
+        let pieces = (1..=3).map(|k| number(first + k)).collect();
+        lines.push(Text::fill(Phrase::AxesPoint.in_language(language), pieces));
     }
-    if lines.is_empty() {
-        lines.push(plain("One joint only."));
-    }
-    out.blocks.push(Block::List(lines));
+    if lines.is_empty() { Vec::new() } else { vec![Block::List(lines)] }
 }
 
-fn unknowns(plan: &Plan, step: &Step) -> String {
-    step.unknown.iter().map(|f| plan.knowledge.form_name(&plan.axes, f)).collect::<Vec<_>>().join(", ")
-}
-
-/// The textbook's name of a method, and when it degenerates.
-fn method(kind: StepKind) -> (&'static str, &'static str) {
-    match kind {
-        StepKind::Linear => ("linear equation", "its coefficient vanishes: the slide is free"),
-        StepKind::Quadratic => ("quadratic equation", "both roots coincide where the discriminant vanishes"),
-        StepKind::HalfTurn => (
-            "a cos u + b sin u = 0, u = atan2(-a, b) or half a turn further",
-            "a = b = 0: the angle is free (a singular pose)",
-        ),
-        StepKind::SinCos => (
-            "a cos u + b sin u = c, u = atan2(b, a) +- acos(c / sqrt(a^2 + b^2)); of squared distances, the law of cosines",
-            "|c| = sqrt(a^2 + b^2): both roots coincide (stretched or folded); |c| larger: out of reach; a = b = c = 0: the angle is free",
-        ),
-        StepKind::AtanPair => (
-            "two equations linear in sine and cosine, u = atan2(sin u, cos u)",
-            "the equations become dependent: the angle is free",
-        ),
-        StepKind::SecondHarmonic => {
-            ("trigonometric polynomial of second degree (tangent half-angle quartic)", "coinciding roots")
-        }
-        StepKind::Bilinear => (
-            "two equations, each linear in both sines and cosines: one angle is eliminated, the other one solves a trigonometric \
-             polynomial (Pieper's quartic where they are distances from the first axis)",
-            "coinciding roots, or a common curve of solutions",
-        ),
-        StepKind::SlideAndTurn => {
-            ("two equations in a length and an angle: the length is eliminated", "coinciding roots")
-        }
-        StepKind::General => (
-            "elimination of the general six-axis arm (Raghavan and Roth): a trigonometric polynomial of degree 8 in one angle",
-            "coinciding roots, or a continuum of solutions",
-        ),
-        StepKind::Choose => ("free at every pose of this arm: 0 is chosen", "always"),
-    }
-}
-
-fn steps(plan: &Plan, i: usize, step: &Step, out: &mut Document) {
-    let (how, degenerate) = method(step.kind);
-    let roots = if step.roots == 1 { "one solution".to_string() } else { format!("up to {} solutions", step.roots) };
-    out.blocks.push(Block::Heading(3, plain(format!("{}. {} ({roots})", i + 1, unknowns(plan, step)))));
-    let mut text = String::new();
-    for (e, c) in step.equations.iter().zip(&step.collected) {
-        text.push_str(&format!("{}:\n", source(plan, e)));
-        text.push_str(&format!("    {} = 0\n", equation(plan, step, c)));
-    }
-    if !text.is_empty() {
-        out.blocks.push(Block::Code("text", text));
-    }
-    out.blocks.push(Block::List(vec![plain(format!("Method: {how}.")), plain(format!("Degenerates: {degenerate}."))]));
-}
-
-/// Where an equation comes from, in words.
-fn source(plan: &Plan, e: &Equation) -> String {
-    let name = |frame: usize| -> String {
-        let joints: Vec<usize> = plan.axes.hops[..frame].iter().filter_map(|h| h.joint).collect();
-        let after = joints.last().map_or("the base".to_string(), |j| format!("joint {}", j + 1));
-        let shifted = frame > 0 && plan.axes.hops[frame - 1].joint.is_none();
-        if shifted { format!("{after} (after its shift d)") } else { after }
-    };
-    let what = match e.scalar {
-        Scalar::Rotation(i, j) => format!("direction cosine ({}, {})", i + 1, j + 1),
-        Scalar::Position(i) => format!("{} of the position", ["x", "y", "z"][usize::from(i) % 3]),
-        Scalar::Back(i) => format!("{} of the position seen from the far end", ["x", "y", "z"][usize::from(i) % 3]),
-        Scalar::Distance => "squared distance".to_string(),
-    };
-    format!("{what} between {} and {}", name(e.a), name(e.b))
-}
-
-fn equation(plan: &Plan, step: &Step, c: &Collected) -> String {
-    let ring: &Ring = &plan.knowledge.ring;
-    let part = |p: Part, unknown: usize| -> Option<String> {
-        let name = plan.knowledge.form_name(&plan.axes, &step.unknown[unknown]);
-        let inner = |n: u8| if n == 1 { name.clone() } else { format!("{n}({name})") };
-        match p {
-            Part::One => None,
-            Part::Cos(n) => Some(format!("cos({})", inner(n))),
-            Part::Sin(n) => Some(format!("sin({})", inner(n))),
-            Part::Power(1) => Some(name),
-            Part::Power(n) => Some(format!("{name}^{n}")),
-        }
-    };
-    let mut out = String::new();
-    // Unknowns first, what is known last.
-    for (key, p) in c.iter().rev() {
-        let factors: Vec<String> = key.iter().enumerate().filter_map(|(i, x)| part(*x, i)).collect();
-        let single = p.terms().len() == 1;
-        let negative = single && p.terms()[0].1.is_negative();
-        let magnitude: Poly = if negative { -p } else { p.clone() };
-        let text = ring.text(&magnitude);
-        let term = match (factors.is_empty(), magnitude.is_one(), single) {
-            (true, _, _) => text,
-            (false, true, _) => factors.join("*"),
-            (false, false, true) => format!("{text}*{}", factors.join("*")),
-            (false, false, false) => format!("({text})*{}", factors.join("*")),
-        };
-        let term = if factors.is_empty() && !single && !out.is_empty() { format!("({term})") } else { term };
-        out.push_str(match (out.is_empty(), negative) {
-            (true, false) => "",
-            (true, true) => "-",
-            (false, false) => " + ",
-            (false, true) => " - ",
-        });
-        out.push_str(&term);
-    }
-    out
-}
-
-/// The plan as a Mermaid flow chart.
-pub fn mermaid(plan: &Plan) -> String {
-    let mut out = String::from("flowchart TD\n    W[target pose W]\n");
-    for (i, step) in plan.steps.iter().enumerate() {
-        let roots = if step.roots == 1 { String::new() } else { format!(" x{}", step.roots) };
-        let before = if i == 0 { "W".to_string() } else { format!("S{i}") };
-        out.push_str(&format!("    {before} --> S{}[\"{}{roots}\"]\n", i + 1, unknowns(plan, step)));
-    }
-    let joints: Vec<String> = plan
-        .axes
-        .coordinates
+fn steps(story: &Story<'_>, language: Language) -> Vec<Block> {
+    let words = |p: Phrase| p.in_language(language);
+    let header = [
+        Phrase::PlanStep,
+        Phrase::PlanFinds,
+        Phrase::PlanFrom,
+        Phrase::PlanNeeds,
+        Phrase::PlanMost,
+        Phrase::PlanNone,
+        Phrase::PlanFree,
+    ]
+    .map(|p| Text::from(words(p)));
+    let list = |items: &[Math]| Text::join(items.iter().cloned().map(Text::from), ", ");
+    let rows = story
+        .steps
         .iter()
-        .take(plan.axes.real)
-        .map(|c| match c {
-            Coordinate::Angle(v) => plan.knowledge.ring.angle_name(*v).to_string(),
-            Coordinate::Length(s) => plan.knowledge.ring.symbol_name(*s).to_string(),
+        .enumerate()
+        .map(|(i, s)| {
+            let needs: Vec<String> = s.needs.iter().map(|k| (k + 1).to_string()).collect();
+            vec![
+                (i + 1).to_string().into(),
+                list(&s.unknown),
+                words(method(s)).into(),
+                needs.join(", ").into(),
+                s.roots.to_string().into(),
+                s.solution.radicand.as_ref().map_or(Text::default(), |m| {
+                    let mut t = Text::from(m.clone());
+                    t.0.push(Span::Plain(" < 0".into()));
+                    t
+                }),
+                list(&s.solution.degenerate),
+            ]
         })
         .collect();
-    out.push_str(&format!("    S{} --> Q([\"{}\"])\n", plan.steps.len(), joints.join(", ")));
+    let mut blocks = vec![Block::Table(header.to_vec(), rows)];
+    let equations = story.steps.iter().flat_map(|s| &s.equations);
+    let list: Vec<_> = equations
+        .map(|(left, right)| super::document::Equation { left: left.clone(), right: vec![right.clone()], number: None })
+        .collect();
+    if !list.is_empty() {
+        blocks.push(Block::Paragraph(words(Phrase::PlanEquations).into()));
+        blocks.push(Block::Equations(list));
+    }
+    let poses = story.poses.iter().filter_map(|p| Some((p.matrix.clone(), p.product.clone()?)));
+    let poses: Vec<_> =
+        poses.map(|(left, right)| super::document::Equation { left, right: vec![right], number: None }).collect();
+    if !poses.is_empty() {
+        blocks.push(Block::Paragraph(words(Phrase::PlanPoses).into()));
+        blocks.push(Block::Equations(poses));
+    }
+    let differences = story.differences();
+    if !differences.is_empty() {
+        let list = differences
+            .into_iter()
+            .map(|(left, right)| super::document::Equation { left, right: vec![right], number: None })
+            .collect();
+        blocks.push(Block::Paragraph(words(Phrase::Differences).into()));
+        blocks.push(Block::Equations(list));
+    }
+    let product: Vec<String> = story.steps.iter().map(|s| s.roots.to_string()).collect();
+    let pieces = vec![Span::Plain(story.plan.max_solutions.to_string()), Span::Plain(product.join(" × "))];
+    blocks.push(Block::Paragraph(Text::fill(words(Phrase::PlanTotal), pieces)));
+    blocks
+}
+
+/// The flow chart alone; empty where there is no plan.
+pub fn mermaid(chain: &Chain, language: Language) -> String {
+    let named = named_offsets(chain);
+    let chain = named.as_ref().unwrap_or(chain);
+    let plan = planner::search(chain);
+    plan.map_or_else(|_| String::new(), |plan| chart(&Story::new(chain, &plan, &Notation::textbook(chain)), language))
+}
+
+fn chart(story: &Story<'_>, language: Language) -> String {
+    let mut out = format!("flowchart TD\n  pose([\"{}\"])\n", Phrase::PlanPose.in_language(language));
+    for (i, s) in story.steps.iter().enumerate() {
+        let _ = writeln!(out, "  s{}[\"{}\"]", i + 1, label(s, language));
+    }
+    for (i, s) in story.steps.iter().enumerate() {
+        if s.needs.is_empty() {
+            let _ = writeln!(out, "  pose --> s{}", i + 1);
+        }
+        for k in direct(story, i) {
+            let _ = writeln!(out, "  s{} --> s{}", k + 1, i + 1);
+        }
+    }
     out
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::planner::search;
-    use crate::render::{Format, samples};
+fn label(s: &StepStory, language: Language) -> String {
+    let unknown: Vec<String> = s.unknown.iter().map(text::math).collect();
+    let count = if s.roots > 1 { format!(" (×{})", s.roots) } else { String::new() };
+    format!("{}: {}{count}", unknown.join(", "), method(s).in_language(language))
+}
 
-    #[test]
-    fn plans_on_paper() {
-        let text: Vec<String> = [samples::PUMA, samples::UR5, samples::SCARA, samples::STANFORD]
-            .into_iter()
-            .map(samples::chain)
-            .map(|chain| plan(&chain, &search(&chain)).print(Format::Text))
-            .collect();
-        insta::assert_snapshot!(text.join("\n\n"));
-    }
+/// Steps that step `i` needs, without those that another needed step needs already.
+fn direct(story: &Story<'_>, i: usize) -> Vec<usize> {
+    let needs = |k: usize| story.steps.get(k).map_or(&[][..], |s| &s.needs);
+    needs(i).iter().copied().filter(|k| !needs(i).iter().any(|other| needs(*other).contains(k))).collect()
 }

@@ -96,7 +96,15 @@ fn piece(m: &Math) -> Piece {
         Math::Sign(s) => plain(sign(*s).to_string()),
         Math::Open(c) | Math::Close(c) => plain(c.to_string()),
         Math::Script(s) => script(s),
-        Math::Fraction(n, d) => plain(format!("{}/{}", math(n), math(d))),
+        Math::Fraction(n, d) => {
+            let side = |m: &Math, product: bool| {
+                let pieces = m.clone().flatten();
+                let sum = pieces.iter().any(|p| matches!(p, Math::Sign(Sign::Plus | Sign::Minus | Sign::PlusMinus)));
+                let factors = pieces.iter().filter(|p| !matches!(p, Math::Sign(_))).count();
+                if sum || (product && factors > 1) { format!("({})", math(m)) } else { math(m) }
+            };
+            plain(format!("{}/{}", side(n, false), side(d, true)))
+        }
         Math::Root(x) => match &**x {
             Math::Number(_) | Math::Letter(_) => plain(format!("√{}", math(x))),
             _ => plain(format!("√({})", math(x))),
@@ -117,11 +125,13 @@ fn sign(s: Sign) -> &'static str {
         Sign::Times => "·",
         Sign::Comma => ", ",
         Sign::Degree => "°",
-        Sign::PlusMinus => "±",
+        Sign::PlusMinus => " ± ",
+        Sign::Either => "±",
         Sign::Arrow => " → ",
         Sign::Apply | Sign::Thin => " ",
         Sign::Wide => "    ",
         Sign::Dots => ", …, ",
+        Sign::Prime => "′",
     }
 }
 
@@ -192,6 +202,7 @@ fn subscript(text: &str) -> Option<String> {
         .map(|c| match c {
             '0'..='9' => char::from_u32(0x2080 + c.to_digit(10)?),
             '−' => Some('₋'),
+            '′' => Some('′'),
             '+' => Some('₊'),
             'i' => Some('ᵢ'),
             'j' => Some('ⱼ'),
@@ -211,6 +222,7 @@ fn superscript(text: &str) -> Option<String> {
             '3' => Some('³'),
             '0'..='9' => char::from_u32(0x2070 + c.to_digit(10)?),
             '−' => Some('⁻'),
+            '′' => Some('′'),
             'i' => Some('ⁱ'),
             'n' => Some('ⁿ'),
             'b' => Some('ᵇ'),

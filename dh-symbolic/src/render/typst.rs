@@ -102,7 +102,7 @@ pub fn math(m: &Math) -> String {
         Math::Row(list) => list.iter().map(math).filter(|t| !t.is_empty()).collect::<Vec<_>>().join(" "),
         Math::Letter(c) => c.to_string(),
         Math::Word(w) => match w.as_str() {
-            "cos" | "sin" | "det" => w.clone(),
+            "cos" | "sin" | "tan" | "det" => w.clone(),
             _ => format!("op({})", string(w)),
         },
         Math::Number(n) => n.clone(),
@@ -114,18 +114,22 @@ pub fn math(m: &Math) -> String {
             Sign::Times => "thin",
             Sign::Comma => "\\,",
             Sign::Degree => "degree",
-            Sign::PlusMinus => "plus.minus",
+            Sign::PlusMinus | Sign::Either => "plus.minus",
             Sign::Arrow => "->",
             Sign::Apply => "",
             Sign::Thin => "thin",
             Sign::Wide => "wide",
+            Sign::Prime => "prime",
             Sign::Dots => "\\, dots \\,",
         }
         .to_string(),
         // Escaped: a bracket may close on another line.
         Math::Open(c) | Math::Close(c) => format!("\\{c}"),
         Math::Script(s) => script(s),
-        Math::Fraction(n, d) => format!("inline(frac({}, {}))", math(n), math(d)),
+        Math::Fraction(n, d) => {
+            let small = n.glyphs() + d.glyphs() < 6;
+            format!("{}(frac({}, {}))", if small { "inline" } else { "display" }, math(n), math(d))
+        }
         Math::Root(x) => format!("sqrt({})", math(x)),
         Math::Matrix(rows) => {
             let rows: Vec<String> = rows.iter().map(|r| r.iter().map(math).collect::<Vec<_>>().join(", ")).collect();

@@ -265,7 +265,8 @@ pub fn check_text(report: &Report, claims: &Claims) -> String {
         }
         let number = claims.place(&line.place).map_or(0, crate::diagnostic::Place::line);
         for (k, text) in line_report(report, d, line, v).lines().enumerate() {
-            let _ = if k == 0 && number > 0 { writeln!(out, "{number:>4}  {text}") } else { writeln!(out, "      {text}") };
+            let _ =
+                if k == 0 && number > 0 { writeln!(out, "{number:>4}  {text}") } else { writeln!(out, "      {text}") };
         }
     }
     let counts: Vec<String> = counts.iter().map(|(word, n)| format!("{n} {word}")).collect();

@@ -3,14 +3,17 @@
 //! **In:** a [`Chain`]. **Out:** a [`Document`]. Prose is in `words`, formulas come from the algebra through
 //! [`Order`](super::grouping::Order) and [`Notation`]; nothing here knows a robot.
 
+mod example;
 mod forward;
+mod inverse;
 mod jacobian;
 mod steps;
 mod table;
 #[cfg(test)]
 mod tests;
-mod words;
+pub(super) mod words;
 
+pub(super) use inverse::method;
 pub use words::Language;
 
 use super::document::{Block, Document, Equation, Span, Text};
@@ -51,6 +54,7 @@ pub fn notes(chain: &Chain, options: &Options) -> Document {
     w.links(&kinematics);
     w.forward(&kinematics);
     w.jacobian(&kinematics);
+    w.inverse();
     let title = Phrase::Title.in_language(options.language).replace("{}", &chain.name);
     Document { title, language: options.language.tag(), blocks: w.blocks }
 }

@@ -93,6 +93,17 @@ fn notes_in_other_formats_and_in_chinese() {
 }
 
 #[test]
+fn plans_and_flow_charts() {
+    for (name, table) in [("puma", PUMA), ("ur5", UR5), ("panda", PANDA)] {
+        let chain = chain(table);
+        let text = crate::render::plan(&chain, Language::English).print(Format::Text);
+        let chart = crate::render::plan::mermaid(&chain, Language::Chinese);
+        let both = format!("{text}\n{chart}");
+        insta::with_settings!({ omit_expression => true }, { insta::assert_snapshot!(format!("{name}_plan"), both) });
+    }
+}
+
+#[test]
 fn closed_forms_for_rustdoc() {
     let all: String = ALL
         .iter()

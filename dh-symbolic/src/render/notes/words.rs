@@ -24,13 +24,13 @@ macro_rules! phrases {
     ($($(#[$doc:meta])* $name:ident: $english:literal, $chinese:literal;)*) => {
         /// Everything that a note can say.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub(super) enum Phrase {
+        pub(in crate::render) enum Phrase {
             $($(#[$doc])* $name,)*
         }
 
         impl Phrase {
             /// The words.
-            pub(super) fn in_language(self, language: Language) -> &'static str {
+            pub(in crate::render) fn in_language(self, language: Language) -> &'static str {
                 match (self, language) {
                     $((Phrase::$name, Language::English) => $english,
                       (Phrase::$name, Language::Chinese) => $chinese,)*
@@ -67,6 +67,76 @@ phrases! {
     Then: "; ", "；";
     Legend: "Abbreviations: {}.", "缩写：{}。";
     TooLong: "Written out, this product has {} terms; it is left as a product here.", "该乘积展开后有 {} 项，这里保留乘积形式。";
+    Inverse: "Inverse kinematics", "逆运动学";
+    Wanted: "Given is the pose {} = {}, with direction cosines {} and position {}; wanted are the joint variables. Every step uses elements of transforms between two frames of the arm, which are also known from the given pose and the joints found before.",
+        "已知位姿 {} = {}，其方向余弦为 {}，位置为 {}；求各关节变量。每一步使用机械臂两个坐标系之间变换的元素，它们也可由已知位姿和前面求出的关节得到。";
+    FramesStandard: "Frames of the inverse stand on the joint axes: frame {} is frame {} of the table after the motion of joint {}.",
+        "逆解中的坐标系位于关节轴上：坐标系 {} 是表中坐标系 {} 经关节 {} 运动后的坐标系。";
+    PrimedModified: "Frame {} is frame {} without its shift along the axis.", "{} 是去掉沿轴平移后的坐标系 {}。";
+    PrimedStandard: "Frame {} is frame {} after its shift along the axis.", "{} 是沿轴平移后的坐标系 {}。";
+    Given: "The caller chooses {}.", "{} 由使用者给定。";
+    StepTitle: "Step {}: ", "第 {} 步：";
+    KnownPose: "Known by now:", "至此已知：";
+    WithEntries: "Its elements are {} and its position is {}.", "其元素为 {}，位置为 {}。";
+    Where: "where {}.", "其中 {}。";
+    Element: "Element {} of {} gives", "元素 {}（取自 {}）给出";
+    Elements: "Elements {} of {} give", "元素 {}（取自 {}）给出";
+    ElementOfInverse: "Element {} of the inverse of {} gives", "元素 {}（取自 {} 的逆）给出";
+    ElementsOfInverse: "Elements {} of the inverse of {} give", "元素 {}（取自 {} 的逆）给出";
+    DistanceOf: "The squared distance between the origins of frames {} and {} gives", "坐标系 {} 与 {} 原点间距离的平方给出";
+    Hence: "Hence", "因此";
+    Sum: "with {}.", "其中 {}。";
+    OneSolution: "One solution.", "一个解。";
+    Solutions: "Up to {} solutions.", "最多 {} 个解。";
+    NoneWhere: "There is none where {} is negative: the pose is out of reach.", "当 {} 为负时无解：位姿不可达。";
+    FreeWhereOne: "Where {} vanishes, the arm is singular and {} is free.", "当 {} 为零时机械臂奇异，{} 可任取。";
+    FreeWhere: "Where {} vanish together, the arm is singular and {} is free.", "当 {} 同时为零时机械臂奇异，{} 可任取。";
+    Differences: "The remaining joints are differences:", "其余关节为差值：";
+    Total: "In all there are at most {} solutions; each is confirmed by the forward kinematics.", "总共最多 {} 个解；每个解都用正运动学验证。";
+    TotalOne: "In all there is at most one solution; it is confirmed by the forward kinematics.", "总共最多一个解；用正运动学验证。";
+    Example: "Worked example", "算例";
+    ExamplePose: "With {} the forward kinematics gives the pose", "取 {}，由正运动学得位姿";
+    ExampleValues: "Parameters without a value are taken as {}.", "没有给定值的参数取 {}。";
+    ExampleSolutions: "The steps above find {} joint vectors with this pose, to {} in every entry:", "上述步骤求得 {} 组关节变量具有该位姿，每个元素误差不超过 {}：";
+    ExampleSolution: "The steps above find one joint vector with this pose, to {} in every entry:", "上述步骤求得一组关节变量具有该位姿，每个元素误差不超过 {}：";
+    PlanTitle: "Inverse kinematics of {}", "{} 的逆运动学";
+    PlanStep: "step", "步";
+    PlanFinds: "finds", "求";
+    PlanFrom: "from", "方法";
+    PlanNeeds: "after", "依赖";
+    PlanMost: "solutions", "解数";
+    PlanNone: "none where", "无解条件";
+    PlanFree: "free where these vanish", "为零时任取";
+    PlanEquations: "The equations, in order:", "依次的方程：";
+    PlanPoses: "Capital letters are the given pose with known motions taken off; small letters are their elements:",
+        "大写字母是去掉已知运动后的位姿，小写字母是其元素：";
+    PlanTotal: "At most {} solutions ({}).", "最多 {} 个解（{}）。";
+    PlanOpen: "No closed form was found for {} (found: {}).", "没有找到 {} 的封闭解（已求得：{}）。";
+    AxesParallel: "axes {} and {} are parallel", "轴 {} 与轴 {} 平行";
+    AxesMeet: "axes {} and {} meet", "轴 {} 与轴 {} 相交";
+    AxesSkew: "axes {} and {} are skew", "轴 {} 与轴 {} 异面";
+    AxesPoint: "axes {}, {} and {} pass through one point", "轴 {}、{}、{} 交于一点";
+    PlanPose: "the given pose", "已知位姿";
+    NoInverse: "No closed form of the inverse was found.", "没有找到逆解的封闭形式。";
+    Eliminate: "The two equations are linear in sine and cosine of either angle. Eliminating {} leaves a polynomial of degree {} in {}; each of its real roots gives one {}.",
+        "两个方程对每个角的正弦和余弦都是线性的。消去 {} 得到次数为 {} 的关于 {} 的多项式；每个实根给出一个 {}。";
+    SecondHarmonic: "With {} this is a polynomial of degree 4, whose real roots are found.", "令 {}，得到 4 次多项式，求其实根。";
+    SlideAndTurn: "Eliminating {} leaves a polynomial in {}.", "消去 {} 得到关于 {} 的多项式。";
+    Elimination: "No equation holds fewer than all six joints. The elimination of Raghavan and Roth (1990) leaves a polynomial of degree 16 in the tangent of half an angle; its real roots give all solutions.",
+        "没有方程只含少数关节。按 Raghavan 与 Roth（1990）的消元法得到半角正切的 16 次多项式，其实根给出所有解。";
+    Choose: "This combination is free at every pose; a value is chosen.", "该组合在任何位姿下都可任取；选定一个值。";
+    /// Names of methods.
+    MethodLinear: "a linear equation", "线性方程";
+    MethodQuadratic: "a quadratic equation", "二次方程";
+    MethodHalfTurn: "a ratio of sine and cosine", "正弦与余弦之比";
+    MethodSinCos: "an equation in sine and cosine", "正弦余弦方程";
+    MethodCosines: "the law of cosines", "余弦定理";
+    MethodPair: "sine and cosine", "同时得到正弦和余弦";
+    MethodSecond: "a trigonometric polynomial of degree two", "二次三角多项式";
+    MethodBilinear: "two equations in two angles (Pieper's method)", "两角两方程（Pieper 方法）";
+    MethodSlide: "two equations in a length and an angle", "一个长度与一个角的两个方程";
+    MethodGeneral: "the general elimination (Raghavan and Roth)", "一般消元法（Raghavan 与 Roth）";
+    MethodChoose: "a free choice", "任取";
     Jacobian: "Geometric Jacobian", "几何雅可比矩阵";
     JacobianIs: "Column {} holds the velocity of the last frame's origin and its angular velocity, in base axes, for unit speed of joint {}.",
         "第 {} 列是关节 {} 以单位速度运动时末端坐标系原点的线速度和角速度（在基座坐标系中表示）。";
