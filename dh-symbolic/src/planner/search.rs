@@ -31,7 +31,14 @@ pub fn search(chain: &Chain) -> Result<Plan, Refusal> {
     }
     let given = s.knowledge.known.len();
     while !s.done() {
-        if s.one_unknown() || s.two_unknowns() || s.general() || s.choose() {
+        // What a task leaves open is only solved for where nothing else helps.
+        if s.one_unknown(false)
+            || s.two_unknowns(false)
+            || s.one_unknown(true)
+            || s.two_unknowns(true)
+            || s.general()
+            || s.choose()
+        {
             continue;
         }
         return Err(s.refusal());
@@ -191,10 +198,18 @@ impl Search<'_> {
         })
     }
 
-    fn one_unknown(&mut self) -> bool {
+    /// Does a combination hold a virtual coordinate?
+    fn is_virtual(&self, form: &Form) -> bool {
+        form[self.axes.real.min(form.len())..].iter().any(|k| *k != 0)
+    }
+
+    fn one_unknown(&mut self, virtual_too: bool) -> bool {
         let mut best: Option<Option1> = None;
         for (rest, families) in self.open_groups(1) {
             for form in self.unknowns(&rest, &families) {
+                if !virtual_too && self.is_virtual(&form) {
+                    continue;
+                }
                 for option in self.options(&form, &families) {
                     if best.as_ref().is_none_or(|b| option.rank < b.rank) {
                         best = Some(option);
@@ -377,10 +392,11 @@ impl Search<'_> {
         Some(set.into_iter().map(|i| rows[i]).collect())
     }
 
-    fn two_unknowns(&mut self) -> bool {
+    fn two_unknowns(&mut self, virtual_too: bool) -> bool {
         let mut best: Option<Option1> = None;
         for (rest, families) in self.open_groups(2) {
-            let forms = self.unknowns(&rest, &families);
+            let mut forms = self.unknowns(&rest, &families);
+            forms.retain(|f| virtual_too || !self.is_virtual(f));
             let equations = self.equations(&families);
             if equations.len() < 2 {
                 continue;

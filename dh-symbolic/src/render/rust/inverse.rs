@@ -25,7 +25,7 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
     let fixed = chain.redundant.map_or("None".into(), |k| format!("Some(({k}, given.into()))"));
     let few = n + usize::from(chain.redundant.is_none()) <= 6 && chain.task == Task::Pose;
     let mut out = format!(
-        "#[allow(clippy::all, clippy::pedantic)]\nimpl {name} {{\n\
+        "#[allow(unused, clippy::all, clippy::pedantic)]\nimpl {name} {{\n\
          /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.\n\
          pub const MAX_SOLUTIONS: usize = {m};\n\
          {}\n\
@@ -545,7 +545,7 @@ fn kinematics(chain: &Chain, name: &str, forward: &Forward) -> String {
         .collect();
     let _: &Program = &forward.pose;
     format!(
-        "#[allow(clippy::all, clippy::pedantic)]\nimpl ::dh_robot::ik::Kinematics<{n}> for {name} {{\n\
+        "#[allow(unused, clippy::all, clippy::pedantic)]\nimpl ::dh_robot::ik::Kinematics<{n}> for {name} {{\n\
          #[inline]\nfn forward(&self, q: &[f64; {n}]) -> ::dh_robot::ik::Pose {{\n{}\n{}\n}}\n\
          fn forward_and_jacobian(&self, q: &[f64; {n}]) -> (::dh_robot::ik::Pose, [[f64; {n}]; 6]) {{\n{}\n({}, [{}])\n}}\n}}\n",
         pose.lines.join("\n"),

@@ -38,7 +38,7 @@ pub fn robot(head: &Head, chain: &Chain, programs: &Forward, inverse: &str, extr
     let joints: Vec<String> = chain.joints.iter().map(|j| joint(chain, j)).collect();
     let (n, f) = (chain.dof(), scalar_name(chain.scalar));
     let text = format!(
-        "#[allow(clippy::all, clippy::pedantic)]\nimpl {name} {{\n/// Number of joints.\npub const DOF: usize = {n};\n\
+        "#[allow(unused, clippy::all, clippy::pedantic)]\nimpl {name} {{\n/// Number of joints.\npub const DOF: usize = {n};\n\
          /// Kind, range and name of every joint.\npub const JOINTS: [::dh_robot::Joint<{f}>; {n}] = [{}];\n{}}}\n{}{inverse}",
         joints.join(", "),
         forward::functions(chain, programs),
