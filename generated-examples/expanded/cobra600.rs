@@ -29,7 +29,7 @@ impl ::core::default::Default for Cobra600 {
         Cobra600
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl Cobra600 {
     /// Number of joints.
     pub const DOF: usize = 4;
@@ -171,7 +171,7 @@ impl ::dh_robot::Jacobian<4, f64> for Cobra600 {
         Cobra600::jacobian(self, q)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl Cobra600 {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 2;
@@ -473,7 +473,7 @@ impl Cobra600 {
         ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<4> for Cobra600 {
     #[inline]
     fn forward(&self, q: &[f64; 4]) -> ::dh_robot::ik::Pose {

@@ -43,7 +43,7 @@ impl ::core::default::Default for CupArm {
         CupArm
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl CupArm {
     /// Number of joints.
     pub const DOF: usize = 6;
@@ -300,7 +300,7 @@ impl ::dh_robot::Jacobian<6, f64> for CupArm {
         CupArm::jacobian(self, q)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl CupArm {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 8;
@@ -892,7 +892,7 @@ impl CupArm {
         ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<6> for CupArm {
     #[inline]
     fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {

@@ -30,7 +30,7 @@ impl ::core::default::Default for GantryWrist {
         GantryWrist
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl GantryWrist {
     /// Number of joints.
     pub const DOF: usize = 6;
@@ -203,7 +203,7 @@ impl ::dh_robot::Jacobian<6, f64> for GantryWrist {
         GantryWrist::jacobian(self, q)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl GantryWrist {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 2;
@@ -612,7 +612,7 @@ impl GantryWrist {
         ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<6> for GantryWrist {
     #[inline]
     fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {

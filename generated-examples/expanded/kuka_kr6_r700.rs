@@ -39,7 +39,7 @@ impl ::core::default::Default for KukaKr6R700 {
         KukaKr6R700
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl KukaKr6R700 {
     /// Number of joints.
     pub const DOF: usize = 6;
@@ -306,7 +306,7 @@ impl ::dh_robot::Jacobian<6, f64> for KukaKr6R700 {
         KukaKr6R700::jacobian(self, q)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl KukaKr6R700 {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 8;
@@ -912,7 +912,7 @@ impl KukaKr6R700 {
         ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<6> for KukaKr6R700 {
     #[inline]
     fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {

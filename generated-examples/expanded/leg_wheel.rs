@@ -28,7 +28,7 @@ impl ::core::default::Default for LegWheel {
         LegWheel { p: 0.02 }
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl LegWheel {
     /// Number of joints.
     pub const DOF: usize = 2;
@@ -146,7 +146,7 @@ impl ::dh_robot::Jacobian<2, f64> for LegWheel {
         LegWheel::jacobian(self, q)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl LegWheel {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 1;
@@ -237,7 +237,7 @@ impl LegWheel {
         attempt
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<2> for LegWheel {
     #[inline]
     fn forward(&self, q: &[f64; 2]) -> ::dh_robot::ik::Pose {

@@ -49,7 +49,7 @@ impl ::core::default::Default for Panda {
         Panda
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl Panda {
     /// Number of joints.
     pub const DOF: usize = 7;
@@ -412,7 +412,7 @@ impl ::dh_robot::Jacobian<7, f64> for Panda {
         Panda::jacobian(self, q)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl Panda {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 8;
@@ -658,7 +658,7 @@ impl Panda {
         attempt
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<7> for Panda {
     #[inline]
     fn forward(&self, q: &[f64; 7]) -> ::dh_robot::ik::Pose {

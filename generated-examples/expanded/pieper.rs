@@ -39,7 +39,7 @@ pub struct Pieper {
     /// `d4` in m.
     pub d4: f64,
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl Pieper {
     /// Number of joints.
     pub const DOF: usize = 6;
@@ -602,7 +602,7 @@ impl ::dh_robot::Jacobian<6, f64> for Pieper {
         Pieper::jacobian(self, q)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl Pieper {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 8;
@@ -882,7 +882,7 @@ impl Pieper {
         attempt
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<6> for Pieper {
     #[inline]
     fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {

@@ -32,7 +32,7 @@ impl ::core::default::Default for Planar2r {
         Planar2r { l1: 1.0, l2: 0.6 }
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl Planar2r {
     /// Number of joints.
     pub const DOF: usize = 2;
@@ -146,22 +146,20 @@ impl ::dh_robot::Jacobian<2, f64> for Planar2r {
         Planar2r::jacobian(self, q)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl Planar2r {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
-    pub const MAX_SOLUTIONS: usize = 4;
+    pub const MAX_SOLUTIONS: usize = 2;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// Plan:
-    /// 1. `virtual_roll`: a cos + b sin = 0: two values half a turn apart.
-    /// 2. `virtual_pitch`: two equations in its sine and cosine: one value.
-    /// 3. `q2`: a cos + b sin = c: two values.
-    /// 4. `q1`: two equations in its sine and cosine: one value.
+    /// 1. `q2`: a cos + b sin = c: two values.
+    /// 2. `q1`: two equations in its sine and cosine: one value.
     #[must_use]
     pub fn inverse(
         &self,
         target: &::dh_robot::nalgebra::Point3<f64>,
-    ) -> ::dh_robot::Solutions<f64, 2, 4> {
+    ) -> ::dh_robot::Solutions<f64, 2, 2> {
         let p: [f64; 3] = [target.x.into(), target.y.into(), target.z.into()];
         if !p.iter().all(|x: &f64| x.is_finite()) {
             return ::dh_robot::Solutions::none(
@@ -200,115 +198,68 @@ impl Planar2r {
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
         let t_3 = self.l1 * 0.6169456328833773;
         let t_4 = self.l2 * 0.6169456328833773;
-        let r0 = ::dh_robot::ik::solve_sincos(-t[2][1], -t[2][0], 0.0, 1e-11);
+        let r0 = ::dh_robot::ik::solve_sincos(
+            2.0 * t_3 * t_4,
+            0.0,
+            t_2 - (t_3 * t_3 + t_4 * t_4),
+            1e-11,
+        );
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, free, "virtual_roll", 1.0, "");
+            attempt
+                .note_distance(
+                    r0.outcome,
+                    free,
+                    "elbow q2",
+                    t_2,
+                    t_2 - (t_3 * t_3 + t_4 * t_4),
+                    1.6208883679528896,
+                    "m",
+                );
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
-            free.union(::dh_robot::FreeJoints::of(&[]))
+            free.union(::dh_robot::FreeJoints::of(&[1]))
         } else {
             free
         };
-        for (i0, &[cvirtual_roll, svirtual_roll]) in r0
-            .or_if_free(pick.angle(0))
-            .iter()
-            .enumerate()
-        {
-            let a0 = ::dh_robot::math::atan2(svirtual_roll, cvirtual_roll);
+        for (i0, &[c2, s2]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
+            let a0 = ::dh_robot::math::atan2(s2, c2);
             let r1 = ::dh_robot::ik::solve_pair(
-                0.0,
-                1.0,
-                t[2][0] * cvirtual_roll - t[2][1] * svirtual_roll,
-                1.0,
-                0.0,
-                -t[2][2],
+                -t[0][3],
+                -t[1][3],
+                -(t_3 + t_4 * c2),
+                -t[1][3],
+                t[0][3],
+                -t_4 * s2,
                 1e-11,
             );
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, free, "virtual_pitch", 1.0, "");
+                attempt.note(r1.outcome, free, "q1", 1.6208883679528896, "m");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
-                free.union(::dh_robot::FreeJoints::of(&[]))
+                free.union(::dh_robot::FreeJoints::of(&[0]))
             } else {
                 free
             };
-            for (i1, &[cvirtual_pitch, svirtual_pitch]) in r1
-                .or_if_free(pick.angle(1))
-                .iter()
-                .enumerate()
-            {
-                let a1 = ::dh_robot::math::atan2(svirtual_pitch, cvirtual_pitch);
-                let r2 = ::dh_robot::ik::solve_sincos(
-                    2.0 * t_3 * t_4,
-                    0.0,
-                    t_2 - (t_3 * t_3 + t_4 * t_4),
-                    1e-11,
-                );
-                if r2.roots.is_empty() {
-                    attempt
-                        .note_distance(
-                            r2.outcome,
-                            free,
-                            "elbow q2",
-                            t_2,
-                            t_2 - (t_3 * t_3 + t_4 * t_4),
-                            1.6208883679528896,
-                            "m",
-                        );
-                }
-                let free = if r2.is_free() {
-                    attempt.degenerate = true;
-                    free.union(::dh_robot::FreeJoints::of(&[1]))
-                } else {
-                    free
-                };
-                for (i2, &[c2, s2]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::math::atan2(s2, c2);
-                    let r3 = ::dh_robot::ik::solve_pair(
-                        -t[0][3],
-                        -t[1][3],
-                        -(t_3 + t_4 * c2),
-                        -t[1][3],
-                        t[0][3],
-                        -t_4 * s2,
-                        1e-11,
+            for (i1, &[c1, s1]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
+                let a1 = ::dh_robot::math::atan2(s1, c1);
+                let branch = ::dh_robot::Branch::ANY
+                    .with_step(0, i0)
+                    .with_elbow(
+                        if i0 == 0 {
+                            ::dh_robot::Elbow::Up
+                        } else {
+                            ::dh_robot::Elbow::Down
+                        },
                     );
-                    if r3.roots.is_empty() {
-                        attempt.note(r3.outcome, free, "q1", 1.6208883679528896, "m");
-                    }
-                    let free = if r3.is_free() {
-                        attempt.degenerate = true;
-                        free.union(::dh_robot::FreeJoints::of(&[0]))
-                    } else {
-                        free
-                    };
-                    for (i3, &[c1, s1]) in r3
-                        .or_if_free(pick.angle(3))
-                        .iter()
-                        .enumerate()
-                    {
-                        let a3 = ::dh_robot::math::atan2(s1, c1);
-                        let branch = ::dh_robot::Branch::ANY
-                            .with_step(0, i0)
-                            .with_step(1, i2)
-                            .with_elbow(
-                                if i2 == 0 {
-                                    ::dh_robot::Elbow::Up
-                                } else {
-                                    ::dh_robot::Elbow::Down
-                                },
-                            );
-                        found([a3, a2], branch, free);
-                    }
-                }
+                found([a1, a0], branch, free);
             }
         }
         attempt
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<2> for Planar2r {
     #[inline]
     fn forward(&self, q: &[f64; 2]) -> ::dh_robot::ik::Pose {
@@ -336,9 +287,9 @@ impl ::dh_robot::ik::Kinematics<2> for Planar2r {
         )
     }
 }
-impl ::dh_robot::InverseKinematics<2, 4, f64> for Planar2r {
+impl ::dh_robot::InverseKinematics<2, 2, f64> for Planar2r {
     type Target = ::dh_robot::nalgebra::Point3<f64>;
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 2, 4> {
+    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 2, 2> {
         Planar2r::inverse(self, target)
     }
 }

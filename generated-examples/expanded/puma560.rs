@@ -52,7 +52,7 @@ impl ::core::default::Default for Puma560 {
         }
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl Puma560 {
     /// Number of joints.
     pub const DOF: usize = 6;
@@ -297,7 +297,7 @@ impl ::dh_robot::Jacobian<6, f64> for Puma560 {
         Puma560::jacobian(self, q)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl Puma560 {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 8;
@@ -880,7 +880,7 @@ impl Puma560 {
         ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<6> for Puma560 {
     #[inline]
     fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {

@@ -25,7 +25,7 @@ impl ::core::default::Default for Rp {
         Rp
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl Rp {
     /// Number of joints.
     pub const DOF: usize = 2;
@@ -135,7 +135,7 @@ impl ::dh_robot::Jacobian<2, f64> for Rp {
         Rp::jacobian(self, q)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl Rp {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 1;
@@ -287,7 +287,7 @@ impl Rp {
         ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<2> for Rp {
     #[inline]
     fn forward(&self, q: &[f64; 2]) -> ::dh_robot::ik::Pose {

@@ -28,7 +28,7 @@ impl ::core::default::Default for RpParallel {
         RpParallel { a1: 0.5 }
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl RpParallel {
     /// Number of joints.
     pub const DOF: usize = 2;
@@ -138,7 +138,7 @@ impl ::dh_robot::Jacobian<2, f64> for RpParallel {
         RpParallel::jacobian(self, q)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl RpParallel {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 1;
@@ -289,7 +289,7 @@ impl RpParallel {
         ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<2> for RpParallel {
     #[inline]
     fn forward(&self, q: &[f64; 2]) -> ::dh_robot::ik::Pose {

@@ -29,7 +29,7 @@ impl ::core::default::Default for Rpr {
         Rpr { l2: 0.4 }
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl Rpr {
     /// Number of joints.
     pub const DOF: usize = 3;
@@ -151,7 +151,7 @@ impl ::dh_robot::Jacobian<3, f64> for Rpr {
         Rpr::jacobian(self, q)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl Rpr {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 1;
@@ -372,7 +372,7 @@ impl Rpr {
         ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<3> for Rpr {
     #[inline]
     fn forward(&self, q: &[f64; 3]) -> ::dh_robot::ik::Pose {

@@ -40,7 +40,7 @@ impl ::core::default::Default for RrrIntersecting {
         }
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl RrrIntersecting {
     /// Number of joints.
     pub const DOF: usize = 3;
@@ -188,23 +188,21 @@ impl ::dh_robot::Jacobian<3, f64> for RrrIntersecting {
         RrrIntersecting::jacobian(self, q)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl RrrIntersecting {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
-    pub const MAX_SOLUTIONS: usize = 8;
+    pub const MAX_SOLUTIONS: usize = 4;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// Plan:
     /// 1. `q1`: a cos + b sin = c: two values.
-    /// 2. `virtual_roll`: a cos + b sin = 0: two values half a turn apart.
-    /// 3. `virtual_pitch`: two equations in its sine and cosine: one value.
-    /// 4. `q3`: a cos + b sin = c: two values.
-    /// 5. `q2`: two equations in its sine and cosine: one value.
+    /// 2. `q3`: a cos + b sin = c: two values.
+    /// 3. `q2`: two equations in its sine and cosine: one value.
     #[must_use]
     pub fn inverse(
         &self,
         target: &::dh_robot::nalgebra::Point3<f64>,
-    ) -> ::dh_robot::Solutions<f64, 3, 8> {
+    ) -> ::dh_robot::Solutions<f64, 3, 4> {
         let p: [f64; 3] = [target.x.into(), target.y.into(), target.z.into()];
         if !p.iter().all(|x: &f64| x.is_finite()) {
             return ::dh_robot::Solutions::none(
@@ -257,131 +255,77 @@ impl RrrIntersecting {
         for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
             let a0 = ::dh_robot::math::atan2(s1, c1);
             let t_6 = t[0][3] * c1 + t[1][3] * s1;
-            let t_7 = t[0][0] * s1 - t[1][0] * c1;
-            let t_8 = t[0][1] * s1 - t[1][1] * c1;
-            let r1 = ::dh_robot::ik::solve_sincos(t_8, t_7, 0.0, 1e-11);
+            let r1 = ::dh_robot::ik::solve_sincos(
+                2.0 * t_4 * t_5,
+                0.0,
+                t_2 - (t_3 * t_3 + t_4 * t_4 + t_5 * t_5),
+                1e-11,
+            );
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, free, "virtual_roll", 1.0, "");
+                attempt
+                    .note_distance(
+                        r1.outcome,
+                        free,
+                        "elbow q3",
+                        t_2,
+                        t_2 - (t_3 * t_3 + t_4 * t_4 + t_5 * t_5),
+                        1.0675141762776192,
+                        "m",
+                    );
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
-                free.union(::dh_robot::FreeJoints::of(&[]))
+                free.union(::dh_robot::FreeJoints::of(&[2]))
             } else {
                 free
             };
-            for (i1, &[cvirtual_roll, svirtual_roll]) in r1
-                .or_if_free(pick.angle(1))
-                .iter()
-                .enumerate()
-            {
-                let a1 = ::dh_robot::math::atan2(svirtual_roll, cvirtual_roll);
+            for (i1, &[c3, s3]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
+                let a1 = ::dh_robot::math::atan2(s3, c3);
                 let r2 = ::dh_robot::ik::solve_pair(
-                    0.0,
-                    1.0,
-                    -(t_7 * cvirtual_roll - t_8 * svirtual_roll),
-                    1.0,
-                    0.0,
-                    t[0][2] * s1 - t[1][2] * c1,
+                    -t_6,
+                    t[2][3],
+                    -(t_4 + t_5 * c3),
+                    t[2][3],
+                    t_6,
+                    -t_5 * s3,
                     1e-11,
                 );
                 if r2.roots.is_empty() {
-                    attempt.note(r2.outcome, free, "virtual_pitch", 1.0, "");
+                    attempt.note(r2.outcome, free, "q2", 1.0675141762776192, "m");
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;
-                    free.union(::dh_robot::FreeJoints::of(&[]))
+                    free.union(::dh_robot::FreeJoints::of(&[1]))
                 } else {
                     free
                 };
-                for (i2, &[cvirtual_pitch, svirtual_pitch]) in r2
-                    .or_if_free(pick.angle(2))
-                    .iter()
-                    .enumerate()
-                {
-                    let a2 = ::dh_robot::math::atan2(svirtual_pitch, cvirtual_pitch);
-                    let r3 = ::dh_robot::ik::solve_sincos(
-                        2.0 * t_4 * t_5,
-                        0.0,
-                        t_2 - (t_3 * t_3 + t_4 * t_4 + t_5 * t_5),
-                        1e-11,
-                    );
-                    if r3.roots.is_empty() {
-                        attempt
-                            .note_distance(
-                                r3.outcome,
-                                free,
-                                "elbow q3",
-                                t_2,
-                                t_2 - (t_3 * t_3 + t_4 * t_4 + t_5 * t_5),
-                                1.0675141762776192,
-                                "m",
-                            );
-                    }
-                    let free = if r3.is_free() {
-                        attempt.degenerate = true;
-                        free.union(::dh_robot::FreeJoints::of(&[2]))
-                    } else {
-                        free
-                    };
-                    for (i3, &[c3, s3]) in r3
-                        .or_if_free(pick.angle(3))
-                        .iter()
-                        .enumerate()
-                    {
-                        let a3 = ::dh_robot::math::atan2(s3, c3);
-                        let r4 = ::dh_robot::ik::solve_pair(
-                            -t_6,
-                            t[2][3],
-                            -(t_4 + t_5 * c3),
-                            t[2][3],
-                            t_6,
-                            -t_5 * s3,
-                            1e-11,
+                for (i2, &[c2, s2]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
+                    let a2 = ::dh_robot::math::atan2(s2, c2);
+                    let branch = ::dh_robot::Branch::ANY
+                        .with_step(0, i0)
+                        .with_shoulder(
+                            if i0 == 0 {
+                                ::dh_robot::Shoulder::Left
+                            } else {
+                                ::dh_robot::Shoulder::Right
+                            },
+                        )
+                        .with_step(1, i1)
+                        .with_elbow(
+                            if i1 == 0 {
+                                ::dh_robot::Elbow::Up
+                            } else {
+                                ::dh_robot::Elbow::Down
+                            },
                         );
-                        if r4.roots.is_empty() {
-                            attempt
-                                .note(r4.outcome, free, "q2", 1.0675141762776192, "m");
-                        }
-                        let free = if r4.is_free() {
-                            attempt.degenerate = true;
-                            free.union(::dh_robot::FreeJoints::of(&[1]))
-                        } else {
-                            free
-                        };
-                        for (i4, &[c2, s2]) in r4
-                            .or_if_free(pick.angle(4))
-                            .iter()
-                            .enumerate()
-                        {
-                            let a4 = ::dh_robot::math::atan2(s2, c2);
-                            let branch = ::dh_robot::Branch::ANY
-                                .with_step(0, i0)
-                                .with_shoulder(
-                                    if i0 == 0 {
-                                        ::dh_robot::Shoulder::Left
-                                    } else {
-                                        ::dh_robot::Shoulder::Right
-                                    },
-                                )
-                                .with_step(1, i1)
-                                .with_step(2, i3)
-                                .with_elbow(
-                                    if i3 == 0 {
-                                        ::dh_robot::Elbow::Up
-                                    } else {
-                                        ::dh_robot::Elbow::Down
-                                    },
-                                );
-                            found([a0, a4, a3], branch, free);
-                        }
-                    }
+                    found([a0, a2, a1], branch, free);
                 }
             }
         }
         attempt
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<3> for RrrIntersecting {
     #[inline]
     fn forward(&self, q: &[f64; 3]) -> ::dh_robot::ik::Pose {
@@ -423,9 +367,9 @@ impl ::dh_robot::ik::Kinematics<3> for RrrIntersecting {
         )
     }
 }
-impl ::dh_robot::InverseKinematics<3, 8, f64> for RrrIntersecting {
+impl ::dh_robot::InverseKinematics<3, 4, f64> for RrrIntersecting {
     type Target = ::dh_robot::nalgebra::Point3<f64>;
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 3, 8> {
+    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 3, 4> {
         RrrIntersecting::inverse(self, target)
     }
 }

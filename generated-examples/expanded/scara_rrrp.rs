@@ -42,7 +42,7 @@ impl ::core::default::Default for ScaraRrrp {
         }
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl ScaraRrrp {
     /// Number of joints.
     pub const DOF: usize = 4;
@@ -185,7 +185,7 @@ impl ::dh_robot::Jacobian<4, f64> for ScaraRrrp {
         ScaraRrrp::jacobian(self, q)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl ScaraRrrp {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 2;
@@ -496,7 +496,7 @@ impl ScaraRrrp {
         ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<4> for ScaraRrrp {
     #[inline]
     fn forward(&self, q: &[f64; 4]) -> ::dh_robot::ik::Pose {

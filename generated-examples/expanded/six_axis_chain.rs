@@ -50,7 +50,7 @@ impl ::core::default::Default for SixAxisChain {
         }
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl SixAxisChain {
     /// Number of joints.
     pub const DOF: usize = 6;
@@ -264,7 +264,7 @@ impl ::dh_robot::Jacobian<6, f64> for SixAxisChain {
         SixAxisChain::jacobian(self, q)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl SixAxisChain {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 8;
@@ -809,7 +809,7 @@ impl SixAxisChain {
         ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<6> for SixAxisChain {
     #[inline]
     fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {

@@ -45,7 +45,7 @@ impl ::core::default::Default for WaferPrrr {
         }
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl WaferPrrr {
     /// Number of joints.
     pub const DOF: usize = 4;
@@ -190,7 +190,7 @@ impl ::dh_robot::Jacobian<4, f64> for WaferPrrr {
         WaferPrrr::jacobian(self, q)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl WaferPrrr {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 2;
@@ -497,7 +497,7 @@ impl WaferPrrr {
         ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<4> for WaferPrrr {
     #[inline]
     fn forward(&self, q: &[f64; 4]) -> ::dh_robot::ik::Pose {

@@ -30,7 +30,7 @@ impl ::core::default::Default for Youbot {
         Youbot
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl Youbot {
     /// Number of joints.
     pub const DOF: usize = 5;
@@ -225,7 +225,7 @@ impl ::dh_robot::Jacobian<5, f64> for Youbot {
         Youbot::jacobian(self, q)
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl Youbot {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 4;
@@ -422,7 +422,7 @@ impl Youbot {
         attempt
     }
 }
-#[allow(clippy::all, clippy::pedantic)]
+#[allow(unused, clippy::all, clippy::pedantic)]
 impl ::dh_robot::ik::Kinematics<5> for Youbot {
     #[inline]
     fn forward(&self, q: &[f64; 5]) -> ::dh_robot::ik::Pose {
