@@ -69,11 +69,16 @@ fn found<const N: usize, const M: usize>(solutions: &Solutions<f64, N, M>) -> Fo
     }
 }
 
+/// Forward kinematics of some robot.
+type ForwardFn = Box<dyn Fn(&[f64]) -> IsometryMatrix3<f64>>;
+/// Its inverse, with the joints that made the target (for the one that the caller chooses).
+type InverseFn = Box<dyn Fn(&IsometryMatrix3<f64>, &[f64]) -> Found>;
+
 /// A robot's forward and inverse; the inverse also gets the joint values that made the pose, for the redundant joint.
 struct Arm {
     module: &'static str,
-    forward: Box<dyn Fn(&[f64]) -> IsometryMatrix3<f64>>,
-    inverse: Box<dyn Fn(&IsometryMatrix3<f64>, &[f64]) -> Found>,
+    forward: ForwardFn,
+    inverse: InverseFn,
 }
 
 macro_rules! inverse {

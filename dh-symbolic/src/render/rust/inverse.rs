@@ -401,12 +401,10 @@ pub(super) fn combination(form: &[i8], angles: &[String]) -> String {
 /// Which root each step took, with the names that robot controllers use.
 pub(super) fn branch(inverse: &Inverse) -> String {
     let mut out = String::from("::dh_robot::Branch::ANY");
-    let mut place = 0;
-    for (i, _) in inverse.plan.steps.iter().enumerate().filter(|(_, s)| s.roots > 1) {
+    for (place, (i, _)) in inverse.plan.steps.iter().enumerate().filter(|(_, s)| s.roots > 1).enumerate() {
         if place < 8 {
             out.push_str(&format!(".with_step({place}, i{i})"));
         }
-        place += 1;
         let (setter, first, second) = match part_of(inverse, i) {
             Some(0) => ("shoulder", "Shoulder::Left", "Shoulder::Right"),
             Some(1) => ("elbow", "Elbow::Up", "Elbow::Down"),
