@@ -1,6 +1,6 @@
 //! Straight-line code that is proven.
 //!
-//! **In:** a [`Chain`](crate::chain::Chain). **Out:** a [`Program`]: hash-consed instructions with named outputs, found by a
+//! **In:** a [`Chain`]. **Out:** a [`Program`]: hash-consed instructions with named outputs, found by a
 //! search over the ways in which the products can be associated, and proven equal to the product of link transforms.
 //!
 //! **Never here:** tokens, prose, robots' names.

@@ -1,7 +1,7 @@
 //! Lecture notes: from a chain to a document, step by step as on a blackboard.
 //!
 //! **In:** a [`Chain`]. **Out:** a [`Document`]. Prose is in `words`, formulas come from the algebra through
-//! [`Order`](super::grouping::Order) and [`Notation`]; nothing here knows a robot.
+//! [`Order`] and [`Notation`]; nothing here knows a robot.
 
 mod example;
 mod forward;
