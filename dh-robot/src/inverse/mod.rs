@@ -1,7 +1,7 @@
 //! What every generated inverse shares: candidates in, verified solutions out.
 //!
 //! A candidate is put through forward kinematics; one that misses the target by more than rounding is polished; one that still
-//! misses is dropped. Where the closed form degenerates at a pose, [`rescue`] looks for what it lost.
+//! misses is dropped. Where the closed form degenerates at a pose, `rescue` looks for what it lost.
 
 #![allow(clippy::neg_cmp_op_on_partial_ord)] // `!(x <= y)` is how NaN ends on the safe side
 
