@@ -688,7 +688,7 @@ impl Pieper {
         let t_22 = t[2][2] * c_alpha1;
         let t_23 = c_alpha4 * c_alpha5;
         let t_24 = s_alpha4 * c_alpha5;
-        let r0 = ::dh_robot::ik::solve_bilinear(
+        let r0 = ::dh_robot::ik::solve_bilinear_choosing(
             &[
                 t_6,
                 -s_alpha3 * s_alpha2 * t_5,
@@ -711,6 +711,7 @@ impl Pieper {
                 0.0,
                 0.0,
             ],
+            [pick.angle(0), pick.angle(1)],
             1e-11,
         );
         if r0.roots.is_empty() {
@@ -722,11 +723,7 @@ impl Pieper {
         } else {
             free
         };
-        for (i0, &[[c1, s1], [c3, s3]]) in r0
-            .or_if_free([pick.angle(0), pick.angle(1)])
-            .iter()
-            .enumerate()
-        {
+        for (i0, &[[c1, s1], [c3, s3]]) in r0.iter().enumerate() {
             let a0 = ::dh_robot::math::atan2(s1, c1);
             let a1 = ::dh_robot::math::atan2(s3, c3);
             let t_25 = t[0][0] * c1 + t[1][0] * s1;

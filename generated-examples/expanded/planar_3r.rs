@@ -253,9 +253,10 @@ impl Planar3r {
         };
         for (i0, &[c123, s123]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
             let a0 = ::dh_robot::math::atan2(s123, c123);
-            let r1 = ::dh_robot::ik::solve_bilinear(
+            let r1 = ::dh_robot::ik::solve_bilinear_choosing(
                 &[-(t[0][3] - t[0][0] * t_2), t_3, 0.0, 0.0, t_4, 0.0, 0.0, 0.0, -t_4],
                 &[-(t[1][3] - t[1][0] * t_2), 0.0, t_3, 0.0, 0.0, t_4, 0.0, t_4, 0.0],
+                [pick.angle(1), pick.angle(2)],
                 1e-11,
             );
             if r1.roots.is_empty() {
@@ -267,11 +268,7 @@ impl Planar3r {
             } else {
                 free
             };
-            for (i1, &[[c2, s2], [c1, s1]]) in r1
-                .or_if_free([pick.angle(1), pick.angle(2)])
-                .iter()
-                .enumerate()
-            {
+            for (i1, &[[c2, s2], [c1, s1]]) in r1.iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s2, c2);
                 let a2 = ::dh_robot::math::atan2(s1, c1);
                 let branch = ::dh_robot::Branch::ANY.with_step(0, i1);

@@ -2,8 +2,10 @@
 
 use super::found::{Angles, Found, Outcome};
 use super::list::List;
+use super::many::solve_many;
 use super::math::sqrt;
 use super::newton2::{Unknown, polish_pair};
+use super::pair::solve_pair;
 use super::sincos::solve_sincos;
 use super::tolerance::{ACCEPT, SAME, TOUCH, ZERO};
 use super::trig_poly::TrigPoly;
@@ -31,29 +33,66 @@ const NEIGHBOUR: f64 = 4e-3;
 /// - An equation without `u` (or without `v`) is solved first, and the other one after it.
 /// - Where `W` vanishes at a root, the stronger of the two equations gives two values of `u`.
 /// - Each solution is polished by Newton on both equations; what doesn't solve them within [`ACCEPT`] is dropped.
-/// - [`Outcome::Free`] with no root: an equation with all coefficients at most `tol` (absolute), or two that have a
-///   curve of solutions in common.
-pub fn solve_bilinear(e1: &[f64; 9], e2: &[f64; 9], tol: f64) -> Found<AnglePair, 8> {
-    let (Some(e1), Some(e2)) = (scaled(e1, tol), scaled(e2, tol)) else {
-        return Found::none(Outcome::Free);
-    };
-    if !(e1.iter().chain(&e2).all(|x| x.is_finite())) {
+/// - [`Outcome::Free`]: the equations leave an angle free, at some value of the other one or altogether: an equation with all
+///   coefficients at most `tol` (absolute), or two that have a curve of solutions in common. A free angle takes its value from
+///   `choice`, and the other one is solved for. Solutions that stand alone are given as well.
+pub fn solve_bilinear_choosing(e1: &[f64; 9], e2: &[f64; 9], choice: AnglePair, tol: f64) -> Found<AnglePair, 8> {
+    if !(e1.iter().chain(e2).all(|x| x.is_finite())) {
         return Found::none(Outcome::NoRealRoot);
     }
+    let (e1, e2) = match (scaled(e1, tol), scaled(e2, tol)) {
+        (Some(e1), Some(e2)) => (e1, e2),
+        (Some(e), None) | (None, Some(e)) => return choose(&e, &e, choice),
+        (None, None) => return free(choice),
+    };
+    let back = [choice[1], choice[0]];
     for (first, second) in [(&e1, &e2), (&e2, &e1)] {
         if lacks_first(first) {
-            return second_angle_first(first, second);
+            return second_angle_first(first, second, choice[0]);
         }
         if lacks_first(&transposed(first)) {
-            return swapped(second_angle_first(&transposed(first), &transposed(second)));
+            return swapped(second_angle_first(&transposed(first), &transposed(second), back[0]));
         }
     }
-    let found = by_elimination(&e1, &e2);
-    if !found.is_free() {
+    let found = by_elimination(&e1, &e2, choice[0]);
+    if !(found.is_free() && found.roots.is_empty()) {
         return found;
     }
     // Eliminating the other angle may still work, e.g. if both equations have a factor in u alone.
-    swapped(by_elimination(&transposed(&e1), &transposed(&e2)))
+    let found = swapped(by_elimination(&transposed(&e1), &transposed(&e2), back[0]));
+    if !(found.is_free() && found.roots.is_empty()) {
+        return found;
+    }
+    choose(&e1, &e2, choice)
+}
+
+/// The same with zero for a free angle.
+pub fn solve_bilinear(e1: &[f64; 9], e2: &[f64; 9], tol: f64) -> Found<AnglePair, 8> {
+    solve_bilinear_choosing(e1, e2, [[1.0, 0.0]; 2], tol)
+}
+
+fn free(root: AnglePair) -> Found<AnglePair, 8> {
+    let mut found = Found::none(Outcome::Free);
+    found.roots.push(root);
+    found
+}
+
+/// Solutions of two dependent equations: one angle as chosen, the other one to it.
+#[cold]
+fn choose(e1: &[f64; 9], e2: &[f64; 9], choice: AnglePair) -> Found<AnglePair, 8> {
+    let mut found = Found::none(Outcome::Free);
+    for swap in [false, true] {
+        let (e, u) = if swap { ([*e1, *e2], choice[1]) } else { ([transposed(e1), transposed(e2)], choice[0]) };
+        let [[a1, b1, c1], [a2, b2, c2]] = e.map(|e| at_second(&e, u));
+        let vs = solve_pair(b1, c1, -a1, b2, c2, -a2, ZERO);
+        for &v in &vs.or_if_free(choice[usize::from(!swap)]) {
+            found.roots.push(if swap { [v, u] } else { [u, v] });
+        }
+        if !found.roots.is_empty() {
+            break;
+        }
+    }
+    found
 }
 
 /// The equation over its largest coefficient; `None` if that is nothing.
@@ -96,19 +135,19 @@ fn first_angle(e: &[f64; 9], v: [f64; 2]) -> Angles<2> {
     solve_sincos(b, c, -a, ZERO)
 }
 
-/// `first` has no `u`.
-fn second_angle_first(first: &[f64; 9], second: &[f64; 9]) -> Found<AnglePair, 8> {
+/// `first` has no `u`; where `second` has none either, it is `choice`.
+fn second_angle_first(first: &[f64; 9], second: &[f64; 9], choice: [f64; 2]) -> Found<AnglePair, 8> {
     let vs = solve_sincos(first[1], first[2], -first[0], ZERO);
     let mut found = Found { roots: List::new(), outcome: vs.outcome };
     let mut free = vs.is_free();
     for &v in &vs {
         let us = first_angle(second, v);
-        for &u in &us {
-            found.roots.push([u, v]);
-        }
         free |= us.is_free();
         if us.outcome != Outcome::Regular {
             found.outcome = us.outcome;
+        }
+        for &u in &us.or_if_free(choice) {
+            found.roots.push([u, v]);
         }
     }
     if free {
@@ -119,8 +158,20 @@ fn second_angle_first(first: &[f64; 9], second: &[f64; 9]) -> Found<AnglePair, 8
     found
 }
 
+/// The value of `v` near a touching root at which both equations hold whatever `u` is; `None` if there is none.
+#[cold]
+fn free_at(e1: &[f64; 9], e2: &[f64; 9], near: [f64; 2]) -> Option<[f64; 2]> {
+    let rows: [[f64; 3]; 6] = core::array::from_fn(|k| {
+        let (e, i) = if k < 3 { (e1, 3 * k) } else { (e2, 3 * (k - 3)) };
+        [e[i + 1], e[i + 2], -e[i]]
+    });
+    let holds = |v: &[f64; 2]| [e1, e2].iter().all(|e| at_second(e, *v).iter().all(|x| x.abs() <= ACCEPT));
+    let close = |v: &[f64; 2]| (v[0] - near[0]).abs() + (v[1] - near[1]).abs() <= NEIGHBOUR;
+    solve_many(&rows, ZERO).iter().copied().find(|v| close(v) && holds(v))
+}
+
 /// The general case.
-fn by_elimination(e1: &[f64; 9], e2: &[f64; 9]) -> Found<AnglePair, 8> {
+fn by_elimination(e1: &[f64; 9], e2: &[f64; 9], choice: [f64; 2]) -> Found<AnglePair, 8> {
     let ([a1, b1, c1], [a2, b2, c2]) = (in_second(e1), in_second(e2));
     let minor = |p: &TrigPoly<1>, q: &TrigPoly<1>, r: &TrigPoly<1>, s: &TrigPoly<1>| -> TrigPoly<2> {
         p.times::<1, 2>(q).plus(&r.times::<1, 2>(s), -1.0)
@@ -130,6 +181,11 @@ fn by_elimination(e1: &[f64; 9], e2: &[f64; 9]) -> Found<AnglePair, 8> {
     let vs: Found<_, 8> = eliminant.marked_roots(ZERO, TOUCH);
     let mut found = Found { roots: List::new(), outcome: vs.outcome };
     for &(v, touches) in &vs {
+        if touches && let Some(v) = free_at(e1, e2, v) {
+            found.outcome = Outcome::Free;
+            found.roots.push([choice, v]);
+            continue;
+        }
         let mut starts = List::<[f64; 2], 3>::new();
         starts.push(v);
         if touches {
@@ -148,10 +204,6 @@ fn by_elimination(e1: &[f64; 9], e2: &[f64; 9]) -> Found<AnglePair, 8> {
                 continue;
             }
             let us = first_angle(if n1 >= n2 { e1 } else { e2 }, v);
-            if us.is_free() && a1.abs().max(a2.abs()) <= ACCEPT {
-                // Both equations lose u at this v, and hold.
-                found.outcome = Outcome::Free;
-            }
             for &u in &us {
                 add(&mut found.roots, e1, e2, u, v);
             }

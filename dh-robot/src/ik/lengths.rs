@@ -4,6 +4,7 @@ use super::found::{Found, Outcome};
 use super::list::List;
 use super::math::sqrt;
 use super::newton2::polish_pair;
+use super::sincos::solve_sincos;
 use super::tolerance::{ACCEPT, BOUNDARY, DOUBLE, SAME, ZERO};
 use super::trig_poly::TrigPoly;
 
@@ -62,17 +63,28 @@ pub fn solve_length_and_angle(e1: &[f64; 6], e2: &[f64; 6], tol: f64) -> Found<L
 ///
 /// - Where `d` is linear in both equations, the degree is 2. Where an equation has no `d` at all, it is solved first.
 /// - Each solution is polished on both equations and dropped if it misses them by more than [`ACCEPT`].
-/// - [`Outcome::Free`] with no root: an equation whose coefficients are all at most `tol` (absolute), or a common curve.
-pub fn solve_length_squared_and_angle(e1: &[f64; 9], e2: &[f64; 9], tol: f64) -> Found<LengthAngle, 8> {
-    let size = |e: &[f64; 9]| e.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-    let (s1, s2) = (size(e1), size(e2));
-    if s1 <= tol || s2 <= tol {
-        return Found::none(Outcome::Free);
-    }
-    let (e1, e2) = (e1.map(|x| x / s1), e2.map(|x| x / s2));
-    if !e1.iter().chain(&e2).all(|x| x.is_finite()) {
+/// - [`Outcome::Free`]: the equations leave an unknown free, at some value of the other one or altogether: an equation whose
+///   coefficients are all at most `tol` (absolute), or a common curve. It then takes its value from `choice`, and the other one is
+///   solved for. Solutions that stand alone are given as well.
+pub fn solve_length_squared_and_angle_choosing(
+    e1: &[f64; 9],
+    e2: &[f64; 9],
+    choice: LengthAngle,
+    tol: f64,
+) -> Found<LengthAngle, 8> {
+    if !e1.iter().chain(e2).all(|x| x.is_finite()) {
         return Found::none(Outcome::NoRealRoot);
     }
+    let size = |e: &[f64; 9]| e.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    let (s1, s2) = (size(e1), size(e2));
+    let scaled = |e: &[f64; 9], s: f64| e.map(|x| x / s);
+    match (s1 <= tol, s2 <= tol) {
+        (false, false) => {}
+        (false, true) => return choose(&scaled(e1, s1), choice),
+        (true, false) => return choose(&scaled(e2, s2), choice),
+        (true, true) => return choose(&[0.0; 9], choice),
+    }
+    let (e1, e2) = (scaled(e1, s1), scaled(e2, s2));
     let absent = |e: &[f64; 9], from: usize| e[from..].iter().all(|x| x.abs() <= ZERO);
     let (p1, p2) = (in_angle(&e1), in_angle(&e2));
     let minor =
@@ -96,6 +108,7 @@ pub fn solve_length_squared_and_angle(e1: &[f64; 9], e2: &[f64; 9], tol: f64) ->
         let ds = solve_quadratic(q[2], q[1], q[0], ZERO);
         if ds.is_free() {
             found.outcome = Outcome::Free;
+            found.roots.push((choice.0, v));
         }
         // Both equations together, without d^2: exact where the single one has a double root.
         let (bottom, top) = (q1[1] * q2[2] - q2[1] * q1[2], q1[0] * q2[2] - q2[0] * q1[2]);
@@ -104,8 +117,45 @@ pub fn solve_length_squared_and_angle(e1: &[f64; 9], e2: &[f64; 9], tol: f64) ->
             add(&mut found.roots, &e1, &e2, d, v);
         }
     }
-    if found.roots.is_empty() && found.outcome != Outcome::Free {
+    if found.roots.is_empty() && found.outcome == Outcome::Free {
+        // The angle drops out: the lengths at a chosen one.
+        let weight = |e: &[f64; 9]| e[3..].iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        let (strong, weak) = if weight(&e1) >= weight(&e2) { (&e1, &e2) } else { (&e2, &e1) };
+        let mut chosen = choose(strong, choice);
+        let candidates = core::mem::take(&mut chosen.roots);
+        for root in candidates.iter() {
+            let [a, b, c] = at_angle(weak, root.1);
+            if (a + root.0 * (b + root.0 * c)).abs() <= ACCEPT * (1.0 + root.0 * root.0) {
+                chosen.roots.push(*root);
+            }
+        }
+        return chosen;
+    }
+    if found.roots.is_empty() {
         found.outcome = Outcome::NoRealRoot;
+    }
+    found
+}
+
+/// The same with zero for what is free.
+pub fn solve_length_squared_and_angle(e1: &[f64; 9], e2: &[f64; 9], tol: f64) -> Found<LengthAngle, 8> {
+    solve_length_squared_and_angle_choosing(e1, e2, (0.0, [1.0, 0.0]), tol)
+}
+
+/// Solutions of one equation: the angle as chosen and the lengths to it, or the length as chosen and the angles to it.
+#[cold]
+fn choose(e: &[f64; 9], choice: LengthAngle) -> Found<LengthAngle, 8> {
+    let mut found = Found::none(Outcome::Free);
+    let [a, b, c] = at_angle(e, choice.1);
+    for &d in &solve_quadratic(c, b, a, ZERO).or_if_free(choice.0) {
+        found.roots.push((d, choice.1));
+    }
+    if found.roots.is_empty() {
+        let d = choice.0;
+        let [a, b, c] = [0, 1, 2].map(|i| e[i] + d * (e[i + 3] + d * e[i + 6]));
+        for &v in &solve_sincos(b, c, -a, ZERO).or_if_free(choice.1) {
+            found.roots.push((d, v));
+        }
     }
     found
 }

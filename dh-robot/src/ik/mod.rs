@@ -31,10 +31,11 @@ pub mod tolerance;
 mod trig_poly;
 mod trig_roots;
 
-pub use bilinear::{AnglePair, solve_bilinear};
+pub use bilinear::{AnglePair, solve_bilinear, solve_bilinear_choosing};
 pub use found::{Angles, Found, Outcome};
 pub use lengths::{
-    LengthAngle, solve_length_and_angle, solve_length_squared_and_angle, solve_quadratic, solve_two_lengths,
+    LengthAngle, solve_length_and_angle, solve_length_squared_and_angle, solve_length_squared_and_angle_choosing,
+    solve_quadratic, solve_two_lengths,
 };
 pub use list::{Blank, List};
 pub use many::solve_many;

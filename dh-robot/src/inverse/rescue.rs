@@ -37,27 +37,17 @@ pub(super) fn rescue<A: Kinematics<N>, T: Real, const N: usize, const M: usize>(
             });
         }
     }
-    // Few joints cannot follow any small motion of the target: only those of an arm that reaches it.
-    let few = verifier.setting.few;
-    if few && verifier.out.is_empty() && first.degenerate {
-        search(verifier);
+    if verifier.setting.few {
+        // Few joints cannot follow a small motion of the target.
+        if first.degenerate {
+            search(verifier, true);
+        }
+        return;
     }
     for size in [1e-4, 1e-2] {
         for motion in &MOTIONS {
-            let near = match verifier.out.first() {
-                _ if !few => moved(frame, motion, size),
-                Some(s) => {
-                    let q = core::array::from_fn(|k| {
-                        let given = verifier.setting.given.is_some_and(|g| g.0 == k);
-                        let step = if given { 0.0 } else { size * motion[k % 6] };
-                        let slides = !verifier.setting.joints[k].is_revolute();
-                        s.q[k].to_f64() + if slides { step * verifier.setting.reach } else { step }
-                    });
-                    over_reach(&verifier.arm.forward(&q), verifier.setting.reach)
-                }
-                None => return,
-            };
             let earlier = verifier.out.len();
+            let near = moved(frame, motion, size);
             candidates(&near, Pick::FIRST, &mut |q, branch, _| verifier.take_rough(q, branch, earlier));
         }
         if !verifier.out.is_empty() {
@@ -65,7 +55,7 @@ pub(super) fn rescue<A: Kinematics<N>, T: Real, const N: usize, const M: usize>(
         }
     }
     if first.degenerate {
-        search(verifier);
+        search(verifier, false);
     }
 }
 
@@ -79,8 +69,8 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
     }
 }
 
-/// Damped Newton steps from starts all over the joint space, until one arrives.
-fn search<A: Kinematics<N>, T: Real, const N: usize, const M: usize>(verifier: &mut Verifier<'_, A, T, N, M>) {
+/// Damped Newton steps from starts all over the joint space, until one arrives, or from all of them.
+fn search<A: Kinematics<N>, T: Real, const N: usize, const M: usize>(verifier: &mut Verifier<'_, A, T, N, M>, all: bool) {
     // Additive recurrence with the powers of the root of x^(N+1) = x + 1 for N = 6: evenly spread in six dimensions.
     const RATIOS: [f64; 7] = [0.898_654, 0.807_579, 0.725_734, 0.652_184, 0.586_087, 0.526_690, 0.473_312];
     for start in 1..=STARTS {
@@ -94,15 +84,13 @@ fn search<A: Kinematics<N>, T: Real, const N: usize, const M: usize>(verifier: &
         });
         if verifier.polish(&mut q, STEPS) {
             let free = verifier.free_joints(&q, false);
-            verifier.insert(q, Branch::ANY, free, 0);
-            return;
+            let known = verifier.out.len();
+            verifier.insert(q, Branch::ANY, free, known);
+            if !all {
+                return;
+            }
         }
     }
-}
-
-/// A pose in table units, with lengths over the reach.
-fn over_reach(t: &Pose, reach: f64) -> Pose {
-    t.map(|row| [row[0], row[1], row[2], row[3] / reach])
 }
 
 /// A pose after a small motion.

@@ -108,24 +108,22 @@ impl Inverse {
                 .iter()
                 .map(|k| k.form.iter().zip(x).map(|(k, x)| f64::from(*k) * x).sum())
                 .collect();
-            let found = self.solve(chain, &target, &given).iter().any(|c| {
+            // What the plan chooses is chosen as in the generating joint vector, so that it must come back.
+            let pick = |step: usize| {
+                let known =
+                    self.solvers.get(step).and_then(|s| s.finds.first()).map(|k| &self.plan.knowledge.known[*k]);
+                let value = known.map_or(0.0, |k| k.form.iter().zip(x).map(|(k, x)| f64::from(*k) * x).sum::<f64>());
+                ([value.cos(), value.sin()], value)
+            };
+            let found = self.attempt(chain, &target, &given, &pick).candidates.iter().any(|c| {
                 (0..axes.real).all(|k| {
                     let d = c.x[k] - x[k];
                     if axes.turns(k) { (1.0 - d.cos()) < 1e-7 } else { d.abs() < 1e-4 }
-                }) || self.is_singular_choice() && self.reaches(chain, &c.x, &target)
+                })
             });
             missed += usize::from(!found);
         }
         if missed == 0 { Ok(()) } else { Err((missed, vectors.len())) }
-    }
-
-    /// Does the plan choose a coordinate, so that the generating joint vector need not come back?
-    fn is_singular_choice(&self) -> bool {
-        self.plan.steps.iter().any(|s| s.kind == StepKind::Choose)
-    }
-
-    fn reaches(&self, _chain: &Chain, _x: &[f64], _target: &Pose) -> bool {
-        true
     }
 }
 
@@ -298,14 +296,15 @@ fn solve_step(
             (found.or_if_free(angle).iter().map(|r| vec![*r]).collect(), free)
         }
         StepKind::Bilinear => {
-            let found = ik::solve_bilinear(&nine(&rows[0]), &nine(&rows[1]), NOISE);
+            let found = ik::solve_bilinear_choosing(&nine(&rows[0]), &nine(&rows[1]), [angle, second], NOISE);
             let free = found.is_free();
-            (found.or_if_free([angle, second]).iter().map(|r| r.to_vec()).collect(), free)
+            (found.iter().map(|r| r.to_vec()).collect(), free)
         }
         StepKind::SlideAndTurn => {
-            let found = ik::solve_length_squared_and_angle(&nine(&rows[0]), &nine(&rows[1]), NOISE);
+            let (e1, e2) = (nine(&rows[0]), nine(&rows[1]));
+            let found = ik::solve_length_squared_and_angle_choosing(&e1, &e2, (length, second), NOISE);
             let free = found.is_free();
-            (found.or_if_free((length, second)).iter().map(|r| vec![[r.0, r.0], r.1]).collect(), free)
+            (found.iter().map(|r| vec![[r.0, r.0], r.1]).collect(), free)
         }
         StepKind::Choose => (vec![vec![if turns { angle } else { [length, length] }]], true),
         StepKind::General => {

@@ -303,10 +303,9 @@ fn candidates(chain: &Chain, inverse: &Inverse) -> String {
             .map(|k| plan.knowledge.known[*k].symbols.map(|s| identifier(plan.knowledge.ring.symbol_name(s))))
             .collect();
         let pattern = (call.pattern)(&symbols);
-        out.push_str(&format!(
-            "for (i{i}, &{pattern}) in r{i}.or_if_free({}).iter().enumerate() {{\n",
-            call.representative
-        ));
+        let or =
+            if call.representative.is_empty() { "".into() } else { format!(".or_if_free({})", call.representative) };
+        out.push_str(&format!("for (i{i}, &{pattern}) in r{i}{or}.iter().enumerate() {{\n"));
         for (k, [c, s]) in solver.finds.iter().zip(&symbols) {
             let form = &plan.knowledge.known[*k];
             if form.turns {
@@ -421,6 +420,7 @@ pub(super) fn branch(inverse: &Inverse) -> String {
 /// A call of a kernel.
 struct Call {
     text: String,
+    /// What a free unknown takes; empty where the kernel knows.
     representative: String,
     pattern: fn(&[[String; 2]]) -> String,
 }
@@ -481,13 +481,23 @@ fn call((step, turns, solver): (usize, bool, &Solver), body: &Body<'_>, inverse:
             angle,
         ),
         StepKind::Bilinear => (
-            format!("::dh_robot::ik::solve_bilinear(&[{}], &[{}], {noise})", list(0, 9), list(1, 9)),
-            format!("[{picked}, pick.angle({})]", step + 1),
+            format!(
+                "::dh_robot::ik::solve_bilinear_choosing(&[{}], &[{}], [{picked}, pick.angle({})], {noise})",
+                list(0, 9),
+                list(1, 9),
+                step + 1
+            ),
+            String::new(),
             (|s| format!("[[{}, {}], [{}, {}]]", s[0][0], s[0][1], s[1][0], s[1][1])) as fn(&[[String; 2]]) -> String,
         ),
         StepKind::SlideAndTurn => (
-            format!("::dh_robot::ik::solve_length_squared_and_angle(&[{}], &[{}], {noise})", list(0, 9), list(1, 9)),
-            format!("({picked_length}, pick.angle({}))", step + 1),
+            format!(
+                "::dh_robot::ik::solve_length_squared_and_angle_choosing(&[{}], &[{}], ({picked_length}, pick.angle({})), {noise})",
+                list(0, 9),
+                list(1, 9),
+                step + 1
+            ),
+            String::new(),
             (|s| format!("({}, [{}, {}])", s[0][0], s[1][0], s[1][1])) as fn(&[[String; 2]]) -> String,
         ),
         StepKind::Choose if !turns => {
