@@ -2,6 +2,7 @@
 
 use super::{Block, Equation, Math, Phrase, Sign, Span, Text, Writer};
 use crate::algebra::Transform;
+use crate::chain::Task;
 use crate::planner::{self, StepKind};
 use crate::render::story::{Source, StepStory, Story};
 
@@ -57,9 +58,16 @@ impl Writer<'_> {
             shown.push((name, end));
         }
         let r = Math::Letter('r').below(Math::Row(vec![Math::Letter('i'), Math::Letter('j')]));
-        self.say(Phrase::Wanted, vec![whole, Math::Row(product), r, Math::Letter('p')]);
+        self.say(Phrase::Wanted, vec![Math::equation(whole, Math::Row(product)), r, Math::Letter('p')]);
         for (name, t) in shown {
             self.transform(name, None, t, None);
+        }
+        let open = |k| vec![story.coordinate(k)];
+        match self.chain.task {
+            Task::Pose => {}
+            Task::Axis => self.say(Phrase::TaskAxis, open(self.chain.dof())),
+            Task::Position => self.say(Phrase::TaskPosition, vec![]),
+            Task::Planar => self.say(Phrase::TaskPlanar, open(self.chain.dof())),
         }
         let i = || Math::Letter('i');
         if self.chain.convention == crate::chain::Convention::Standard {

@@ -105,6 +105,15 @@ impl Story<'_> {
         (angles.len() > 1).then(|| (self.notation.angle_sum(&angles), self.notation.combination(&angles)))
     }
 
+    /// The name of a coordinate.
+    pub(crate) fn coordinate(&self, k: usize) -> Math {
+        match self.plan.axes.coordinates.get(k) {
+            Some(Coordinate::Angle(v)) => self.notation.angle(*v),
+            Some(Coordinate::Length(s)) => self.notation.symbol(*s),
+            None => Math::number(0),
+        }
+    }
+
     pub(super) fn plan_pose(&self, i: usize) -> Option<&KnownPose> {
         self.plan.knowledge.poses.get(self.poses.get(i)?.index)
     }
