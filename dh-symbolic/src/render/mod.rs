@@ -16,6 +16,7 @@ pub mod html;
 pub mod latex;
 pub mod markdown;
 pub mod math;
+mod name;
 pub mod notation;
 pub mod notes;
 pub mod plain;

@@ -72,8 +72,8 @@ phrases! {
         "已知位姿 {}，其方向余弦为 {}，位置为 {}；求各关节变量。每一步使用机械臂两个坐标系之间变换的元素，它们也可由已知位姿和前面求出的关节得到。";
     FramesStandard: "Frames of the inverse stand on the joint axes: frame {} is frame {} of the table after the motion of joint {}.",
         "逆解中的坐标系位于关节轴上：坐标系 {} 是表中坐标系 {} 经关节 {} 运动后的坐标系。";
-    PrimedModified: "Frame {} is frame {} without its shift along the axis.", "{} 是去掉沿轴平移后的坐标系 {}。";
-    PrimedStandard: "Frame {} is frame {} after its shift along the axis.", "{} 是沿轴平移后的坐标系 {}。";
+    PrimedModified: "Frame {} is frame {} without its shift along the axis.", "坐标系 {} 是去掉沿轴平移后的坐标系 {}。";
+    PrimedStandard: "Frame {} is frame {} after its shift along the axis.", "坐标系 {} 是沿轴平移后的坐标系 {}。";
     TaskAxis: "Only the position and the direction of the last z axis are asked for. The turn {} about it is open: it counts as one more joint, whose value does not matter.",
         "只要求位置和最后 z 轴的方向。绕该轴的转角 {} 不限：把它看作多出的一个关节，其值无关紧要。";
     TaskPosition: "Only the position is asked for. Three turns about the tool's point are open: they count as further joints, whose values do not matter.",

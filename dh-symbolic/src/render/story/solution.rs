@@ -180,8 +180,7 @@ impl Writer<'_, '_> {
         let (x, y) = (self.short(&a), self.short(&b));
         let right = Math::Row(vec![
             atan2(self.typeset(&-&x), self.typeset(&y)),
-            sign(Sign::Wide),
-            Math::word("or"),
+            sign(Sign::Comma),
             sign(Sign::Wide),
             atan2(self.typeset(&x), self.typeset(&-&y)),
         ]);

@@ -25,8 +25,8 @@ fn evaluate(m: &Math, values: &Values) -> Vec<f64> {
 
 fn alternatives(t: &[Math], at: &mut usize, v: &Values) -> Vec<f64> {
     let mut out = sum(t, at, v);
-    while matches!(t.get(*at), Some(Math::Sign(Sign::Wide))) {
-        *at += 3; // room, "or", room
+    while matches!(t.get(*at), Some(Math::Sign(Sign::Comma))) {
+        *at += 2; // comma, room
         out.extend(sum(t, at, v));
     }
     out
