@@ -1,6 +1,9 @@
 //! The corpus of hand derivations: every printed line is checked by the algebra, and the verdicts stay what they are.
 
-use dh_symbolic::kinematics::claims::Verdict;
+use dh_symbolic::chain::Chain;
+use dh_symbolic::chain::claim::{Derivation, Token, line_text};
+use dh_symbolic::chain::table::{Claims, parse};
+use dh_symbolic::kinematics::claims::{Verdict, check};
 use dh_symbolic::render::verdict::{derivation_report, verdict_word};
 use generated_examples::corpus::{self, Checked};
 use std::collections::BTreeMap;
@@ -88,4 +91,49 @@ fn the_slips_are_found() {
     wrong.sort();
     wrong.dedup();
     insta::assert_snapshot!("corpus_slips", wrong.join("\n"));
+}
+
+/// One wrong letter or sign in any true line of the PUMA is found, and mended by one letter or sign.
+#[test]
+fn every_slip_of_the_pen_is_mended() {
+    let path = corpus::folder().join("puma560.dh");
+    let parsed = parse(std::fs::read_to_string(path).unwrap().parse().unwrap());
+    let derivation = Claims::read(&parsed.claims).derivation;
+    let chain = Chain::new(parsed.spec.unwrap());
+    let verdict = |tokens: Vec<Token>| {
+        let d = Derivation::parse(tokens);
+        check(&chain, &d).verdicts.remove(0)
+    };
+    let mut slips = 0;
+    for line in &derivation.lines {
+        let tokens = &derivation.tokens[line.place.clone()];
+        if !matches!(verdict(tokens.to_vec()), Verdict::Proven(_)) || line.note.contains("flip") {
+            continue;
+        }
+        let first = tokens.iter().position(|t| t.is("=")).unwrap() + 1;
+        for i in first..tokens.len() {
+            let t = &tokens[i];
+            let slip = match t.text.as_str() {
+                "+" => "-".to_string(),
+                "-" if !tokens[i - 1].is("=") && !tokens[i - 1].is(",") => "+".to_string(),
+                name if name.starts_with('c') => name.replacen('c', "s", 1),
+                name if name.starts_with('s') => name.replacen('s', "c", 1),
+                _ => continue,
+            };
+            let mut wrong = tokens.to_vec();
+            wrong[i] = Token::new(&slip);
+            let text = line_text(&wrong).0;
+            match verdict(wrong.clone()) {
+                Verdict::Wrong(faults) => {
+                    let mend = faults[0].mend.clone().unwrap_or_else(|| panic!("not mended: {text}"));
+                    assert_eq!(mend.edits.len(), 1, "{text}");
+                    let mended = mend.apply(&wrong, &(0..wrong.len()));
+                    assert!(matches!(verdict(mended), Verdict::Proven(_)), "{text}");
+                }
+                other => panic!("{other:?}: {text}"),
+            }
+            slips += 1;
+        }
+    }
+    assert!(slips > 150, "{slips}");
 }

@@ -1,8 +1,8 @@
 //! Formulas to values.
 
 use super::Evaluator;
-use super::ratio::{Ratio, Trouble, Worked};
-use super::scope::radians;
+use super::number::Written;
+use super::ratio::{Ratio, Worked};
 use super::value::{Matrix, Turn, Value};
 use crate::algebra::{Angle, LinearAngle, Poly, Rational};
 use crate::chain::claim::{Expr, ExprKind, NotUnderstood, Place};
@@ -22,52 +22,6 @@ impl<T> At<T> for Worked<T> {
     fn at(self, place: &Place) -> Understood<T> {
         self.or_else(|t| refuse(place, t.why()))
     }
-}
-
-/// A number as written.
-pub(super) struct Written {
-    pub(super) value: Rational,
-    pub(super) unit: String,
-    /// Digits after the point, exponent taken into account; `None` where no point is written.
-    pub(super) decimals: Option<i32>,
-}
-
-impl Written {
-    pub(super) fn read(text: &str) -> Option<Written> {
-        let text: String = text.chars().filter(|c| *c != '_').collect();
-        let digit = |i: usize| text.as_bytes().get(i).is_some_and(u8::is_ascii_digit);
-        let mut end = text.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(text.len());
-        if text[end..].starts_with(['e', 'E']) {
-            let sign = usize::from(text[end + 1..].starts_with(['-', '+']));
-            if digit(end + 1 + sign) {
-                end += 1 + sign;
-                while digit(end) {
-                    end += 1;
-                }
-            }
-        }
-        let (digits, unit) = text.split_at(end);
-        let decimals = digits.split_once('.').map(|(_, tail)| {
-            let (fraction, power) = tail.split_once(['e', 'E']).unwrap_or((tail, "0"));
-            i32::try_from(fraction.len()).unwrap_or(0) - power.parse::<i32>().unwrap_or(0)
-        });
-        Some(Written { value: Rational::from_decimal(digits)?, unit: unit.to_string(), decimals })
-    }
-}
-
-/// Metres in a unit of length.
-fn metres(unit: &str) -> Option<Rational> {
-    let (n, d) = match unit {
-        "m" => (1, 1),
-        "dm" => (1, 10),
-        "cm" => (1, 100),
-        "mm" => (1, 1000),
-        "um" => (1, 1_000_000),
-        "in" => (254, 10_000),
-        "ft" => (3048, 10_000),
-        _ => return None,
-    };
-    Rational::new(n, d)
 }
 
 impl Evaluator<'_> {
@@ -132,28 +86,6 @@ impl Evaluator<'_> {
             }
             ExprKind::Call(name, arguments) => self.call(name, arguments, &e.place),
         }
-    }
-
-    fn number(&mut self, text: &str, place: &Place) -> Understood<Value> {
-        let Some(Written { value, unit, .. }) = Written::read(text) else {
-            return refuse(place, format!("`{text}` is no number"));
-        };
-        Ok(match unit.as_str() {
-            "" => Value::Scalar(Ratio::number(value)),
-            "deg" => Value::Angle(Turn::constant(Angle::degrees(&value))),
-            "turn" => Value::Angle(Turn::constant(Angle::half_turns(&value * &Rational::int(2)))),
-            "rad" if value.is_zero() => Value::Angle(Turn::constant(Angle::ZERO)),
-            "rad" => Value::Angle(Turn::constant(radians(value.to_f64()))),
-            _ => match (metres(&unit), self.chain.unit.metres.recip()) {
-                (Some(m), Some(per_metre)) => Value::Scalar(Ratio::number(&(&value * &m) * &per_metre)),
-                _ => {
-                    return refuse(
-                        place,
-                        format!("unknown unit `{unit}`; lengths: m, cm, mm, in; angles: deg, rad, turn"),
-                    );
-                }
-            },
-        })
     }
 
     /// A value as a number; an angle counts as the number of its radians, which is independent of its sine.
@@ -331,83 +263,4 @@ impl Evaluator<'_> {
         a.constant = Angle::ZERO;
         a
     }
-
-    /// The square root that is not negative.
-    pub(super) fn root(&mut self, x: &Ratio) -> Worked<Ratio> {
-        let x = self.reduce(x)?;
-        if let Some(r) = x.as_rational().and_then(|x| root_of_number(&x)) {
-            return Ok(r.into());
-        }
-        if let Some(known) = self.roots.iter().find(|r| r.radicand == x) {
-            return Ok(Poly::symbol(known.symbol).into());
-        }
-        let inner = if x.den.is_one() {
-            self.ring.text(&x.num)
-        } else {
-            format!("({})/({})", self.ring.text(&x.num), self.ring.text(&x.den))
-        };
-        let symbol = self.ring.symbol(&format!("sqrt({inner})"));
-        self.roots.push(super::Root { symbol, radicand: x });
-        Ok(Poly::symbol(symbol).into())
-    }
-
-    /// Puts the radicand in place of squares of roots, newest root first.
-    pub(super) fn reduce(&mut self, x: &Ratio) -> Worked<Ratio> {
-        let mut out = x.clone();
-        for i in (0..self.roots.len()).rev() {
-            let super::Root { symbol, radicand } = self.roots[i].clone();
-            for top in [true, false] {
-                let p = if top { &out.num } else { &out.den };
-                let half = p.degree(symbol) / 2;
-                if half == 0 {
-                    continue;
-                }
-                let mut sum = Poly::zero();
-                for (m, c) in p.collect(|f| matches!(f, crate::algebra::Factor::Power(s, _) if *s == symbol)) {
-                    let n = m.exponent(symbol);
-                    let squares = self.work.power(&radicand.num, n / 2)?;
-                    let rest = self.work.power(&radicand.den, half - n / 2)?;
-                    let part = self.work.times(&c, &Poly::power(symbol, n % 2))?;
-                    let part = self.work.times(&part, &squares)?;
-                    sum = &sum + &self.work.times(&part, &rest)?;
-                }
-                let scale = self.work.power(&radicand.den, half)?;
-                out = if top {
-                    Ratio::new(sum, self.work.times(&out.den, &scale)?)?
-                } else if sum.is_zero() {
-                    return Err(Trouble::DivisionByZero);
-                } else {
-                    Ratio::new(self.work.times(&out.num, &scale)?, sum)?
-                };
-            }
-        }
-        Ok(out)
-    }
-}
-
-/// The exact root of a positive rational, where it lies in Q(sqrt 2, sqrt 3).
-fn root_of_number(x: &Rational) -> Option<Poly> {
-    let (n, d) = x.to_small()?;
-    // sqrt(n/d) = sqrt(n d)/d
-    let mut rest = n.checked_mul(d).filter(|m| *m >= 0)?;
-    if rest == 0 {
-        return Some(Poly::zero());
-    }
-    let mut outside = 1i64;
-    let mut p = 2i64;
-    while p * p <= rest && p < 100_000 {
-        while rest % (p * p) == 0 {
-            rest /= p * p;
-            outside *= p;
-        }
-        p += 1;
-    }
-    let root = match rest {
-        1 => Poly::one(),
-        2 => Poly::sqrt2(),
-        3 => Poly::sqrt3(),
-        6 => &Poly::sqrt2() * &Poly::sqrt3(),
-        _ => return None,
-    };
-    Some(root.scale(&Rational::new(outside, d)?))
 }

@@ -12,10 +12,14 @@ mod evaluate;
 mod functions;
 mod line;
 mod mend;
+mod near;
+mod number;
 mod point;
 mod quick;
 mod ratio;
+mod root;
 mod scope;
+mod substitute;
 #[cfg(test)]
 mod tests;
 mod value;

@@ -1,11 +1,12 @@
 //! Numbers at a point: the values of an `at` line, rounding, and random points that keep a verdict honest.
 
 use super::Evaluator;
-use super::evaluate::{Understood, Written, refuse};
-use super::functions::{Variable, variable_of};
+use super::evaluate::{Understood, refuse};
+use super::number::Written;
 use super::ratio::Ratio;
+use super::substitute::{Variable, variable_of};
 use super::value::{Turn, Value};
-use crate::algebra::{Angle, AngleVar, Point, Poly, Symbol};
+use crate::algebra::{Angle, AngleVar, Monomial, Point, Poly, Rational, Symbol};
 use crate::chain::claim::{Expr, ExprKind, Setting};
 use crate::chain::{AngleCell, Coordinate, Handle, Role, Value as Nominal};
 use std::collections::BTreeMap;
@@ -46,6 +47,13 @@ impl Numbers {
         if x.den.is_one() { self.evaluate(&x.num) } else { self.evaluate(&x.num) / self.evaluate(&x.den) }
     }
 
+    /// The numerator, measured against its largest term.
+    fn relative(&self, x: &Ratio) -> f64 {
+        let size = |(m, c): &(Monomial, Rational)| self.evaluate(&Poly::term(m.clone(), c.clone())).abs();
+        let largest = x.num.terms().iter().map(size).fold(f64::MIN_POSITIVE, f64::max);
+        self.evaluate(&x.num) / largest
+    }
+
     pub(super) fn turn(&self, t: &Turn) -> f64 {
         let linear: f64 =
             t.terms.iter().map(|(v, k)| k.to_f64() * self.angles.get(v).copied().unwrap_or(f64::NAN)).sum();
@@ -64,7 +72,7 @@ pub(super) fn wrapped(x: f64) -> f64 {
 }
 
 fn angle_value(a: &AngleCell) -> f64 {
-    a.exact().radians() + a.approx.as_ref().map_or(0.0, crate::algebra::Rational::to_f64)
+    a.exact().radians() + a.approx.as_ref().map_or(0.0, Rational::to_f64)
 }
 
 /// Half a unit of the last digit of a number as written (radians for angles). `None` where the formula is no plain number.
@@ -186,7 +194,7 @@ impl Evaluator<'_> {
             n.angles.insert(*v, a.radians());
         }
         if let Some(s) = self.ring.find_symbol("pi") {
-            n.symbols.insert(s, Angle::half_turns(crate::algebra::Rational::ONE).radians());
+            n.symbols.insert(s, Angle::half_turns(Rational::ONE).radians());
         }
         for v in self.ring.angles() {
             if let (Some(s), Some(x)) = (self.ring.find_symbol(self.ring.angle_name(v)), n.angles.get(&v)) {
@@ -228,9 +236,15 @@ impl Evaluator<'_> {
         n
     }
 
-    /// Is a formula zero at several points, though it is not in normal form? (Where a root is not real, the point says nothing.)
+    /// May a formula be zero although its normal form is not? Only where roots occur, or angles of the same kind as 35deg and
+    /// 70deg, whose sines are related; then numbers at several points decide. (Where a root is not real, a point says nothing.)
     pub(super) fn is_zero_in_numbers(&self, x: &Ratio) -> bool {
-        let values: Vec<f64> = (1..12).map(|k| self.random_point(k).ratio(x)).filter(|v| v.is_finite()).collect();
+        let related = x.num.angles().iter().any(|v| self.constants.iter().any(|c| c.0 == *v))
+            || x.num.symbols().iter().any(|s| self.roots.iter().any(|r| r.symbol == *s));
+        if !related {
+            return false;
+        }
+        let values: Vec<f64> = (1..12).map(|k| self.random_point(k).relative(x)).filter(|v| v.is_finite()).collect();
         !values.is_empty() && values.iter().all(|v| v.abs() < 1e-9)
     }
 

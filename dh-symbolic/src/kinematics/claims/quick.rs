@@ -1,8 +1,8 @@
 //! Formulas to numbers at one point, quickly: the sieve through which candidates for a mend go before they are proven.
 
 use super::Evaluator;
-use super::evaluate::Written;
 use super::functions::{axis, axis_argument, joints_of};
+use super::number::Written;
 use super::point::{Numbers, wrapped};
 use super::value::Value;
 use crate::chain::claim::{Expr, ExprKind};
