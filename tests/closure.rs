@@ -40,7 +40,7 @@ impl FromPose for (Point3<f64>, UnitVector3<f64>) {
 }
 
 /// How far a pose is from what was asked for.
-fn miss(task: Task, pose: &IsometryMatrix3<f64>, target: &IsometryMatrix3<f64>, reach: f64) -> f64 {
+pub(crate) fn miss(task: Task, pose: &IsometryMatrix3<f64>, target: &IsometryMatrix3<f64>, reach: f64) -> f64 {
     let apart = (pose.translation.vector - target.translation.vector).norm() / reach;
     let (a, b) = (pose.rotation.matrix(), target.rotation.matrix());
     apart
@@ -53,9 +53,9 @@ fn miss(task: Task, pose: &IsometryMatrix3<f64>, target: &IsometryMatrix3<f64>, 
 }
 
 /// Joint values of all solutions, and which of them leave a joint free.
-struct Found {
-    q: Vec<Vec<f64>>,
-    free: Vec<bool>,
+pub(crate) struct Found {
+    pub(crate) q: Vec<Vec<f64>>,
+    pub(crate) free: Vec<bool>,
     why: String,
     most: usize,
 }
@@ -70,15 +70,15 @@ fn found<const N: usize, const M: usize>(solutions: &Solutions<f64, N, M>) -> Fo
 }
 
 /// Forward kinematics of some robot.
-type ForwardFn = Box<dyn Fn(&[f64]) -> IsometryMatrix3<f64>>;
+pub(crate) type ForwardFn = Box<dyn Fn(&[f64]) -> IsometryMatrix3<f64>>;
 /// Its inverse, with the joints that made the target (for the one that the caller chooses).
-type InverseFn = Box<dyn Fn(&IsometryMatrix3<f64>, &[f64]) -> Found>;
+pub(crate) type InverseFn = Box<dyn Fn(&IsometryMatrix3<f64>, &[f64]) -> Found>;
 
 /// A robot's forward and inverse; the inverse also gets the joint values that made the pose, for the redundant joint.
-struct Arm {
-    module: &'static str,
-    forward: ForwardFn,
-    inverse: InverseFn,
+pub(crate) struct Arm {
+    pub(crate) module: &'static str,
+    pub(crate) forward: ForwardFn,
+    pub(crate) inverse: InverseFn,
 }
 
 macro_rules! inverse {
@@ -92,7 +92,7 @@ macro_rules! inverse {
 
 macro_rules! arms {
     ($($module:ident $name:ident $dof:literal)*) => {
-        fn arms() -> Vec<Arm> {
+        pub(crate) fn arms() -> Vec<Arm> {
             vec![$({
                 let arm = robot!($module, generated_examples::$module::$name);
                 Arm {
@@ -108,7 +108,7 @@ macro_rules! arms {
 generated_examples::for_every_robot!(arms);
 
 /// Joint values within half a turn; the ones of sliding joints within half a unit of length.
-fn random_joints(spec: &ChainSpec, source: &mut Random) -> Vec<f64> {
+pub(crate) fn random_joints(spec: &ChainSpec, source: &mut Random) -> Vec<f64> {
     let moves = spec.rows.iter().filter_map(|row| row.moves.as_ref());
     moves.map(|m| source.signed() * if m.turns { f64::PI } else { 0.5 }).collect()
 }

@@ -6,6 +6,7 @@ mod closure;
 mod determinism;
 mod fixtures;
 mod fresh;
+mod javascript;
 mod random;
 mod robots;
 mod single;

@@ -145,6 +145,20 @@ impl Chain {
             .all(|(i, row)| row.iter().enumerate().all(|(j, p)| if i == j { p.is_one() } else { p.is_zero() }))
     }
 
+    /// Does a whole turn of this motor leave the arm where it was? Not where it drives a slide, or turns a row by a fraction of a turn.
+    pub fn is_periodic(&self, motor: usize) -> bool {
+        let mut turns = false;
+        for (joint, row) in self.joints.iter().zip(&self.drive) {
+            let Some(k) = row.get(motor).filter(|k| !k.is_zero()) else { continue };
+            let whole = k.as_rational().is_some_and(|r| r.to_f64().fract() == 0.0);
+            if !(whole && matches!(joint.coordinate, Coordinate::Angle(_))) {
+                return false;
+            }
+            turns = true;
+        }
+        turns
+    }
+
     /// The factors of row `i` (from 0), in order.
     pub fn link_factors(&self, i: usize) -> Vec<Elementary> {
         self.convention.factors(&self.links[i])

@@ -13,6 +13,7 @@ pub mod errata;
 pub mod expression;
 pub mod grouping;
 pub mod html;
+pub mod javascript;
 pub mod latex;
 pub mod markdown;
 pub mod math;

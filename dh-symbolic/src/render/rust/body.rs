@@ -9,8 +9,18 @@ use crate::program::{Graph, Node, Program, Value};
 /// Longest expression that is not given a name.
 const INLINE: usize = 56;
 
+/// The language of the statements. Expressions read the same in both: `self` is the arm here and its parameters there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::render) enum Dialect {
+    /// Sines and cosines in one batch.
+    Rust,
+    /// Sines and cosines by `Math`.
+    JavaScript,
+}
+
 /// Writes the statements of a graph and the expressions of its outputs.
-pub(super) struct Body<'a> {
+pub(in crate::render) struct Body<'a> {
+    dialect: Dialect,
     chain: &'a Chain,
     graph: &'a Graph,
     outputs: Vec<Value>,
@@ -24,7 +34,7 @@ pub(super) struct Body<'a> {
     /// Text of each node, once known, and whether it is a sum (needs parentheses in a product).
     text: Vec<Option<(String, bool)>>,
     /// The statements.
-    pub(super) lines: Vec<String>,
+    pub(in crate::render) lines: Vec<String>,
 }
 
 /// A linear combination of the motors' positions plus a constant.
@@ -37,7 +47,18 @@ struct Linear {
 impl<'a> Body<'a> {
     /// All statements of a program.
     pub(super) fn new(chain: &'a Chain, program: &'a Program, scalar: Scalar) -> Body<'a> {
-        let mut body = Body::staged(chain, &program.graph, program.outputs.clone(), scalar, 1.0, Vec::new());
+        Body::whole(Dialect::Rust, chain, program, scalar)
+    }
+
+    /// The same in any language.
+    pub(in crate::render) fn whole(
+        dialect: Dialect,
+        chain: &'a Chain,
+        program: &'a Program,
+        scalar: Scalar,
+    ) -> Body<'a> {
+        let outputs = program.outputs.clone();
+        let mut body = Body::in_stages(dialect, chain, &program.graph, outputs, (scalar, 1.0), Vec::new());
         let depths = vec![0; program.graph.nodes().len()];
         body.statements(&depths, 0, &[]);
         body
@@ -52,12 +73,24 @@ impl<'a> Body<'a> {
         scale: f64,
         inputs: Vec<(Symbol, String)>,
     ) -> Body<'a> {
+        Body::in_stages(Dialect::Rust, chain, graph, outputs, (scalar, scale), inputs)
+    }
+
+    /// The same in any language.
+    pub(in crate::render) fn in_stages(
+        dialect: Dialect,
+        chain: &'a Chain,
+        graph: &'a Graph,
+        outputs: Vec<Value>,
+        (scalar, scale): (Scalar, f64),
+        inputs: Vec<(Symbol, String)>,
+    ) -> Body<'a> {
         let mut names = Names::new(&["q", "s", "c", "self", "t", "angles", "found", "attempt", "given"]);
         for (_, name) in &inputs {
             names.take(name);
         }
         let text = vec![None; graph.nodes().len()];
-        let mut body = Body { chain, graph, outputs, names, scalar, scale, inputs, text, lines: Vec::new() };
+        let mut body = Body { dialect, chain, graph, outputs, names, scalar, scale, inputs, text, lines: Vec::new() };
         body.trigonometry();
         body
     }
@@ -190,6 +223,7 @@ impl<'a> Body<'a> {
             return;
         }
         let (mut sines, mut cosines, mut angles) = (Vec::new(), Vec::new(), Vec::new());
+        let mut plain = Vec::new();
         for w in &used {
             let wave = &self.graph.waves()[*w as usize];
             let tail = subscript(&self.chain.ring, wave);
@@ -206,8 +240,17 @@ impl<'a> Body<'a> {
                 let is = |n: &Node| if sine { *n == Node::Sin(*w) } else { *n == Node::Cos(*w) };
                 !self.graph.nodes().iter().zip(&live).any(|(n, l)| *l && is(n))
             };
+            for (name, function, left_out) in [(&s, "sin", unused(true)), (&c, "cos", unused(false))] {
+                if !left_out {
+                    plain.push(format!("let {name} = Math.{function}({});", angles.last().map_or("0", String::as_str)));
+                }
+            }
             sines.push(if unused(true) { "_".to_string() } else { s });
             cosines.push(if unused(false) { "_".to_string() } else { c });
+        }
+        if self.dialect == Dialect::JavaScript {
+            self.lines.extend(plain);
+            return;
         }
         self.lines.push(format!("let angles = [{}];", angles.join(", ")));
         self.lines.push(format!(
@@ -219,7 +262,7 @@ impl<'a> Body<'a> {
 
     /// Appends the statements of one depth: nodes whose inputs are known there. `extra` are values that code outside the graph uses
     /// (each once).
-    pub(super) fn statements(&mut self, depths: &[usize], depth: usize, extra: &[Value]) {
+    pub(in crate::render) fn statements(&mut self, depths: &[usize], depth: usize, extra: &[Value]) {
         let mut all = self.outputs.clone();
         all.extend(extra);
         let live = self.graph.live(&all);
@@ -332,17 +375,17 @@ impl<'a> Body<'a> {
     }
 
     /// The expression of output `i`.
-    pub(super) fn output(&self, i: usize) -> String {
+    pub(in crate::render) fn output(&self, i: usize) -> String {
         self.outputs.get(i).map_or_else(|| self.literal(0.0), |v| self.signed(*v))
     }
 
     /// The expression of a value.
-    pub(super) fn value(&self, v: Value) -> String {
+    pub(in crate::render) fn value(&self, v: Value) -> String {
         self.signed(v)
     }
 
     /// The expression of its negative.
-    pub(super) fn negative(&self, v: Value) -> String {
+    pub(in crate::render) fn negative(&self, v: Value) -> String {
         if self.graph.as_constant(v).is_some_and(|p| p.is_zero()) { self.literal(0.0) } else { self.signed(-v) }
     }
 
@@ -357,7 +400,7 @@ impl<'a> Body<'a> {
     }
 
     /// Takes the statements written so far.
-    pub(super) fn take_lines(&mut self) -> Vec<String> {
+    pub(in crate::render) fn take_lines(&mut self) -> Vec<String> {
         std::mem::take(&mut self.lines)
     }
 }

@@ -112,7 +112,7 @@ fn target(chain: &Chain, reach: &str) -> (String, String, String, String) {
 
 /// Pose of the tool of a planar arm with all joints at zero: its rotation and height are the same at every configuration up to a
 /// turn about z (and slides along it).
-fn plane(chain: &Chain) -> String {
+pub(in crate::render) fn plane(chain: &Chain) -> String {
     let kinematics = crate::kinematics::Kinematics::new(chain);
     let at_zero = |p: &Poly| {
         let value = p.evaluate(&crate::algebra::Point {
@@ -166,7 +166,7 @@ fn docs(chain: &Chain, inverse: &Inverse) -> String {
 }
 
 /// Expression of each joint variable from the coordinates x.
-pub(super) fn motors(chain: &Chain, x: &[String]) -> Vec<String> {
+pub(in crate::render) fn motors(chain: &Chain, x: &[String]) -> Vec<String> {
     let shifted: Vec<String> = chain
         .joints
         .iter()
@@ -230,7 +230,7 @@ fn determinant(m: &[Vec<Poly>]) -> Poly {
 }
 
 /// Names of the target's entries and of known combinations.
-pub(super) fn inputs(inverse: &Inverse) -> Vec<(Symbol, String)> {
+pub(in crate::render) fn inputs(inverse: &Inverse) -> Vec<(Symbol, String)> {
     let mut inputs: Vec<(Symbol, String)> = Vec::new();
     for (i, s) in inverse.target.iter().enumerate() {
         let (row, column) = if i < 9 { (i / 3, i % 3) } else { (i - 9, 3) };
@@ -329,7 +329,19 @@ fn candidates(chain: &Chain, inverse: &Inverse) -> String {
 }
 
 /// How a step without roots is reported.
-fn note(chain: &Chain, inverse: &Inverse, i: usize, body: &Body<'_>) -> String {
+pub(in crate::render) struct Reported {
+    /// What it decides, and the unknowns.
+    pub(in crate::render) name: String,
+    /// Expression of what turns the numbers of the equation into the unit.
+    pub(in crate::render) scale: String,
+    /// The unit; empty for pure numbers.
+    pub(in crate::render) unit: &'static str,
+    /// For a law of cosines: the squared distance, and the side of the equation without the unknown.
+    pub(in crate::render) square: Option<(String, String)>,
+}
+
+/// What is said of a step without roots.
+pub(in crate::render) fn reported(chain: &Chain, inverse: &Inverse, i: usize, body: &Body<'_>) -> Reported {
     let (plan, solver) = (&inverse.plan, &inverse.solvers[i]);
     let step = &plan.steps[i];
     let names: Vec<String> = step.unknown.iter().map(|f| plan.knowledge.form_name(&plan.axes, f)).collect();
@@ -342,21 +354,28 @@ fn note(chain: &Chain, inverse: &Inverse, i: usize, body: &Body<'_>) -> String {
         let one = step.collected[0].get(&vec![crate::planner::Part::One]);
         let squared = plan.knowledge.poses.iter().find(|k| one.is_some_and(|p| p.has_symbol(k.square)));
         if let Some(square) = squared.and_then(|k| inverse.graph.bound_to(k.square)) {
-            let rest = body.negative(solver.rows[0][2]);
-            return format!(
-                "attempt.note_distance(r{i}.outcome, free, \"{name}\", {}, {rest}, {reach}, \"{}\");",
-                body.value(square),
-                chain.unit.name
-            );
+            let square = Some((body.value(square), body.negative(solver.rows[0][2])));
+            return Reported { name, scale: reach, unit: chain.unit.name, square };
         }
     }
     let length = step.equations.iter().any(|e| !matches!(e.scalar, crate::planner::Scalar::Rotation(..)));
-    let (scale, what) = if length { (reach, chain.unit.name) } else { ("1.0".into(), "") };
-    format!("attempt.note(r{i}.outcome, free, \"{name}\", {scale}, \"{what}\");")
+    let (scale, unit) = if length { (reach, chain.unit.name) } else { ("1.0".into(), "") };
+    Reported { name, scale, unit, square: None }
+}
+
+/// The statement that reports a step without roots.
+fn note(chain: &Chain, inverse: &Inverse, i: usize, body: &Body<'_>) -> String {
+    let Reported { name, scale, unit, square } = reported(chain, inverse, i, body);
+    match square {
+        Some((square, rest)) => {
+            format!("attempt.note_distance(r{i}.outcome, free, \"{name}\", {square}, {rest}, {scale}, \"{unit}\");")
+        }
+        None => format!("attempt.note(r{i}.outcome, free, \"{name}\", {scale}, \"{unit}\");"),
+    }
 }
 
 /// Which part of an arm with six joints a step with two roots decides: 0 shoulder, 1 elbow, 2 wrist; each part once.
-fn part_of(inverse: &Inverse, i: usize) -> Option<usize> {
+pub(in crate::render) fn part_of(inverse: &Inverse, i: usize) -> Option<usize> {
     let part = |i: usize| {
         let step = &inverse.plan.steps[i];
         let joint = joints_of(step.unknown.first()?, inverse.plan.axes.real).first().copied()?;
@@ -371,15 +390,15 @@ fn part_of(inverse: &Inverse, i: usize) -> Option<usize> {
 }
 
 /// A symbol's name as an identifier of generated code.
-pub(super) fn identifier(name: &str) -> String {
+pub(in crate::render) fn identifier(name: &str) -> String {
     name.replace(|c: char| !c.is_ascii_alphanumeric() && c != '_', "_")
 }
 
-fn joints_of(form: &Form, real: usize) -> Vec<usize> {
+pub(in crate::render) fn joints_of(form: &Form, real: usize) -> Vec<usize> {
     (0..real).filter(|k| form[*k] != 0).collect()
 }
 
-pub(super) fn combination(form: &[i8], angles: &[String]) -> String {
+pub(in crate::render) fn combination(form: &[i8], angles: &[String]) -> String {
     let mut out = String::new();
     for (k, a) in form.iter().zip(angles).filter(|(k, _)| **k != 0) {
         let sign = match (out.is_empty(), *k < 0) {

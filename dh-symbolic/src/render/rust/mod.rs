@@ -4,10 +4,10 @@
 //! much faster than building tokens one by one in an unoptimised macro. The user's own tokens (attributes, visibility, name) keep
 //! their spans.
 
-mod body;
+pub(in crate::render) mod body;
 mod docs;
 mod forward;
-mod inverse;
+pub(in crate::render) mod inverse;
 mod lanes;
 mod names;
 #[cfg(feature = "cli")]

@@ -1,7 +1,7 @@
 //! The type, its fields, constants and default; everything put together.
 
 use super::{bound, docs, forward, literal, scalar_name};
-use crate::chain::{Chain, Coordinate, Role};
+use crate::chain::{Chain, Role};
 use crate::program::Forward;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -35,7 +35,7 @@ pub(super) fn lex(text: &str) -> TokenStream {
 pub fn robot(head: &Head, chain: &Chain, programs: &Forward, inverse: &str, extra_docs: &str) -> TokenStream {
     let name = head.ident.to_string();
     let mut out = declaration(head, chain, &docs::table(head, chain, extra_docs));
-    let joints: Vec<String> = chain.joints.iter().map(|j| joint(chain, j)).collect();
+    let joints: Vec<String> = chain.joints.iter().enumerate().map(|(i, j)| joint(chain, i, j)).collect();
     let (n, f) = (chain.dof(), scalar_name(chain.scalar));
     let text = format!(
         "#[allow(unused, clippy::all, clippy::pedantic)]\nimpl {name} {{\n/// Number of joints.\npub const DOF: usize = {n};\n\
@@ -95,11 +95,8 @@ pub(super) fn declaration(head: &Head, chain: &Chain, docs: &str) -> TokenStream
     out
 }
 
-fn joint(chain: &Chain, joint: &crate::chain::Joint) -> String {
-    let kind = match joint.coordinate {
-        Coordinate::Angle(_) => "revolute",
-        Coordinate::Length(_) => "prismatic",
-    };
+fn joint(chain: &Chain, motor: usize, joint: &crate::chain::Joint) -> String {
+    let kind = if chain.is_periodic(motor) { "revolute" } else { "prismatic" };
     let range = joint.range.as_ref().map_or(String::new(), |(lo, hi)| {
         format!(".with_range({}, {})", literal(bound(lo), chain.scalar), literal(bound(hi), chain.scalar))
     });
