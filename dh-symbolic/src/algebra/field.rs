@@ -39,7 +39,9 @@ impl Element {
         Element((u128::from(self.0) * u128::from(other.0) % u128::from(P)) as u64)
     }
 
-    fn power(self, mut n: u64) -> Element {
+    /// A power.
+    #[must_use]
+    pub fn power(self, mut n: u64) -> Element {
         let (mut x, mut base) = (Element::ONE, self);
         while n > 0 {
             if n & 1 == 1 {
@@ -52,7 +54,8 @@ impl Element {
     }
 
     /// 1 / self; 0 for 0.
-    fn inverse(self) -> Element {
+    #[must_use]
+    pub fn inverse(self) -> Element {
         self.power(P - 2)
     }
 

@@ -30,7 +30,6 @@ mod text;
 pub use angle::Angle;
 pub use evaluate::Point;
 pub use field::{Element, FieldPoint};
-#[cfg(test)]
 pub(crate) use matrix::cross;
 pub(crate) use matrix::dot;
 pub use matrix::{Transform, Vector};

@@ -9,7 +9,9 @@ pub mod claims;
 mod forward;
 mod jacobian;
 mod segments;
+pub mod singular;
 
 pub use forward::Kinematics;
 pub use jacobian::jacobian;
 pub use segments::{Block, BlockJoint, FrameMark, Piece, Wave, blocks};
+pub use singular::singular;

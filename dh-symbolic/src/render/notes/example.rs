@@ -164,7 +164,7 @@ fn difference(a: &Pose, b: &Pose) -> f64 {
 }
 
 /// A number with some places, no minus before zero.
-fn decimal(x: f64, places: usize) -> Math {
+pub(super) fn decimal(x: f64, places: usize) -> Math {
     let text = format!("{x:.places$}");
     let zero = text.bytes().all(|b| matches!(b, b'-' | b'0' | b'.'));
     match text.strip_prefix('-') {

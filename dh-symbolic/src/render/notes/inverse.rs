@@ -227,7 +227,7 @@ impl Writer<'_> {
 }
 
 /// a, b, c.
-fn listed(list: &[Math]) -> Vec<Span> {
+pub(super) fn listed(list: &[Math]) -> Vec<Span> {
     let mut out = Vec::new();
     for (i, m) in list.iter().enumerate() {
         if i > 0 {

@@ -7,6 +7,7 @@ mod example;
 mod forward;
 mod inverse;
 mod jacobian;
+mod singular;
 mod steps;
 mod table;
 #[cfg(test)]
@@ -54,6 +55,7 @@ pub fn notes(chain: &Chain, options: &Options) -> Document {
     w.links(&kinematics);
     w.forward(&kinematics);
     w.jacobian(&kinematics);
+    w.singular(&kinematics);
     w.inverse();
     let title = Phrase::Title.in_language(options.language).replace("{}", &chain.name);
     Document { title, language: options.language.tag(), blocks: w.blocks }

@@ -150,4 +150,50 @@ phrases! {
         "第 {} 列是关节 {} 以单位速度运动时工具原点的线速度和角速度（在基座坐标系中表示）。";
     JacobianOfMotors: "Column {} holds the velocity of the last origin and its angular velocity, in base axes, for unit speed of motor {}.",
         "第 {} 列是电机 {} 以单位速度运动时末端原点的线速度和角速度（在基座坐标系中表示）。";
+    Singular: "Singular configurations", "奇异位形";
+    SingularHeld: "{} is held; the Jacobian of the other joints is square.", "固定 {}，其余关节的雅可比矩阵为方阵。";
+    SingularEverywhere: "The determinant vanishes at every joint vector: the joints never give all the motions that the task asks for.",
+        "行列式恒为零：各关节始终不能产生任务要求的全部运动。";
+    SingularTooLong: "Even where most entries vanish, a block of {} rows remains whose determinant is too long to be written out.",
+        "即使取零元素最多的写法，仍剩下 {} 阶的块，其行列式过长，此处不展开。";
+    SingularWide: "The Jacobian has {} columns and six rows; the arm is singular where all its minors of six rows vanish.",
+        "雅可比矩阵有 {} 列、六行；当其所有六阶子式为零时机械臂奇异。";
+    SingularTall: "The Jacobian has {} columns and six rows, so it has no determinant; the arm is singular where its columns depend on each other.",
+        "雅可比矩阵有 {} 列、六行，没有行列式；当各列线性相关时机械臂奇异。";
+    SingularGram: "The Jacobian has {} columns and six rows; its columns depend on each other where",
+        "雅可比矩阵有 {} 列、六行；各列线性相关当且仅当下式为零：";
+    SingularGramWhere: "vanishes (lengths and angles are taken as numbers here).", "（这里长度和角度都作为数值。）";
+    SingularNever: "This never vanishes: the arm has no singular configuration.", "它不会为零：机械臂没有奇异位形。";
+    SingularWritten: "The determinant of the Jacobian depends neither on the point whose velocity is meant nor on the axes along which the parts of a column are written. With the origin of {} as the point, the linear parts along the axes of {} and the angular parts along those of {}, the columns are",
+        "雅可比行列式与取哪一点的速度、各列沿哪组坐标轴书写无关。取{}的原点为参考点，线速度沿{}的轴书写，角速度沿{}的轴书写，各列为";
+    SingularAxis: "The turn about the tool's z axis does not count; it stands as one more column.", "绕工具 z 轴的转动不计，它作为附加的一列。";
+    SingularOnly: "Only the velocity along {} and the turn about {} count.", "只考虑沿 {} 的速度和绕 {} 的转动。";
+    SingularOnlySlides: "Only the velocity along {} counts.", "只考虑沿 {} 的速度。";
+    SingularOnlyTurns: "Only the turn about {} counts.", "只考虑绕 {} 的转动。";
+    Frame: "frame {}", "坐标系 {} ";
+    FrameOfTool: "the tool", "工具坐标系";
+    FrameOfBase: "the base", "基座坐标系";
+    SingularStars: "Entries {} do not matter: the matrix falls into blocks, and its determinant is the product of theirs.",
+        "记为 {} 的元素不影响结果：矩阵分成若干块，行列式是各块行列式之积。";
+    SingularBlocks: "The matrix falls into blocks, and its determinant is the product of theirs.", "矩阵分成若干块，行列式是各块行列式之积。";
+    SingularProduct: "In all", "于是";
+    SingularLong: "where {} has {} terms; no further factor was found.", "其中 {} 有 {} 项，没有找到更多因子。";
+    SingularWhere: "The arm is singular where a factor vanishes:", "任一因子为零时机械臂奇异：";
+    SingularThat: ", that is ", "，即 ";
+    SingularMotors: "This is the determinant for the joints; for the motors it is multiplied by that of the coupling, {}.", "这是对关节的行列式；对电机还要乘以耦合矩阵的行列式 {}。";
+    Or: " or ", " 或 ";
+    OrHalfTurn: " and that plus ", "，以及再加 ";
+    Colon: ": ", "：";
+    Stop: ".", "。";
+    WristCentre: "the wrist centre (the origin of {})", "腕心（{}的原点）";
+    OriginOf: "the origin of {}", "{}的原点";
+    KindParallel: "the axes of joints {} and {} are parallel", "关节 {} 与关节 {} 的轴平行";
+    KindAxes: "the parallel axes of joints {}, {} and {} lie in one plane, the arm is stretched or folded", "关节 {}、{}、{} 的平行轴共面，手臂伸直或折叠";
+    KindStretched: "the parallel axes of joints {} and {} and {} lie in one plane, the arm is stretched or folded", "关节 {} 与关节 {} 的平行轴和{}共面，手臂伸直或折叠";
+    KindOnAxis: "{} lies on the axis of joint {}", "{}位于关节 {} 的轴上";
+    KindInPlane: "{} lies in the plane through the axis of joint {} parallel to the axis of joint {}", "{}位于过关节 {} 的轴且平行于关节 {} 的轴的平面内";
+    KindCoplanar: "the axes of joints {}, {} and {} are parallel to one plane", "关节 {}、{}、{} 的轴平行于同一平面";
+    PlaceWrist: " (wrist singularity)", "（腕部奇异）";
+    PlaceElbow: " (elbow singularity)", "（肘部奇异）";
+    PlaceShoulder: " (shoulder singularity)", "（肩部奇异）";
 }

@@ -154,6 +154,7 @@ fn superscript(text: &str) -> Option<String> {
             '3' => Some('³'),
             '0'..='9' => char::from_u32(0x2070 + c.to_digit(10)?),
             '−' => Some('⁻'),
+            'T' => Some('ᵀ'),
             '′' => Some('′'),
             'i' => Some('ⁱ'),
             'n' => Some('ⁿ'),
