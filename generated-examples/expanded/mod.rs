@@ -21,3 +21,5 @@ pub mod cobra600;
 pub mod panda;
 pub mod youbot;
 pub mod gantry_wrist;
+pub mod crx10ia;
+pub mod polar_offset_wrist;

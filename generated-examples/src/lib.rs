@@ -44,4 +44,6 @@ robots! {
     panda Panda 7
     youbot Youbot 5
     gantry_wrist GantryWrist 6
+    crx10ia Crx10ia 6
+    polar_offset_wrist PolarOffsetWrist 6
 }

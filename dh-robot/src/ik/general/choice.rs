@@ -96,6 +96,10 @@ impl Blank for Ranked {
     const BLANK: Self = Self { choice: Choice(0), condition: 0, misses: 0, unclean: 0, work: 0 };
 }
 
+impl Blank for Choice {
+    const BLANK: Self = Self(0);
+}
+
 /// Choices worth a full trial.
 const TRIED: usize = 12;
 /// Work of an elimination that only confirms another one.
@@ -154,6 +158,27 @@ pub fn rank<const K: usize>(samples: &[(Chain<6>, [f64; 6])]) -> List<Ranked, K>
             if !best.iter().any(taken) {
                 best.push(*r);
             }
+        }
+    }
+    best
+}
+
+/// The best `K` choices for an arm by their condition at two poses that have nothing special; fewer if fewer are of use.
+///
+/// What is left of [`rank`] where there is no time for trials: at run time, on an arm that the ranked choices don't fit.
+pub(super) fn best_conditioned<const K: usize>(arm: &Chain<6>) -> List<Choice, K> {
+    let mut all = [(0, Choice(0)); Choice::COUNT as usize];
+    for (number, (worst, choice)) in all.iter_mut().enumerate() {
+        *choice = Choice::new(number as u8);
+        for q in [[0.7, -1.1, 0.9, -0.4, 1.3, -2.1], [-2.0, 0.5, -0.6, 1.7, -0.9, 0.3]] {
+            *worst = exponent(condition(arm, &q, *choice)).min(*worst);
+        }
+    }
+    all.sort_unstable_by_key(|(condition, choice)| (-condition, choice.number()));
+    let mut best = List::new();
+    for (condition, choice) in all {
+        if condition > USELESS && best.len() < K {
+            best.push(choice);
         }
     }
     best

@@ -6,7 +6,7 @@ use super::super::tolerance::REACHED;
 use super::super::{
     Found, Kinematics, List, Outcome, Task, polish, same_solution, solve_from_everywhere, solve_nearby,
 };
-use super::choice::Choice;
+use super::choice::{Choice, best_conditioned};
 use super::closure::Closure;
 use super::determinant::Determinant;
 use super::dialytic::{Dialytic, Refined};
@@ -60,6 +60,8 @@ pub(super) struct Attempt {
     pub(super) account: Account,
     /// Roughly the number of factorisations of a 12 x 12 matrix that it took.
     pub(super) work: usize,
+    /// Does the determinant vanish at every angle, so that nothing could be learnt?
+    pub(super) vanishes: bool,
 }
 
 impl General6R {
@@ -97,20 +99,15 @@ impl General6R {
         if !target.iter().flatten().all(|x| x.is_finite()) {
             return solved;
         }
-        for (i, choice) in self.choices.into_iter().enumerate() {
-            let before = solved.solutions.len();
-            solved.clean = match self.attempt(&target, choice, &mut solved.solutions).account {
-                Account::Full => true,
-                // Two eliminations that agree.
-                Account::WithPhantoms => i > 0 && solved.solutions.len() == before,
-                Account::Open => false,
-            };
-            if solved.clean {
-                break;
-            }
+        let mut useful = self.eliminate(&target, &self.choices, &mut solved);
+        if !solved.clean && useful.is_none() {
+            // The choices were made for an arm of these links, but with other values of what varies (a locked joint, a length): for some
+            // values the arm has more structure, which makes them useless.
+            let others = best_conditioned::<3>(&self.arm);
+            useful = self.eliminate(&target, others.as_slice(), &mut solved);
         }
         if !solved.clean {
-            self.rescue(&target, &mut solved.solutions);
+            self.rescue(&target, useful.unwrap_or(self.choices[0]), &mut solved.solutions);
         }
         for q in solved.solutions.as_mut_slice() {
             for (q, slides) in q.iter_mut().zip(self.arm.slides) {
@@ -120,9 +117,30 @@ impl General6R {
         solved
     }
 
+    /// Eliminates with one choice after another until all roots are accounted for. The first one with a determinant at all.
+    fn eliminate(&self, target: &Pose, choices: &[Choice], solved: &mut Solved) -> Option<Choice> {
+        let mut useful = None;
+        for (i, &choice) in choices.iter().enumerate() {
+            let before = solved.solutions.len();
+            let attempt = self.attempt(target, choice, &mut solved.solutions);
+            if !attempt.vanishes {
+                useful = useful.or(Some(choice));
+            }
+            solved.clean = match attempt.account {
+                Account::Full => true,
+                // Two eliminations that agree.
+                Account::WithPhantoms => i > 0 && solved.solutions.len() == before,
+                Account::Open => false,
+            };
+            if solved.clean {
+                break;
+            }
+        }
+        useful
+    }
+
     /// What can be found at a singular pose (scaled).
-    fn rescue(&self, target: &Pose, solutions: &mut List<[f64; 6], 16>) {
-        let [first, ..] = self.choices;
+    fn rescue(&self, target: &Pose, first: Choice, solutions: &mut List<[f64; 6], 16>) {
         let neighbour = |pose: &Pose| {
             let mut solutions = List::new();
             self.attempt(pose, first, &mut solutions);
@@ -176,8 +194,9 @@ impl General6R {
         choice: Choice,
         solutions: &mut List<[f64; 6], 16>,
     ) -> Attempt {
-        let mut attempt = Attempt { account: Account::Open, work: K };
+        let mut attempt = Attempt { account: Account::Open, work: K, vanishes: false };
         if !(determinant.noise < ALL_NOISE && determinant.regularity > SINGULAR) {
+            attempt.vanishes = true;
             return attempt;
         }
         let (mut clean, mut phantoms) = (true, false);

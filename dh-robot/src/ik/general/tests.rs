@@ -93,6 +93,34 @@ fn an_arm_with_many_solutions() {
     generated_poses_come_back(&sixteen_solutions(), 73, 12);
 }
 
+/// UFACTORY xArm7 with joint 3 held at 0: axes 2 and 3 parallel, no common point anywhere.
+fn locked_seven_axis_arm() -> Chain<6> {
+    arm([
+        modified(0.267, -90.0, 0.0),
+        compose(&modified(0.0, 90.0, 0.0), &modified(0.293, 90.0, 0.0525)),
+        modified(0.0, 90.0, 0.0775),
+        modified(0.3425, 90.0, 0.0),
+        modified(0.0, -90.0, 0.076),
+        modified(0.097, 0.0, 0.0),
+    ])
+}
+
+#[test]
+fn choices_that_do_not_fit_the_arm_are_replaced() {
+    // With more structure than the choices were made for, most of them are useless.
+    let arm = locked_seven_axis_arm();
+    let mut rng = Rng::new(76);
+    for number in (0..Choice::COUNT).step_by(5) {
+        let solver = General6R::new(&arm.links, [Choice::new(number); 3]);
+        let q = [(); 6].map(|()| rng.angle());
+        let target = arm.forward(&q);
+        let solved = solver.solve(&target);
+        assert!(solved.solutions.iter().any(|p| apart(p, &q) < 1e-6), "{number} {q:?}");
+        assert!(solved.solutions.len().is_multiple_of(2), "{number} {q:?} {}", solved.solutions.len());
+        assert_sound(&arm, &target, &solved);
+    }
+}
+
 #[test]
 fn joints_that_slide() {
     // On a rail; with a telescope; with two slides in a row.

@@ -540,7 +540,8 @@ fn call((step, turns, solver): (usize, bool, &Solver), body: &Body<'_>, inverse:
                 ),
                 "[[1.0, 0.0]; 6]".into(),
                 (|s| {
-                    let known = s.iter().map(|x| format!("[{}, {}]", x[0], x[1]));
+                    // A displacement stands in both places, and a name may be bound once.
+                    let known = s.iter().map(|[c, s]| if c == s { format!("[{c}, _]") } else { format!("[{c}, {s}]") });
                     let all: Vec<String> = known.chain((s.len()..6).map(|_| "_".to_string())).collect();
                     format!("[{}]", all.join(", "))
                 }) as fn(&[[String; 2]]) -> String,

@@ -1,0 +1,519 @@
+// What `dh_robot!` makes of src/crx10ia.rs. Made by `cargo regen`; do not edit.
+
+/// FANUC CRX-10iA.
+///
+/// Denavit-Hartenberg table, modified convention (Craig: alpha and a of the link before); bare lengths in m:
+///
+/// | joint | alpha | a | d | theta | range |
+/// |---|---|---|---|---|---|
+/// | 1 | 0 | 0 | 0 | q1 | -180deg..=180deg |
+/// | 2 | -90deg | 0 | 0 | q2 - 90deg | -180deg..=180deg |
+/// | 3 | 0 | 540mm | 0 | q3 | -270deg..=270deg |
+/// | 4 | -90deg | 0 | 540mm | q4 | -190deg..=190deg |
+/// | 5 | 90deg | 0 | -150mm | q5 | -180deg..=180deg |
+/// | 6 | -90deg | 0 | 160mm | q6 | -190deg..=190deg |
+///
+/// Pose of the last frame in the base, rotation and translation:
+///
+/// ```text
+/// r₁₁ = c₁[s₂₃(c₄c₅c₆ − s₄s₆) + c₂₃s₅c₆] + s₁(s₄c₅c₆ + c₄s₆)
+/// r₂₁ = s₁[s₂₃(c₄c₅c₆ − s₄s₆) + c₂₃s₅c₆] − c₁(s₄c₅c₆ + c₄s₆)
+/// r₃₁ = c₂₃(c₄c₅c₆ − s₄s₆) − s₂₃s₅c₆
+/// r₁₂ = −c₁[s₂₃(c₄c₅s₆ + s₄c₆) + c₂₃s₅s₆] − s₁(s₄c₅s₆ − c₄c₆)
+/// r₂₂ = −s₁[s₂₃(c₄c₅s₆ + s₄c₆) + c₂₃s₅s₆] + c₁(s₄c₅s₆ − c₄c₆)
+/// r₃₂ = −c₂₃(c₄c₅s₆ + s₄c₆) + s₂₃s₅s₆
+/// r₁₃ = −c₁(s₂₃c₄s₅ − c₂₃c₅) − s₁s₄s₅
+/// r₂₃ = −s₁(s₂₃c₄s₅ − c₂₃c₅) + c₁s₄s₅
+/// r₃₃ = −c₂₃c₄s₅ − s₂₃c₅
+/// px  = c₁[a₂s₂ − s₂₃(d₅s₄ + d₆c₄s₅) + c₂₃(d₄ + d₆c₅)] + s₁(d₅c₄ − d₆s₄s₅)
+/// py  = s₁[a₂s₂ − s₂₃(d₅s₄ + d₆c₄s₅) + c₂₃(d₄ + d₆c₅)] − c₁(d₅c₄ − d₆s₄s₅)
+/// pz  = a₂c₂ − c₂₃(d₅s₄ + d₆c₄s₅) − s₂₃(d₄ + d₆c₅)
+///
+/// where cᵢ = cos qᵢ, sᵢ = sin qᵢ, i = 1, 2, 4, 5, 6; c₂₃ = cos(q₂ + q₃), s₂₃ = sin(q₂ + q₃),
+///      a₂ = 0.54, d₄ = 0.54, d₅ = 0.15, d₆ = 0.16
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crx10ia;
+impl ::core::default::Default for Crx10ia {
+    fn default() -> Self {
+        Crx10ia
+    }
+}
+#[allow(unused, clippy::all, clippy::pedantic)]
+impl Crx10ia {
+    /// Number of joints.
+    pub const DOF: usize = 6;
+    /// Kind, range and name of every joint.
+    pub const JOINTS: [::dh_robot::Joint<f64>; 6] = [
+        ::dh_robot::Joint::revolute("q1")
+            .with_range(-3.141592653589793, 3.141592653589793),
+        ::dh_robot::Joint::revolute("q2")
+            .with_range(-3.141592653589793, 3.141592653589793),
+        ::dh_robot::Joint::revolute("q3")
+            .with_range(-4.71238898038469, 4.71238898038469),
+        ::dh_robot::Joint::revolute("q4")
+            .with_range(-3.316125578789226, 3.316125578789226),
+        ::dh_robot::Joint::revolute("q5")
+            .with_range(-3.141592653589793, 3.141592653589793),
+        ::dh_robot::Joint::revolute("q6")
+            .with_range(-3.316125578789226, 3.316125578789226),
+    ];
+    /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
+    ///
+    /// Cost: 45 multiplications, 23 additions, 6 sine-cosine pairs. Proven equal to the product of the link transforms.
+    #[inline]
+    #[must_use]
+    pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
+        let angles = [q[5], q[4], q[3], q[1] + q[2], q[0], q[1]];
+        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let c6c5 = c6 * c5;
+        let c6s5 = c6 * s5;
+        let t_2 = c6c5 * c4 - s6 * s4;
+        let t_3 = c6c5 * s4 + s6 * c4;
+        let t_4 = t_2 * s23 + c6s5 * c23;
+        let t_5 = t_2 * c23 - c6s5 * s23;
+        let t_6 = t_4 * c1 + t_3 * s1;
+        let t_7 = t_4 * s1 - t_3 * c1;
+        let s5c4 = s5 * c4;
+        let s5s4 = s5 * s4;
+        let t_8 = s23 * s5c4 - c5 * c23;
+        let t_9 = c23 * s5c4 + c5 * s23;
+        let t_10 = c1 * t_8 + s1 * s5s4;
+        let t_11 = s1 * t_8 - c1 * s5s4;
+        let t_12 = s4 * 0.15;
+        let t_13 = c4 * 0.15;
+        let t_14 = s23 * t_12 - c23 * 0.54 - 0.54 * s2;
+        ::dh_robot::pose::from_entries(
+            [
+                [t_6, -(t_5 * t_11 - t_7 * t_9), -t_10],
+                [t_7, -(t_6 * t_9 - t_5 * t_10), -t_11],
+                [t_5, -(t_7 * t_10 - t_6 * t_11), -t_9],
+            ],
+            [
+                -(c1 * t_14 - s1 * t_13 + t_10 * 0.16),
+                -(s1 * t_14 + c1 * t_13 + t_11 * 0.16),
+                -(c23 * t_12 + s23 * 0.54 - 0.54 * c2 + t_9 * 0.16),
+            ],
+        )
+    }
+    /// Pose of every moving link's frame in the base, without the tool.
+    ///
+    /// Cost: 55 multiplications, 26 additions, 6 sine-cosine pairs.
+    #[must_use]
+    pub fn frames(
+        &self,
+        q: &[f64; 6],
+    ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 6] {
+        let angles = [q[0], q[1], q[1] + q[2], q[3], q[4], q[5]];
+        let ([s1, s2, s23, s4, s5, s6], [c1, c2, c23, c4, c5, c6]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let t_2 = 0.54 * s2;
+        let t_3 = 0.54 * c2;
+        let t_4 = c1 * t_2;
+        let t_5 = s1 * t_2;
+        let c1s23 = c1 * s23;
+        let s1s23 = s1 * s23;
+        let c1c23 = c1 * c23;
+        let s1c23 = s1 * c23;
+        let t_6 = t_4 + c1c23 * 0.54;
+        let t_7 = t_5 + s1c23 * 0.54;
+        let t_8 = t_3 - s23 * 0.54;
+        let c23c4 = c23 * c4;
+        let t_9 = c1s23 * c4 + s1 * s4;
+        let t_10 = s1s23 * c4 - c1 * s4;
+        let c23s4 = c23 * s4;
+        let t_11 = s1 * c4 - c1s23 * s4;
+        let t_12 = c1 * c4 + s1s23 * s4;
+        let t_13 = t_6 + t_11 * 0.15;
+        let t_14 = t_7 - t_12 * 0.15;
+        let t_15 = t_8 - c23s4 * 0.15;
+        let t_16 = t_9 * c5 + c1c23 * s5;
+        let t_17 = t_10 * c5 + s1c23 * s5;
+        let t_18 = c23c4 * c5 - s23 * s5;
+        let t_19 = c1c23 * c5 - t_9 * s5;
+        let t_20 = s1c23 * c5 - t_10 * s5;
+        let t_21 = s23 * c5 + c23c4 * s5;
+        [
+            ::dh_robot::pose::from_entries(
+                [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
+                [0.0, 0.0, 0.0],
+            ),
+            ::dh_robot::pose::from_entries(
+                [[c1 * s2, c1 * c2, -s1], [s1 * s2, s1 * c2, c1], [c2, -s2, 0.0]],
+                [0.0, 0.0, 0.0],
+            ),
+            ::dh_robot::pose::from_entries(
+                [[c1s23, c1c23, -s1], [s1s23, s1c23, c1], [c23, -s23, 0.0]],
+                [t_4, t_5, t_3],
+            ),
+            ::dh_robot::pose::from_entries(
+                [[t_9, t_11, c1c23], [t_10, -t_12, s1c23], [c23c4, -c23s4, -s23]],
+                [t_6, t_7, t_8],
+            ),
+            ::dh_robot::pose::from_entries(
+                [[t_16, t_19, -t_11], [t_17, t_20, t_12], [t_18, -t_21, c23s4]],
+                [t_13, t_14, t_15],
+            ),
+            ::dh_robot::pose::from_entries(
+                [
+                    [t_16 * c6 + t_11 * s6, t_11 * c6 - t_16 * s6, t_19],
+                    [t_17 * c6 - t_12 * s6, -(t_12 * c6 + t_17 * s6), t_20],
+                    [t_18 * c6 - c23s4 * s6, -(c23s4 * c6 + t_18 * s6), -t_21],
+                ],
+                [t_13 + t_19 * 0.16, t_14 + t_20 * 0.16, t_15 - t_21 * 0.16],
+            ),
+        ]
+    }
+    /// Geometric Jacobian: rows 0..3 linear (m per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the
+    /// origin of the last frame (or tool).
+    ///
+    /// Cost: 53 multiplications, 21 additions, 5 sine-cosine pairs.
+    #[inline]
+    #[must_use]
+    pub fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
+        let angles = [q[0], q[1] + q[2], q[3], q[4], q[1]];
+        let ([s1, s23, s4, s5, s2], [c1, c23, c4, c5, c2]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let s23s4 = s23 * s4;
+        let c23s4 = c23 * s4;
+        let t_2 = c1 * s23s4 - s1 * c4;
+        let t_3 = s1 * s23s4 + c1 * c4;
+        let c4s5 = c4 * s5;
+        let s4s5 = s4 * s5;
+        let t_4 = s23 * c4s5 - c23 * c5;
+        let t_5 = c23 * c4s5 + s23 * c5;
+        let t_6 = c1 * t_4 + s1 * s4s5;
+        let t_7 = s1 * t_4 - c1 * s4s5;
+        let t_8 = s5 * 0.16;
+        let t_9 = c5 * 0.16 + 0.54;
+        let t_10 = c4 * t_8 + s4 * 0.15;
+        let t_11 = s4 * t_8 - c4 * 0.15;
+        let t_12 = s23 * t_10 - c23 * t_9;
+        let t_13 = c23 * t_10 + s23 * t_9;
+        let t_14 = t_12 - 0.54 * s2;
+        let t_15 = t_13 - 0.54 * c2;
+        let t_16 = s23 * t_11;
+        ::dh_robot::nalgebra::SMatrix::from_data(
+            ::dh_robot::nalgebra::ArrayStorage([
+                [s1 * t_14 - c1 * t_11, -(c1 * t_14 + s1 * t_11), 0.0, 0.0, 0.0, 1.0],
+                [-c1 * t_15, -s1 * t_15, t_14, -s1, c1, 0.0],
+                [-c1 * t_13, -s1 * t_13, t_12, -s1, c1, 0.0],
+                [
+                    c1 * t_16 - s1 * t_10,
+                    s1 * t_16 + c1 * t_10,
+                    c23 * t_11,
+                    c1 * c23,
+                    s1 * c23,
+                    -s23,
+                ],
+                [
+                    (c23s4 * t_7 - t_3 * t_5) * 0.16,
+                    (t_2 * t_5 - c23s4 * t_6) * 0.16,
+                    (t_3 * t_6 - t_2 * t_7) * 0.16,
+                    t_2,
+                    t_3,
+                    c23s4,
+                ],
+                [0.0, 0.0, 0.0, -t_6, -t_7, -t_5],
+            ]),
+        )
+    }
+    /// [`forward`](Self::forward) and [`jacobian`](Self::jacobian) together, for little more than one of them.
+    ///
+    /// Cost: 65 multiplications, 27 additions, 6 sine-cosine pairs.
+    #[inline]
+    #[must_use]
+    pub fn forward_and_jacobian(
+        &self,
+        q: &[f64; 6],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 6>,
+    ) {
+        let angles = [q[0], q[1] + q[2], q[3], q[4], q[5], q[1]];
+        let ([s1, s23, s4, s5, s6, s2], [c1, c23, c4, c5, c6, c2]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let s23s4 = s23 * s4;
+        let c23s4 = c23 * s4;
+        let t_2 = c1 * s23s4 - s1 * c4;
+        let t_3 = s1 * s23s4 + c1 * c4;
+        let c4s5 = c4 * s5;
+        let s4s5 = s4 * s5;
+        let t_4 = s23 * c4s5 - c23 * c5;
+        let t_5 = c23 * c4s5 + s23 * c5;
+        let t_6 = c1 * t_4 + s1 * s4s5;
+        let t_7 = s1 * t_4 - c1 * s4s5;
+        let t_8 = c23s4 * t_7 - t_3 * t_5;
+        let t_9 = t_2 * t_5 - c23s4 * t_6;
+        let t_10 = t_3 * t_6 - t_2 * t_7;
+        let t_11 = s5 * 0.16;
+        let t_12 = c5 * 0.16 + 0.54;
+        let t_13 = c4 * t_11 + s4 * 0.15;
+        let t_14 = s4 * t_11 - c4 * 0.15;
+        let t_15 = s23 * t_13 - c23 * t_12;
+        let t_16 = c23 * t_13 + s23 * t_12;
+        let t_17 = t_15 - 0.54 * s2;
+        let t_18 = t_16 - 0.54 * c2;
+        let t_19 = c1 * t_17 + s1 * t_14;
+        let t_20 = s1 * t_17 - c1 * t_14;
+        let t_21 = s23 * t_14;
+        (
+            ::dh_robot::pose::from_entries(
+                [
+                    [-(t_8 * c6 + t_2 * s6), -(t_2 * c6 - t_8 * s6), -t_6],
+                    [-(t_9 * c6 + t_3 * s6), -(t_3 * c6 - t_9 * s6), -t_7],
+                    [-(t_10 * c6 + c23s4 * s6), -(c23s4 * c6 - t_10 * s6), -t_5],
+                ],
+                [-t_19, -t_20, -t_18],
+            ),
+            ::dh_robot::nalgebra::SMatrix::from_data(
+                ::dh_robot::nalgebra::ArrayStorage([
+                    [t_20, -t_19, 0.0, 0.0, 0.0, 1.0],
+                    [-c1 * t_18, -s1 * t_18, t_17, -s1, c1, 0.0],
+                    [-c1 * t_16, -s1 * t_16, t_15, -s1, c1, 0.0],
+                    [
+                        c1 * t_21 - s1 * t_13,
+                        s1 * t_21 + c1 * t_13,
+                        c23 * t_14,
+                        c1 * c23,
+                        s1 * c23,
+                        -s23,
+                    ],
+                    [t_8 * 0.16, t_9 * 0.16, t_10 * 0.16, t_2, t_3, c23s4],
+                    [0.0, 0.0, 0.0, -t_6, -t_7, -t_5],
+                ]),
+            ),
+        )
+    }
+}
+impl ::dh_robot::Robot<6, f64> for Crx10ia {
+    fn joints(&self) -> &'static [::dh_robot::Joint<f64>; 6] {
+        &Self::JOINTS
+    }
+}
+impl ::dh_robot::ForwardKinematics<6, f64> for Crx10ia {
+    #[inline]
+    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
+        Crx10ia::forward(self, q)
+    }
+    #[inline]
+    fn frames(&self, q: &[f64; 6]) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 6] {
+        Crx10ia::frames(self, q)
+    }
+}
+impl ::dh_robot::Jacobian<6, f64> for Crx10ia {
+    #[inline]
+    fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
+        Crx10ia::jacobian(self, q)
+    }
+}
+#[allow(unused, clippy::all, clippy::pedantic)]
+impl Crx10ia {
+    /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
+    pub const MAX_SOLUTIONS: usize = 16;
+    /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
+    ///
+    /// Plan:
+    /// 1. `q1`, `q2`, `q3`, `q4`, `q5`, `q6`: elimination of the general six-axis arm (Raghavan and Roth).
+    #[must_use]
+    pub fn inverse(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 6, 16> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 1.39) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 1.39,
+            few: false,
+            given: None,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 1.39),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, pick, found| self.candidates(frame, pick, found),
+        )
+    }
+    /// Runs the plan: calls `found` with every candidate.
+    fn candidates(
+        &self,
+        t: &::dh_robot::ik::Pose,
+        pick: ::dh_robot::inverse::Pick,
+        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+    ) -> ::dh_robot::inverse::Attempt {
+        let mut attempt = ::dh_robot::inverse::Attempt::new();
+        let free = ::dh_robot::FreeJoints::NONE;
+        let r0 = ::dh_robot::ik::general::General6R::with_slides(
+                &[
+                    [[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, -1.0, 0.0, 0.0]],
+                    [
+                        [0.0, 1.0, 0.0, 0.0],
+                        [-1.0, 0.0, 0.0, -0.3884892086330936],
+                        [0.0, 0.0, 1.0, 0.0],
+                    ],
+                    [[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, -1.0, 0.0, 0.0]],
+                    [
+                        [1.0, 0.0, 0.0, 0.0],
+                        [0.0, 0.0, -1.0, 0.0],
+                        [0.0, 1.0, 0.0, 0.3884892086330936],
+                    ],
+                    [
+                        [1.0, 0.0, 0.0, 0.0],
+                        [0.0, 0.0, 1.0, 0.0],
+                        [0.0, -1.0, 0.0, -0.10791366906474821],
+                    ],
+                    [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]],
+                ],
+                &[false, false, false, false, false, false],
+                [
+                    ::dh_robot::ik::general::Choice::new(30),
+                    ::dh_robot::ik::general::Choice::new(35),
+                    ::dh_robot::ik::general::Choice::new(32),
+                ],
+            )
+            .find(
+                &[
+                    [t[0][0], t[0][1], t[0][2], t[0][3] - t[0][2] * 0.11510791366906477],
+                    [t[1][0], t[1][1], t[1][2], t[1][3] - t[1][2] * 0.11510791366906477],
+                    [t[2][0], t[2][1], t[2][2], t[2][3] - t[2][2] * 0.11510791366906477],
+                ],
+            );
+        if r0.roots.is_empty() {
+            attempt.note(r0.outcome, free, "q1, q2, q3, q4, q5, q6", 1.0, "");
+        }
+        let free = if r0.is_free() {
+            attempt.degenerate = true;
+            free.union(::dh_robot::FreeJoints::of(&[0, 1, 2, 3, 4, 5]))
+        } else {
+            free
+        };
+        for (i0, &[[c1, s1], [c2, s2], [c3, s3], [c4, s4], [c5, s5], [c6, s6]]) in r0
+            .or_if_free([[1.0, 0.0]; 6])
+            .iter()
+            .enumerate()
+        {
+            let a0 = ::dh_robot::math::atan2(s1, c1);
+            let a1 = ::dh_robot::math::atan2(s2, c2);
+            let a2 = ::dh_robot::math::atan2(s3, c3);
+            let a3 = ::dh_robot::math::atan2(s4, c4);
+            let a4 = ::dh_robot::math::atan2(s5, c5);
+            let a5 = ::dh_robot::math::atan2(s6, c6);
+            let branch = ::dh_robot::Branch::ANY.with_step(0, i0);
+            found([a0, a1, a2, a3, a4, a5], branch, free);
+        }
+        attempt
+    }
+}
+#[allow(unused, clippy::all, clippy::pedantic)]
+impl ::dh_robot::ik::Kinematics<6> for Crx10ia {
+    #[inline]
+    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {
+        let angles = [q[5], q[4], q[3], q[1] + q[2], q[0], q[1]];
+        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let c6c5 = c6 * c5;
+        let c6s5 = c6 * s5;
+        let t_2 = c6c5 * c4 - s6 * s4;
+        let t_3 = c6c5 * s4 + s6 * c4;
+        let t_4 = t_2 * s23 + c6s5 * c23;
+        let t_5 = t_2 * c23 - c6s5 * s23;
+        let t_6 = t_4 * c1 + t_3 * s1;
+        let t_7 = t_4 * s1 - t_3 * c1;
+        let s5c4 = s5 * c4;
+        let s5s4 = s5 * s4;
+        let t_8 = s23 * s5c4 - c5 * c23;
+        let t_9 = c23 * s5c4 + c5 * s23;
+        let t_10 = c1 * t_8 + s1 * s5s4;
+        let t_11 = s1 * t_8 - c1 * s5s4;
+        let t_12 = s4 * 0.15;
+        let t_13 = c4 * 0.15;
+        let t_14 = s23 * t_12 - c23 * 0.54 - 0.54 * s2;
+        [
+            [
+                t_6,
+                -(t_5 * t_11 - t_7 * t_9),
+                -t_10,
+                -(c1 * t_14 - s1 * t_13 + t_10 * 0.16),
+            ],
+            [
+                t_7,
+                -(t_6 * t_9 - t_5 * t_10),
+                -t_11,
+                -(s1 * t_14 + c1 * t_13 + t_11 * 0.16),
+            ],
+            [
+                t_5,
+                -(t_7 * t_10 - t_6 * t_11),
+                -t_9,
+                -(c23 * t_12 + s23 * 0.54 - 0.54 * c2 + t_9 * 0.16),
+            ],
+        ]
+    }
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 6],
+    ) -> (::dh_robot::ik::Pose, [[f64; 6]; 6]) {
+        let angles = [q[0], q[1] + q[2], q[3], q[4], q[5], q[1]];
+        let ([s1, s23, s4, s5, s6, s2], [c1, c23, c4, c5, c6, c2]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let s23s4 = s23 * s4;
+        let c23s4 = c23 * s4;
+        let t_2 = c1 * s23s4 - s1 * c4;
+        let t_3 = s1 * s23s4 + c1 * c4;
+        let c4s5 = c4 * s5;
+        let s4s5 = s4 * s5;
+        let t_4 = s23 * c4s5 - c23 * c5;
+        let t_5 = c23 * c4s5 + s23 * c5;
+        let t_6 = c1 * t_4 + s1 * s4s5;
+        let t_7 = s1 * t_4 - c1 * s4s5;
+        let t_8 = c23s4 * t_7 - t_3 * t_5;
+        let t_9 = t_2 * t_5 - c23s4 * t_6;
+        let t_10 = t_3 * t_6 - t_2 * t_7;
+        let t_11 = s5 * 0.16;
+        let t_12 = c5 * 0.16 + 0.54;
+        let t_13 = c4 * t_11 + s4 * 0.15;
+        let t_14 = s4 * t_11 - c4 * 0.15;
+        let t_15 = s23 * t_13 - c23 * t_12;
+        let t_16 = c23 * t_13 + s23 * t_12;
+        let t_17 = t_15 - 0.54 * s2;
+        let t_18 = t_16 - 0.54 * c2;
+        let t_19 = c1 * t_17 + s1 * t_14;
+        let t_20 = s1 * t_17 - c1 * t_14;
+        let t_21 = s23 * t_14;
+        (
+            [
+                [-(t_8 * c6 + t_2 * s6), -(t_2 * c6 - t_8 * s6), -t_6, -t_19],
+                [-(t_9 * c6 + t_3 * s6), -(t_3 * c6 - t_9 * s6), -t_7, -t_20],
+                [-(t_10 * c6 + c23s4 * s6), -(c23s4 * c6 - t_10 * s6), -t_5, -t_18],
+            ],
+            [
+                [t_20, -c1 * t_18, -c1 * t_16, c1 * t_21 - s1 * t_13, t_8 * 0.16, 0.0],
+                [-t_19, -s1 * t_18, -s1 * t_16, s1 * t_21 + c1 * t_13, t_9 * 0.16, 0.0],
+                [0.0, t_17, t_15, c23 * t_14, t_10 * 0.16, 0.0],
+                [0.0, -s1, -s1, c1 * c23, t_2, -t_6],
+                [0.0, c1, c1, s1 * c23, t_3, -t_7],
+                [1.0, 0.0, 0.0, -s23, c23s4, -t_5],
+            ],
+        )
+    }
+}
+impl ::dh_robot::InverseKinematics<6, 16, f64> for Crx10ia {
+    type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
+    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 6, 16> {
+        Crx10ia::inverse(self, target)
+    }
+}

@@ -1,0 +1,509 @@
+// What `dh_robot!` makes of src/polar_offset_wrist.rs. Made by `cargo regen`; do not edit.
+
+/// A polar arm with a wrist whose three axes have no common point.
+///
+/// Denavit-Hartenberg table, modified convention (Craig: alpha and a of the link before); bare lengths in m:
+///
+/// | joint | alpha | a | d | theta | range |
+/// |---|---|---|---|---|---|
+/// | 1 | 0 | 0 | 600mm | q1 | -150deg..=150deg |
+/// | 2 | -90deg | 0 | 120mm | q2 | -120deg..=60deg |
+/// | 3 | 90deg | 50mm | q3 | 0 | 400mm..=1100mm |
+/// | 4 | 0 | 0 | 100mm | q4 | -180deg..=180deg |
+/// | 5 | -90deg | 30mm | 0 | q5 | -110deg..=110deg |
+/// | 6 | 90deg | 80mm | 90mm | q6 | -180deg..=180deg |
+///
+/// Pose of the last frame in the base, rotation and translation:
+///
+/// ```text
+/// r₁₁ = c₁[c₂(c₄c₅c₆ − s₄s₆) − s₂s₅c₆] − s₁(s₄c₅c₆ + c₄s₆)
+/// r₂₁ = s₁[c₂(c₄c₅c₆ − s₄s₆) − s₂s₅c₆] + c₁(s₄c₅c₆ + c₄s₆)
+/// r₃₁ = −s₂(c₄c₅c₆ − s₄s₆) − c₂s₅c₆
+/// r₁₂ = −c₁[c₂(c₄c₅s₆ + s₄c₆) − s₂s₅s₆] + s₁(s₄c₅s₆ − c₄c₆)
+/// r₂₂ = −s₁[c₂(c₄c₅s₆ + s₄c₆) − s₂s₅s₆] − c₁(s₄c₅s₆ − c₄c₆)
+/// r₃₂ = s₂(c₄c₅s₆ + s₄c₆) + c₂s₅s₆
+/// r₁₃ = c₁(c₂c₄s₅ + s₂c₅) − s₁s₄s₅
+/// r₂₃ = s₁(c₂c₄s₅ + s₂c₅) + c₁s₄s₅
+/// r₃₃ = c₂c₅ − s₂c₄s₅
+/// px  = c₁{c₂[a₂ + c₄(a₄ + a₅c₅ + d₆s₅)] + s₂(q₃ + d₄ − a₅s₅ + d₆c₅)} − s₁[d₂ + s₄(a₄ + a₅c₅ + d₆s₅)]
+/// py  = s₁{c₂[a₂ + c₄(a₄ + a₅c₅ + d₆s₅)] + s₂(q₃ + d₄ − a₅s₅ + d₆c₅)} + c₁[d₂ + s₄(a₄ + a₅c₅ + d₆s₅)]
+/// pz  = d₁ − s₂[a₂ + c₄(a₄ + a₅c₅ + d₆s₅)] + c₂(q₃ + d₄ − a₅s₅ + d₆c₅)
+///
+/// where cᵢ = cos qᵢ, sᵢ = sin qᵢ, i = 1, 2, 4, 5, 6; d₁ = 0.6, d₂ = 0.12, a₂ = 0.05, d₄ = 0.1,
+///      a₄ = 0.03, a₅ = 0.08, d₆ = 0.09
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PolarOffsetWrist;
+impl ::core::default::Default for PolarOffsetWrist {
+    fn default() -> Self {
+        PolarOffsetWrist
+    }
+}
+#[allow(unused, clippy::all, clippy::pedantic)]
+impl PolarOffsetWrist {
+    /// Number of joints.
+    pub const DOF: usize = 6;
+    /// Kind, range and name of every joint.
+    pub const JOINTS: [::dh_robot::Joint<f64>; 6] = [
+        ::dh_robot::Joint::revolute("q1")
+            .with_range(-2.6179938779914944, 2.6179938779914944),
+        ::dh_robot::Joint::revolute("q2")
+            .with_range(-2.0943951023931953, 1.0471975511965976),
+        ::dh_robot::Joint::prismatic("q3").with_range(0.4, 1.1),
+        ::dh_robot::Joint::revolute("q4")
+            .with_range(-3.141592653589793, 3.141592653589793),
+        ::dh_robot::Joint::revolute("q5")
+            .with_range(-1.9198621771937623, 1.9198621771937623),
+        ::dh_robot::Joint::revolute("q6")
+            .with_range(-3.141592653589793, 3.141592653589793),
+    ];
+    /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
+    ///
+    /// Cost: 44 multiplications, 25 additions, 5 sine-cosine pairs. Proven equal to the product of the link transforms.
+    #[inline]
+    #[must_use]
+    pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
+        let angles = [q[5], q[4], q[3], q[1], q[0]];
+        let ([s6, s5, s4, s2, s1], [c6, c5, c4, c2, c1]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let c6c5 = c6 * c5;
+        let c6s5 = c6 * s5;
+        let t_2 = c6c5 * c4 - s6 * s4;
+        let t_3 = c6c5 * s4 + s6 * c4;
+        let t_4 = t_2 * c2 - c6s5 * s2;
+        let t_5 = t_2 * s2 + c6s5 * c2;
+        let t_6 = t_4 * c1 - t_3 * s1;
+        let t_7 = t_4 * s1 + t_3 * c1;
+        let s5c4 = s5 * c4;
+        let s5s4 = s5 * s4;
+        let t_8 = c2 * s5c4 + c5 * s2;
+        let t_9 = s2 * s5c4 - c5 * c2;
+        let t_10 = c1 * t_8 - s1 * s5s4;
+        let t_11 = s1 * t_8 + c1 * s5s4;
+        let t_12 = 0.03 + c5 * 0.08 + s5 * 0.09;
+        let t_13 = 0.05 + c4 * t_12;
+        let t_14 = s5 * 0.08 - c5 * 0.09 - 0.1 - q[2];
+        let t_15 = s4 * t_12 + 0.12;
+        let t_16 = c2 * t_13 - s2 * t_14;
+        ::dh_robot::pose::from_entries(
+            [
+                [t_6, -(t_5 * t_11 - t_7 * t_9), t_10],
+                [t_7, -(t_6 * t_9 - t_5 * t_10), t_11],
+                [-t_5, t_7 * t_10 - t_6 * t_11, -t_9],
+            ],
+            [
+                c1 * t_16 - s1 * t_15,
+                s1 * t_16 + c1 * t_15,
+                -(s2 * t_13 + c2 * t_14 - 0.6),
+            ],
+        )
+    }
+    /// Pose of every moving link's frame in the base, without the tool.
+    ///
+    /// Cost: 58 multiplications, 34 additions, 5 sine-cosine pairs.
+    #[must_use]
+    pub fn frames(
+        &self,
+        q: &[f64; 6],
+    ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 6] {
+        let angles = [q[0], q[1], q[3], q[4], q[5]];
+        let ([s1, s2, s4, s5, s6], [c1, c2, c4, c5, c6]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let t_2 = s1 * 0.12;
+        let t_3 = c1 * 0.12;
+        let c1c2 = c1 * c2;
+        let s1c2 = s1 * c2;
+        let c1s2 = c1 * s2;
+        let s1s2 = s1 * s2;
+        let t_4 = t_2 - c1c2 * 0.05 - c1s2 * q[2];
+        let t_5 = t_3 + s1c2 * 0.05 + s1s2 * q[2];
+        let t_6 = 0.6 - s2 * 0.05 + c2 * q[2];
+        let t_7 = t_4 - c1s2 * 0.1;
+        let t_8 = t_5 + s1s2 * 0.1;
+        let t_9 = t_6 + c2 * 0.1;
+        let s2c4 = s2 * c4;
+        let t_10 = c1c2 * c4 - s1 * s4;
+        let t_11 = s1c2 * c4 + c1 * s4;
+        let s2s4 = s2 * s4;
+        let t_12 = s1 * c4 + c1c2 * s4;
+        let t_13 = c1 * c4 - s1c2 * s4;
+        let t_14 = t_7 - t_10 * 0.03;
+        let t_15 = t_8 + t_11 * 0.03;
+        let t_16 = t_9 - s2c4 * 0.03;
+        let t_17 = t_10 * c5 - c1s2 * s5;
+        let t_18 = t_11 * c5 - s1s2 * s5;
+        let t_19 = s2c4 * c5 + c2 * s5;
+        let t_20 = c1s2 * c5 + t_10 * s5;
+        let t_21 = s1s2 * c5 + t_11 * s5;
+        let t_22 = c2 * c5 - s2c4 * s5;
+        [
+            ::dh_robot::pose::from_entries(
+                [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
+                [0.0, 0.0, 0.6],
+            ),
+            ::dh_robot::pose::from_entries(
+                [[c1c2, -c1s2, -s1], [s1c2, -s1s2, c1], [-s2, -c2, 0.0]],
+                [-t_2, t_3, 0.6],
+            ),
+            ::dh_robot::pose::from_entries(
+                [[c1c2, -s1, c1s2], [s1c2, c1, s1s2], [-s2, 0.0, c2]],
+                [-t_4, t_5, t_6],
+            ),
+            ::dh_robot::pose::from_entries(
+                [[t_10, -t_12, c1s2], [t_11, t_13, s1s2], [-s2c4, s2s4, c2]],
+                [-t_7, t_8, t_9],
+            ),
+            ::dh_robot::pose::from_entries(
+                [[t_17, -t_20, -t_12], [t_18, -t_21, t_13], [-t_19, -t_22, s2s4]],
+                [-t_14, t_15, t_16],
+            ),
+            ::dh_robot::pose::from_entries(
+                [
+                    [t_17 * c6 - t_12 * s6, -(t_12 * c6 + t_17 * s6), t_20],
+                    [t_18 * c6 + t_13 * s6, t_13 * c6 - t_18 * s6, t_21],
+                    [-(t_19 * c6 - s2s4 * s6), s2s4 * c6 + t_19 * s6, t_22],
+                ],
+                [
+                    -(t_14 - t_17 * 0.08 - t_20 * 0.09),
+                    t_15 + t_18 * 0.08 + t_21 * 0.09,
+                    t_16 - t_19 * 0.08 + t_22 * 0.09,
+                ],
+            ),
+        ]
+    }
+    /// Geometric Jacobian: rows 0..3 linear (m per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the
+    /// origin of the last frame (or tool).
+    ///
+    /// Cost: 51 multiplications, 24 additions, 4 sine-cosine pairs.
+    #[inline]
+    #[must_use]
+    pub fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
+        let angles = [q[0], q[1], q[3], q[4]];
+        let ([s1, s2, s4, s5], [c1, c2, c4, c5]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let c1c2 = c1 * c2;
+        let s1c2 = s1 * c2;
+        let c1s2 = c1 * s2;
+        let s1s2 = s1 * s2;
+        let s2c4 = s2 * c4;
+        let t_2 = c1c2 * c4 - s1 * s4;
+        let t_3 = s1c2 * c4 + c1 * s4;
+        let s2s4 = s2 * s4;
+        let t_4 = s1 * c4 + c1c2 * s4;
+        let t_5 = c1 * c4 - s1c2 * s4;
+        let t_6 = c1s2 * c5 + t_2 * s5;
+        let t_7 = s1s2 * c5 + t_3 * s5;
+        let t_8 = c2 * c5 - s2c4 * s5;
+        let t_9 = c5 * 0.08 + s5 * 0.09 + 0.03;
+        let t_10 = c4 * t_9 + 0.05;
+        let t_11 = s5 * 0.08 - c5 * 0.09 - 0.1 - q[2];
+        let t_12 = s4 * t_9 + 0.12;
+        let t_13 = c2 * t_10 - s2 * t_11;
+        let t_14 = s2 * t_10 + c2 * t_11;
+        ::dh_robot::nalgebra::SMatrix::from_data(
+            ::dh_robot::nalgebra::ArrayStorage([
+                [-(s1 * t_13 + c1 * t_12), c1 * t_13 - s1 * t_12, 0.0, 0.0, 0.0, 1.0],
+                [-c1 * t_14, -s1 * t_14, -t_13, -s1, c1, 0.0],
+                [c1s2, s1s2, c2, 0.0, 0.0, 0.0],
+                [-t_4 * t_9, t_5 * t_9, s2s4 * t_9, c1s2, s1s2, c2],
+                [
+                    (t_2 * c5 - c1s2 * s5) * 0.09 - t_6 * 0.08,
+                    (t_3 * c5 - s1s2 * s5) * 0.09 - t_7 * 0.08,
+                    -((s2c4 * c5 + c2 * s5) * 0.09 + t_8 * 0.08),
+                    -t_4,
+                    t_5,
+                    s2s4,
+                ],
+                [0.0, 0.0, 0.0, t_6, t_7, t_8],
+            ]),
+        )
+    }
+    /// [`forward`](Self::forward) and [`jacobian`](Self::jacobian) together, for little more than one of them.
+    ///
+    /// Cost: 63 multiplications, 31 additions, 5 sine-cosine pairs.
+    #[inline]
+    #[must_use]
+    pub fn forward_and_jacobian(
+        &self,
+        q: &[f64; 6],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 6>,
+    ) {
+        let angles = [q[0], q[1], q[3], q[4], q[5]];
+        let ([s1, s2, s4, s5, s6], [c1, c2, c4, c5, c6]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let c1c2 = c1 * c2;
+        let s1c2 = s1 * c2;
+        let c1s2 = c1 * s2;
+        let s1s2 = s1 * s2;
+        let s2c4 = s2 * c4;
+        let t_2 = c1c2 * c4 - s1 * s4;
+        let t_3 = s1c2 * c4 + c1 * s4;
+        let s2s4 = s2 * s4;
+        let t_4 = s1 * c4 + c1c2 * s4;
+        let t_5 = c1 * c4 - s1c2 * s4;
+        let t_6 = t_2 * c5 - c1s2 * s5;
+        let t_7 = t_3 * c5 - s1s2 * s5;
+        let t_8 = s2c4 * c5 + c2 * s5;
+        let t_9 = c1s2 * c5 + t_2 * s5;
+        let t_10 = s1s2 * c5 + t_3 * s5;
+        let t_11 = c2 * c5 - s2c4 * s5;
+        let t_12 = c5 * 0.08 + s5 * 0.09 + 0.03;
+        let t_13 = c4 * t_12 + 0.05;
+        let t_14 = s5 * 0.08 - c5 * 0.09 - 0.1 - q[2];
+        let t_15 = s4 * t_12 + 0.12;
+        let t_16 = c2 * t_13 - s2 * t_14;
+        let t_17 = s2 * t_13 + c2 * t_14;
+        let t_18 = c1 * t_16 - s1 * t_15;
+        let t_19 = s1 * t_16 + c1 * t_15;
+        (
+            ::dh_robot::pose::from_entries(
+                [
+                    [t_6 * c6 - t_4 * s6, -(t_4 * c6 + t_6 * s6), t_9],
+                    [t_7 * c6 + t_5 * s6, t_5 * c6 - t_7 * s6, t_10],
+                    [-(t_8 * c6 - s2s4 * s6), s2s4 * c6 + t_8 * s6, t_11],
+                ],
+                [t_18, t_19, -(t_17 - 0.6)],
+            ),
+            ::dh_robot::nalgebra::SMatrix::from_data(
+                ::dh_robot::nalgebra::ArrayStorage([
+                    [-t_19, t_18, 0.0, 0.0, 0.0, 1.0],
+                    [-c1 * t_17, -s1 * t_17, -t_16, -s1, c1, 0.0],
+                    [c1s2, s1s2, c2, 0.0, 0.0, 0.0],
+                    [-t_4 * t_12, t_5 * t_12, s2s4 * t_12, c1s2, s1s2, c2],
+                    [
+                        t_6 * 0.09 - t_9 * 0.08,
+                        t_7 * 0.09 - t_10 * 0.08,
+                        -(t_8 * 0.09 + t_11 * 0.08),
+                        -t_4,
+                        t_5,
+                        s2s4,
+                    ],
+                    [0.0, 0.0, 0.0, t_9, t_10, t_11],
+                ]),
+            ),
+        )
+    }
+}
+impl ::dh_robot::Robot<6, f64> for PolarOffsetWrist {
+    fn joints(&self) -> &'static [::dh_robot::Joint<f64>; 6] {
+        &Self::JOINTS
+    }
+}
+impl ::dh_robot::ForwardKinematics<6, f64> for PolarOffsetWrist {
+    #[inline]
+    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
+        PolarOffsetWrist::forward(self, q)
+    }
+    #[inline]
+    fn frames(&self, q: &[f64; 6]) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 6] {
+        PolarOffsetWrist::frames(self, q)
+    }
+}
+impl ::dh_robot::Jacobian<6, f64> for PolarOffsetWrist {
+    #[inline]
+    fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
+        PolarOffsetWrist::jacobian(self, q)
+    }
+}
+#[allow(unused, clippy::all, clippy::pedantic)]
+impl PolarOffsetWrist {
+    /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
+    pub const MAX_SOLUTIONS: usize = 16;
+    /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
+    ///
+    /// Plan:
+    /// 1. `q1`, `q2`, `q3`, `q4`, `q5`, `q6`: elimination of the general six-axis arm (Raghavan and Roth).
+    #[must_use]
+    pub fn inverse(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 6, 16> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 1.07) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 1.07,
+            few: false,
+            given: None,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 1.07),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, pick, found| self.candidates(frame, pick, found),
+        )
+    }
+    /// Runs the plan: calls `found` with every candidate.
+    fn candidates(
+        &self,
+        t: &::dh_robot::ik::Pose,
+        pick: ::dh_robot::inverse::Pick,
+        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+    ) -> ::dh_robot::inverse::Attempt {
+        let mut attempt = ::dh_robot::inverse::Attempt::new();
+        let free = ::dh_robot::FreeJoints::NONE;
+        let r0 = ::dh_robot::ik::general::General6R::with_slides(
+                &[
+                    [
+                        [1.0, 0.0, 0.0, 0.0],
+                        [0.0, 0.0, 1.0, 0.0],
+                        [0.0, -1.0, 0.0, 0.5607476635514018],
+                    ],
+                    [
+                        [1.0, 0.0, 0.0, 0.04672897196261683],
+                        [0.0, 0.0, -1.0, 0.0],
+                        [0.0, 1.0, 0.0, 0.11214953271028037],
+                    ],
+                    [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]],
+                    [
+                        [1.0, 0.0, 0.0, 0.028037383177570093],
+                        [0.0, 0.0, 1.0, 0.0],
+                        [0.0, -1.0, 0.0, 0.09345794392523366],
+                    ],
+                    [
+                        [1.0, 0.0, 0.0, 0.07476635514018691],
+                        [0.0, 0.0, -1.0, 0.0],
+                        [0.0, 1.0, 0.0, 0.0],
+                    ],
+                    [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]],
+                ],
+                &[false, false, true, false, false, false],
+                [
+                    ::dh_robot::ik::general::Choice::new(12),
+                    ::dh_robot::ik::general::Choice::new(54),
+                    ::dh_robot::ik::general::Choice::new(59),
+                ],
+            )
+            .find(
+                &[
+                    [t[0][0], t[0][1], t[0][2], t[0][3] - t[0][2] * 0.08411214953271028],
+                    [t[1][0], t[1][1], t[1][2], t[1][3] - t[1][2] * 0.08411214953271028],
+                    [t[2][0], t[2][1], t[2][2], t[2][3] - t[2][2] * 0.08411214953271028],
+                ],
+            );
+        if r0.roots.is_empty() {
+            attempt.note(r0.outcome, free, "q1, q2, q3, q4, q5, q6", 1.0, "");
+        }
+        let free = if r0.is_free() {
+            attempt.degenerate = true;
+            free.union(::dh_robot::FreeJoints::of(&[0, 1, 2, 3, 4, 5]))
+        } else {
+            free
+        };
+        for (i0, &[[c1, s1], [c2, s2], [q3, _], [c4, s4], [c5, s5], [c6, s6]]) in r0
+            .or_if_free([[1.0, 0.0]; 6])
+            .iter()
+            .enumerate()
+        {
+            let a0 = ::dh_robot::math::atan2(s1, c1);
+            let a1 = ::dh_robot::math::atan2(s2, c2);
+            let a2 = q3 * 1.07;
+            let a3 = ::dh_robot::math::atan2(s4, c4);
+            let a4 = ::dh_robot::math::atan2(s5, c5);
+            let a5 = ::dh_robot::math::atan2(s6, c6);
+            let branch = ::dh_robot::Branch::ANY.with_step(0, i0);
+            found([a0, a1, a2, a3, a4, a5], branch, free);
+        }
+        attempt
+    }
+}
+#[allow(unused, clippy::all, clippy::pedantic)]
+impl ::dh_robot::ik::Kinematics<6> for PolarOffsetWrist {
+    #[inline]
+    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {
+        let angles = [q[5], q[4], q[3], q[1], q[0]];
+        let ([s6, s5, s4, s2, s1], [c6, c5, c4, c2, c1]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let c6c5 = c6 * c5;
+        let c6s5 = c6 * s5;
+        let t_2 = c6c5 * c4 - s6 * s4;
+        let t_3 = c6c5 * s4 + s6 * c4;
+        let t_4 = t_2 * c2 - c6s5 * s2;
+        let t_5 = t_2 * s2 + c6s5 * c2;
+        let t_6 = t_4 * c1 - t_3 * s1;
+        let t_7 = t_4 * s1 + t_3 * c1;
+        let s5c4 = s5 * c4;
+        let s5s4 = s5 * s4;
+        let t_8 = c2 * s5c4 + c5 * s2;
+        let t_9 = s2 * s5c4 - c5 * c2;
+        let t_10 = c1 * t_8 - s1 * s5s4;
+        let t_11 = s1 * t_8 + c1 * s5s4;
+        let t_12 = 0.03 + c5 * 0.08 + s5 * 0.09;
+        let t_13 = 0.05 + c4 * t_12;
+        let t_14 = s5 * 0.08 - c5 * 0.09 - 0.1 - q[2];
+        let t_15 = s4 * t_12 + 0.12;
+        let t_16 = c2 * t_13 - s2 * t_14;
+        [
+            [t_6, -(t_5 * t_11 - t_7 * t_9), t_10, c1 * t_16 - s1 * t_15],
+            [t_7, -(t_6 * t_9 - t_5 * t_10), t_11, s1 * t_16 + c1 * t_15],
+            [-t_5, t_7 * t_10 - t_6 * t_11, -t_9, -(s2 * t_13 + c2 * t_14 - 0.6)],
+        ]
+    }
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 6],
+    ) -> (::dh_robot::ik::Pose, [[f64; 6]; 6]) {
+        let angles = [q[0], q[1], q[3], q[4], q[5]];
+        let ([s1, s2, s4, s5, s6], [c1, c2, c4, c5, c6]) = ::dh_robot::sincos::sincos_batch(
+            &angles,
+        );
+        let c1c2 = c1 * c2;
+        let s1c2 = s1 * c2;
+        let c1s2 = c1 * s2;
+        let s1s2 = s1 * s2;
+        let s2c4 = s2 * c4;
+        let t_2 = c1c2 * c4 - s1 * s4;
+        let t_3 = s1c2 * c4 + c1 * s4;
+        let s2s4 = s2 * s4;
+        let t_4 = s1 * c4 + c1c2 * s4;
+        let t_5 = c1 * c4 - s1c2 * s4;
+        let t_6 = t_2 * c5 - c1s2 * s5;
+        let t_7 = t_3 * c5 - s1s2 * s5;
+        let t_8 = s2c4 * c5 + c2 * s5;
+        let t_9 = c1s2 * c5 + t_2 * s5;
+        let t_10 = s1s2 * c5 + t_3 * s5;
+        let t_11 = c2 * c5 - s2c4 * s5;
+        let t_12 = c5 * 0.08 + s5 * 0.09 + 0.03;
+        let t_13 = c4 * t_12 + 0.05;
+        let t_14 = s5 * 0.08 - c5 * 0.09 - 0.1 - q[2];
+        let t_15 = s4 * t_12 + 0.12;
+        let t_16 = c2 * t_13 - s2 * t_14;
+        let t_17 = s2 * t_13 + c2 * t_14;
+        let t_18 = c1 * t_16 - s1 * t_15;
+        let t_19 = s1 * t_16 + c1 * t_15;
+        (
+            [
+                [t_6 * c6 - t_4 * s6, -(t_4 * c6 + t_6 * s6), t_9, t_18],
+                [t_7 * c6 + t_5 * s6, t_5 * c6 - t_7 * s6, t_10, t_19],
+                [-(t_8 * c6 - s2s4 * s6), s2s4 * c6 + t_8 * s6, t_11, -(t_17 - 0.6)],
+            ],
+            [
+                [-t_19, -c1 * t_17, c1s2, -t_4 * t_12, t_6 * 0.09 - t_9 * 0.08, 0.0],
+                [t_18, -s1 * t_17, s1s2, t_5 * t_12, t_7 * 0.09 - t_10 * 0.08, 0.0],
+                [0.0, -t_16, c2, s2s4 * t_12, -(t_8 * 0.09 + t_11 * 0.08), 0.0],
+                [0.0, -s1, 0.0, c1s2, -t_4, t_9],
+                [0.0, c1, 0.0, s1s2, t_5, t_10],
+                [1.0, 0.0, 0.0, c2, s2s4, t_11],
+            ],
+        )
+    }
+}
+impl ::dh_robot::InverseKinematics<6, 16, f64> for PolarOffsetWrist {
+    type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
+    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 6, 16> {
+        PolarOffsetWrist::inverse(self, target)
+    }
+}
