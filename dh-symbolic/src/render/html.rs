@@ -22,7 +22,8 @@ table.data th { border-bottom: 1px solid; }\ntable.data th, table.data td { padd
 div.display { overflow-x: auto; margin: 1rem 0; }\n\
 mtd.left { text-align: right; }\nmtd.right { text-align: left; }\n";
 
-fn block(b: &Block) -> String {
+/// A block as HTML.
+pub(super) fn block(b: &Block) -> String {
     match b {
         Block::Heading(level, t) => format!("<h{0}>{1}</h{0}>\n", level + 1, text(t)),
         Block::Paragraph(t) => format!("<p>{}</p>\n", text(t)),
@@ -76,7 +77,8 @@ fn text(t: &Text) -> String {
         .collect()
 }
 
-fn escape(text: &str) -> String {
+/// Text without special meaning.
+pub(super) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 

@@ -20,6 +20,7 @@ pub mod math;
 mod name;
 pub mod notation;
 pub mod notes;
+pub mod page;
 pub mod plain;
 pub mod plan;
 mod quantities;
@@ -35,5 +36,6 @@ pub mod verdict;
 
 pub use document::{Document, Format};
 pub use notes::{Language, Options, notes};
+pub use page::page;
 pub use plan::plan;
 pub use rustdoc::rustdoc;

@@ -98,9 +98,9 @@ fn joint(chain: &Chain, index: usize, joint: &Joint) -> String {
         Some((least, greatest)) => format!("[{}, {}]", number(bound(least)), number(bound(greatest))),
         None => "null".to_string(),
     };
-    let angle = is_angle(chain, index);
+    let (angle, slides) = (is_angle(chain, index), matches!(joint.coordinate, Coordinate::Length(_)));
     let (row, name) = (joint.row, string(&joint.name));
-    format!("{{ name: {name}, row: {row}, turns: {turns}, angle: {angle}, range: {range} }},\n")
+    format!("{{ name: {name}, row: {row}, turns: {turns}, angle: {angle}, slides: {slides}, range: {range} }},\n")
 }
 
 /// Is the motor's variable an angle? (A motor that drives a rack by a pinion is, though no joint turns with it.)

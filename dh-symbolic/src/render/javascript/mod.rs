@@ -8,6 +8,7 @@ mod candidates;
 mod text;
 
 pub use arm::class;
+pub(in crate::render) use text::string;
 
 use crate::chain::{Chain, Scalar};
 use crate::planner::{self, StepKind};

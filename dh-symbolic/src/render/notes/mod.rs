@@ -61,6 +61,18 @@ pub fn notes(chain: &Chain, options: &Options) -> Document {
     Document { title, language: options.language.tag(), blocks: w.blocks }
 }
 
+/// Table, link transforms and their products: the formulas that stand beside numbers.
+pub(super) fn matrices(chain: &Chain, options: &Options) -> Vec<Block> {
+    let named = named_offsets(chain);
+    let chain = named.as_ref().unwrap_or(chain);
+    let kinematics = Kinematics::new(chain);
+    let mut w = Writer::new(chain, *options);
+    w.table();
+    w.links(&kinematics);
+    w.forward(&kinematics);
+    w.blocks
+}
+
 /// A note while it is being written.
 struct Writer<'a> {
     chain: &'a Chain,
