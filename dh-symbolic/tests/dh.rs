@@ -99,3 +99,34 @@ fn expanded_code_is_rust() {
     assert_eq!((code, err.as_str()), (0, ""));
     assert!(out.contains("pub struct Planar {") && out.contains("pub fn forward("), "{out}");
 }
+
+#[test]
+fn a_page_and_a_script() {
+    let (code, out, err) = dh(&["page"], PLANAR);
+    assert_eq!((code, err.as_str()), (0, ""));
+    assert!(out.starts_with("<!DOCTYPE html>") && out.ends_with("</html>\n") && out.contains("class Arm"), "{out}");
+    assert_eq!(out, dh(&["notes", "--to", "page"], PLANAR).1);
+    assert!(dh(&["page", "--lang", "zh"], PLANAR).1.contains("逆运动学"));
+    let script = dh(&["expand", "--to", "javascript"], PLANAR).1;
+    assert!(script.starts_with("\"use strict\";") && script.contains("this.parameters = { l1: 0.4, l2: 0.3 };"));
+    for arguments in [["plan", "--to", "page"], ["notes", "--to", "javascript"], ["expand", "--to", "html"]] {
+        assert_eq!(dh(&arguments, PLANAR).0, 2, "{arguments:?}");
+    }
+}
+
+#[test]
+fn files_appear_when_they_are_complete() {
+    let folder = std::env::temp_dir().join(format!("dh-out-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let path = folder.join("page.html");
+    let name = path.to_str().expect("a name");
+    let bad = PLANAR.replace("| 0     | l1 |", "| 0     | l9 |");
+    assert_eq!(dh(&["page", "--out", name], &bad).0, 2);
+    assert_eq!(std::fs::read_dir(&folder).expect("a folder").count(), 0, "nothing is written for a bad table");
+    assert_eq!(dh(&["page", "--out", name], PLANAR), (0, String::new(), String::new()));
+    assert_eq!(std::fs::read_to_string(&path).expect("the page"), dh(&["page"], PLANAR).1);
+    assert_eq!(std::fs::read_dir(&folder).expect("a folder").count(), 1, "and nothing beside the page");
+    let (code, _, err) = dh(&["page", "--out", "/nowhere/page.html"], PLANAR);
+    assert!(code == 2 && err.starts_with("error: /nowhere/page.html"), "{err}");
+    std::fs::remove_dir_all(&folder).ok();
+}

@@ -8,7 +8,7 @@ use dh_symbolic::diagnostic::lex;
 use dh_symbolic::kinematics::claims;
 use dh_symbolic::pipeline::compile;
 use dh_symbolic::render::notes::{Language, Options, notes};
-use dh_symbolic::render::{Format, plan, rust::pretty, verdict};
+use dh_symbolic::render::{Format, javascript, page, plan, rust::pretty, verdict};
 use std::io::{Read, Write};
 use std::process::ExitCode;
 
@@ -16,16 +16,23 @@ const USAGE: &str = "\
 dh: kinematics from a Denavit-Hartenberg table
 
   dh notes  [FILE]   lecture notes
+  dh page   [FILE]   an interactive page: sliders, drawing, pose, solutions (one HTML file; also notes --to page)
   dh check  [FILE]   the table, and the claims of its prove blocks
   dh plan   [FILE]   the steps of the inverse kinematics
   dh expand [FILE]   the Rust code that dh_robot! leaves behind
 
-  --to text|latex|markdown|typst|html   format of notes and plans; plans also: mermaid
+  --to text|latex|markdown|typst|html   format of notes and plans; plans also: mermaid; notes also: page;
+                                        expand: rust, javascript
   --lang en|zh                          their language
+  --out PATH                            write there, not to standard output; the file appears when it is complete
 
 FILE holds the body of dh_robot!; without it, or with -, standard input is read.
 Exit code: 0, 1 (a claim is wrong), 2 (bad usage or table).
 ";
+
+/// Formats of one command alone.
+const OTHERS: [(&str, &str); 4] =
+    [("plan", "mermaid"), ("notes", "page"), ("expand", "rust"), ("expand", "javascript")];
 
 const WRONG: u8 = 1;
 const BAD: u8 = 2;
@@ -35,21 +42,31 @@ struct Answer {
     out: String,
     err: String,
     code: u8,
+    /// The file that takes `out`; else standard output.
+    to: Option<String>,
 }
 
 impl Answer {
     fn good(out: String) -> Answer {
-        Answer { out, err: String::new(), code: 0 }
+        Answer { out, err: String::new(), code: 0, to: None }
     }
 
     fn bad(err: String) -> Answer {
-        Answer { out: String::new(), err, code: BAD }
+        Answer { out: String::new(), err, code: BAD, to: None }
     }
 }
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let answer = run(&arguments);
+    let mut answer = run(&arguments);
+    if let Some(path) = answer.to.take()
+        && answer.code == 0
+    {
+        match write_whole(&path, &answer.out) {
+            Ok(()) => answer.out.clear(),
+            Err(e) => answer = Answer::bad(format!("error: {path}: {e}\n")),
+        }
+    }
     // A reader that has gone away (`dh notes | head`) is no error.
     let _ = std::io::stderr().write_all(answer.err.as_bytes());
     let _ = std::io::stdout().write_all(answer.out.as_bytes());
@@ -62,7 +79,11 @@ struct Request {
     file: Option<String>,
     /// `None`: a flow chart.
     format: Option<Format>,
+    /// The format as written.
+    to: Option<String>,
     language: Language,
+    /// Where to write.
+    out: Option<String>,
 }
 
 fn run(arguments: &[String]) -> Answer {
@@ -81,7 +102,14 @@ fn run(arguments: &[String]) -> Answer {
         Err(message) => return Answer::bad(format!("error: {message}\n")),
     };
     let name = request.file.as_deref().filter(|f| *f != "-").unwrap_or("standard input");
-    match request.command.as_str() {
+    let mut answer = match request.command.as_str() {
+        "page" => with_chain(&source, name, |_, chain| or_defect(page(&chain, request.language))),
+        "notes" if request.to.as_deref() == Some("page") => {
+            with_chain(&source, name, |_, chain| or_defect(page(&chain, request.language)))
+        }
+        "expand" if request.to.as_deref() == Some("javascript") => {
+            with_chain(&source, name, |_, chain| or_defect(javascript::script(&chain)))
+        }
         "notes" => with_chain(&source, name, |_, chain| {
             let options = Options { language: request.language, ..Options::default() };
             Answer::good(notes(&chain, &options).print(request.format.unwrap_or(Format::Text)))
@@ -89,11 +117,38 @@ fn run(arguments: &[String]) -> Answer {
         "check" => with_chain(&source, name, |parsed, chain| check(parsed, &chain)),
         "plan" => with_chain(&source, name, |_, chain| Answer::good(show_plan(&request, &chain))),
         _ => expand(&source, name),
+    };
+    answer.to = request.out;
+    answer
+}
+
+/// Text, or the defect of this crate that was found while making it.
+fn or_defect(text: Result<String, dh_symbolic::program::Disproof>) -> Answer {
+    text.map_or_else(|e| Answer::bad(format!("error: {e}; this is a defect of dh-symbolic\n")), Answer::good)
+}
+
+/// Writes a file beside its place and moves it there, so that nobody sees half of it.
+fn write_whole(path: &str, text: &str) -> std::io::Result<()> {
+    let path = std::path::Path::new(path);
+    let mut name = path.file_name().ok_or_else(|| std::io::Error::other("not the name of a file"))?.to_os_string();
+    name.push(format!(".{}.part", std::process::id()));
+    let part = path.with_file_name(name);
+    let done = std::fs::write(&part, text).and_then(|()| std::fs::rename(&part, path));
+    if done.is_err() {
+        let _ = std::fs::remove_file(&part);
     }
+    done
 }
 
 fn request(arguments: &[String]) -> Result<Request, String> {
-    let mut r = Request { command: String::new(), file: None, format: Some(Format::Text), language: Language::English };
+    let mut r = Request {
+        command: String::new(),
+        file: None,
+        format: Some(Format::Text),
+        to: None,
+        language: Language::English,
+        out: None,
+    };
     let mut list = arguments.iter();
     while let Some(a) = list.next() {
         let (name, attached) = match a.split_once('=') {
@@ -105,11 +160,13 @@ fn request(arguments: &[String]) -> Result<Request, String> {
             "--to" => {
                 let wanted = value()?;
                 let known = Format::ALL.iter().find(|(n, _)| *n == wanted).map(|(_, f)| *f);
-                if known.is_none() && wanted != "mermaid" {
+                if known.is_none() && !OTHERS.iter().any(|(_, n)| *n == wanted) {
                     let names: Vec<&str> = Format::ALL.iter().map(|(n, _)| *n).collect();
-                    return Err(format!("no format `{wanted}`: one of {}, or mermaid for plans", names.join(", ")));
+                    let others: Vec<String> = OTHERS.iter().map(|(c, n)| format!("{n} for {c}")).collect();
+                    return Err(format!("no format `{wanted}`: one of {}; {}", names.join(", "), others.join(", ")));
                 }
                 r.format = known;
+                r.to = Some(wanted);
             }
             "--lang" => {
                 r.language = match value()?.as_str() {
@@ -118,15 +175,23 @@ fn request(arguments: &[String]) -> Result<Request, String> {
                     other => return Err(format!("no language `{other}`: en or zh")),
                 };
             }
+            "--out" | "-o" => r.out = Some(value()?),
             _ if name.starts_with("--") => return Err(format!("no option `{name}`")),
             _ if r.command.is_empty() => r.command = a.clone(),
             _ if r.file.is_none() => r.file = Some(a.clone()),
             _ => return Err(format!("one file at a time: `{a}` is too much")),
         }
     }
+    if let Some((command, name)) = OTHERS.iter().find(|(_, n)| Some(*n) == r.to.as_deref())
+        && *command != r.command
+    {
+        return Err(format!("{name} is for {command}"));
+    }
     match r.command.as_str() {
-        "notes" if r.format.is_none() => Err("mermaid is for plans".into()),
-        "notes" | "check" | "plan" | "expand" => Ok(r),
+        "expand" | "page" if r.format.is_some() && r.to.is_some() => {
+            Err(format!("{} is for notes and plans", r.to.unwrap_or_default()))
+        }
+        "notes" | "check" | "plan" | "expand" | "page" => Ok(r),
         "" => Err("what shall be done?".into()),
         other => Err(format!("no command `{other}`")),
     }
@@ -170,7 +235,7 @@ fn check(parsed: &Parsed, chain: &Chain) -> Answer {
     }
     let (claims, report) = derivation(parsed, chain);
     out.push_str(&verdict::check_text(&report, &claims));
-    Answer { out, err: String::new(), code: if report.is_fine() { 0 } else { WRONG } }
+    Answer { out, err: String::new(), code: if report.is_fine() { 0 } else { WRONG }, to: None }
 }
 
 /// The plan, or why there is none.
@@ -191,7 +256,7 @@ fn expand(source: &str, name: &str) -> Answer {
         if !errors.is_empty() {
             let wrong = !derivation(parsed, &chain).1.is_fine();
             let err = errors.draw(source, name);
-            return Answer { out: String::new(), err, code: if wrong { WRONG } else { BAD } };
+            return Answer { out: String::new(), err, code: if wrong { WRONG } else { BAD }, to: None };
         }
         match pretty(items) {
             Ok(text) => Answer::good(text),

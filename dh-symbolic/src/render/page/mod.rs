@@ -35,12 +35,13 @@ pub fn page(chain: &Chain, language: Language) -> Result<String, Disproof> {
     );
     let w = |key: &str| words(key, language);
     let title = html::escape(&w("title").replace("{}", &chain.name));
-    let formulas: String = matrices(chain, &Options { language, ..Options::default() }).iter().map(block).collect();
+    let formulas = formulas(chain, language);
     let inverse = if wanted {
         format!(
             "<h3 class=\"note\">{}</h3><div id=\"target\"></div><p id=\"count\" aria-live=\"polite\"></p>\n\
-             <div class=\"scroll\"><table id=\"solutions\" class=\"numbers\"></table></div>",
-            w("target")
+             <div class=\"scroll\"><table id=\"solutions\" class=\"numbers\"></table></div><p class=\"note\">{}</p>",
+            w("target"),
+            w("red")
         )
     } else {
         String::new()
@@ -52,11 +53,11 @@ pub fn page(chain: &Chain, language: Language) -> Result<String, Disproof> {
          <div class=\"stack\">\n<section>\n<h2>{}</h2>\n<div class=\"options\"><select id=\"unit\" aria-label=\"{} / {}\">\
          <option value=\"deg\">{}</option><option value=\"rad\">{}</option></select> <button id=\"reset\">{}</button></div>\n\
          <div id=\"joints\"></div>\n</section>\n<section id=\"fields\">\n<h2>{} ({})</h2>\n<div id=\"parameters\"></div>\n</section>\n</div>\n\
-         <section>\n<h2>{}</h2>\n<div class=\"options\"><label><input type=\"checkbox\" id=\"frames\" checked> {}</label> \
+         <div class=\"stack\">\n<section>\n<h2>{}</h2>\n<div class=\"options\"><label><input type=\"checkbox\" id=\"frames\" checked> {}</label> \
          <label><input type=\"checkbox\" id=\"ghosts\"> {}</label></div>\n<svg id=\"drawing\" role=\"img\" aria-label=\"{}\"></svg>\n</section>\n\
+         <section>\n<h2>{}</h2>\n<div class=\"scroll\"><table id=\"jacobian\" class=\"numbers matrix\"></table></div>\n<p id=\"determinant\" class=\"note\"></p>\n</section>\n</div>\n\
          <div class=\"stack\">\n<section>\n<h2>{}</h2>\n<div class=\"scroll\"><table id=\"pose\" class=\"numbers matrix\"></table></div>\n</section>\n\
-         <section>\n<h2>{}</h2>\n<p class=\"note\">{}</p>\n{inverse}\n</section>\n\
-         <section>\n<h2>{}</h2>\n<div class=\"scroll\"><table id=\"jacobian\" class=\"numbers matrix\"></table></div>\n</section>\n</div>\n</main>\n\
+         <section>\n<h2>{}</h2>\n<p class=\"note\">{}</p>\n{inverse}\n</section>\n</div>\n</main>\n\
          <section class=\"formulas\">\n<h2>{}</h2>\n{formulas}</section>\n<script>\n{script}</script>\n</body>\n</html>\n",
         language.tag(),
         include_str!("page.css"),
@@ -73,13 +74,31 @@ pub fn page(chain: &Chain, language: Language) -> Result<String, Disproof> {
         w("frames"),
         w("ghosts"),
         w("drawing"),
+        w("jacobian"),
         w("pose"),
         w("solutions"),
         w(how),
-        w("jacobian"),
         w("formulas"),
     ))
 }
+
+/// The formulas; of arms with very long ones, products stay products.
+fn formulas(chain: &Chain, language: Language) -> String {
+    let mut text = String::new();
+    for terms in TERMS {
+        let options = Options { language, terms, ..Options::default() };
+        text = matrices(chain, &options).iter().map(block).collect();
+        if text.len() <= ROOM {
+            break;
+        }
+    }
+    text
+}
+
+/// Longest products written out: the first number that leaves the formulas short enough.
+const TERMS: [usize; 4] = [1500, 400, 100, 30];
+/// Bytes for formulas, so that a page stays below 300 kB.
+const ROOM: usize = 180_000;
 
 /// A block of the notes, one heading level deeper than there.
 fn block(b: &Block) -> String {

@@ -93,6 +93,7 @@ function show() {
   fillTable("pose", [...pose, [0, 0, 0, 1]], 4);
   const jacobian = arm.jacobian(state.q);
   fillTable("jacobian", jacobian, 3);
+  byId("determinant").textContent = arm.joints.length === 6 ? `det J = ${determinant(jacobian).toPrecision(4)}` : "";
   fillSolutions();
   fillTarget(pose);
 }
@@ -101,7 +102,21 @@ function fillTable(id, rows, places) {
   byId(id).replaceChildren(...rows.map((row) => make("tr", {}, ...row.map((x) => make("td", { "data-value": String(x) }, shown(x, places))))));
 }
 
-const branchName = (s) => ["shoulder", "elbow", "wrist"].filter((part) => s.branch?.[part]).map((part) => WORDS[`${part} ${s.branch[part]}`]).join(WORDS.comma);
+// By Gauss, with row pivots.
+function determinant(matrix) {
+  const m = matrix.map((row) => [...row]);
+  let product = 1;
+  for (let k = 0; k < m.length; k++) {
+    const p = m.reduce((best, row, i) => (i >= k && Math.abs(row[k]) > Math.abs(m[best][k]) ? i : best), k);
+    if (p !== k) { [m[k], m[p]] = [m[p], m[k]]; product = -product; }
+    product *= m[k][k];
+    if (product === 0) return 0;
+    for (let i = k + 1; i < m.length; i++) { const f = m[i][k] / m[k][k]; m[i] = m[i].map((x, j) => x - f * m[k][j]); }
+  }
+  return product;
+}
+
+const PARTS = ["shoulder", "elbow", "wrist"];
 
 function why(reason) {
   const words = WORDS[`why ${reason.kind}`] ?? WORDS["why none"], few = (x) => Number(x).toPrecision(4);
@@ -116,13 +131,15 @@ function fillSolutions() {
   const list = answer.solutions, inside = (s) => s.q.every((x, k) => inRange(arm.joints[k], x));
   byId("count").textContent = list.length > 0 ? WORDS.found.replace("{n}", list.length).replace("{m}", list.filter(inside).length) : why(answer.why);
   const places = (joint) => (joint.angle && inDegrees() ? 1 : 3);
-  const head = make("tr", {}, make("th"), ...arm.joints.map((j) => make("th", {}, j.name)), make("th", {}, WORDS.branch));
+  const parts = PARTS.filter((part) => list.some((s) => s.branch?.[part])), free = list.some((s) => s.free.length > 0);
+  const head = make("tr", {}, make("th"), ...[...arm.joints.map((j) => j.name), ...parts.map((part) => WORDS[part]), ...(free ? [""] : [])].map((name) => make("th", {}, name)));
   byId("solutions").replaceChildren(...(list.length > 0 ? [head] : []), ...list.map((s, i) => {
     const cells = s.q.map((x, k) => make("td", { class: s.free.includes(k) ? "free" : inRange(arm.joints[k], x) ? "" : "outside", "data-value": String(x) },
       shown(display(arm.joints[k], x), places(arm.joints[k]))));
-    const notes = [branchName(s), s.free.length > 0 ? WORDS.free.replace("{q}", s.free.map((k) => arm.joints[k].name).join(", ")) : "", inside(s) ? "" : WORDS.outside];
+    cells.push(...parts.map((part) => make("td", {}, WORDS[s.branch[part]] ?? "")));
+    if (free) cells.push(make("td", {}, s.free.length > 0 ? WORDS.free.replace("{q}", s.free.map((k) => arm.joints[k].name).join(", ")) : ""));
     const kind = [i === state.chosen ? "chosen" : "", inside(s) ? "" : "beyond"].join(" ");
-    const row = make("tr", { class: kind, tabindex: 0, onclick: () => choose(i) }, make("td", {}, String(i + 1)), ...cells, make("td", { class: "branch" }, notes.filter(Boolean).join("; ")));
+    const row = make("tr", { class: kind, tabindex: 0, onclick: () => choose(i) }, make("td", {}, String(i + 1)), ...cells);
     row.addEventListener("keydown", (event) => { if (event.key === "Enter" || event.key === " ") { event.preventDefault(); choose(i); byId("solutions").rows[i + 1].focus(); } });
     row.addEventListener("mouseenter", () => hover(i));
     row.addEventListener("mouseleave", () => hover(-1));

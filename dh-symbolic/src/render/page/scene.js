@@ -52,25 +52,27 @@ class Scene {
   camera() {
     const [a, e] = [this.azimuth, this.elevation];
     const toward = [Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e)], right = [-Math.sin(a), Math.cos(a), 0];
-    return { toward, right, up: cross(toward, right), scale: 275 * this.zoom / this.radius };
+    return { toward, right, up: cross(toward, right), scale: 0 };
+  }
+
+  // As large as the arm's usual postures allow, and smaller where this one needs more room.
+  fit({ bars, frames }, arrow) {
+    const ends = [...bars.flatMap((b) => [b.from, b.to]), ...frames.map((f) => columnOf(f, 3))].map((p) => add(p, this.centre, -1));
+    const { right, up } = this.eye, far = Math.max(...ends.map((d) => Math.max(Math.abs(dot(d, right)), Math.abs(dot(d, up))))) + arrow;
+    return this.zoom * Math.min(270 / (0.72 * this.radius), 270 / far);
   }
 
   draw(q, ghosts = []) {
     this.eye = this.camera();
+    const body = skeleton(this.arm, q), { bars, joints, frames, tip, moved } = body, size = 1.1 * this.radius / Math.sqrt(this.zoom);
+    this.eye.scale = this.fit(body, 0.15 * size);
     this.items = [];
     this.svg.textContent = "";
     this.grid();
     for (const ghost of ghosts) for (const bar of skeleton(this.arm, ghost).bars) this.line(bar.from, bar.to, "ghost", -1e6);
-    const { bars, joints, frames, tip, moved } = skeleton(this.arm, q), size = 1.1 * this.radius / Math.sqrt(this.zoom);
-    for (const bar of bars) {
-      const pieces = Math.max(1, Math.ceil(6 * distance(bar.from, bar.to) / this.radius));
-      for (let i = 0; i < pieces; i++) {
-        const at = (t) => add(bar.from, add(bar.to, bar.from, -1), t / pieces);
-        this.line(at(i), at(i + 1), `bar ${bar.part}`);
-      }
-    }
+    for (const bar of bars) this.line(bar.from, bar.to, `bar ${bar.part}`);
     for (const joint of joints) {
-      const shrink = 1 - 0.06 * joint.k, along = 0.055 * size * shrink, across = 0.034 * size * shrink;
+      const shrink = 1 - 0.06 * joint.k, along = 0.058 * size * shrink, across = 0.036 * size * shrink;
       if (joint.slides) this.prism(joint.at, joint.axis, 1.3 * along, 1.1 * across, 4, "box");
       else this.prism(joint.at, joint.axis, along, across, 20, "cylinder");
     }
@@ -123,7 +125,7 @@ class Scene {
 
   // The floor: a square grid of round steps through the base.
   grid() {
-    const step = 10 ** Math.floor(Math.log10(this.radius)), count = Math.ceil(1.2 * this.radius / step), size = count * step;
+    const power = 10 ** Math.floor(Math.log10(this.radius)), step = this.radius < 2 * power ? power / 5 : power, count = Math.ceil(1.2 * this.radius / step), size = count * step;
     const centre = [Math.round(this.centre[0] / step) * step, Math.round(this.centre[1] / step) * step];
     for (let i = -count; i <= count; i++) {
       const x = centre[0] + i * step, y = centre[1] + i * step;
@@ -134,32 +136,41 @@ class Scene {
     }
   }
 
-  // Arrows of x, y and z, with names that do not cover each other.
+  // Arrows of x, y and z, with names that do not cover each other; arrows that fall together share one.
   frames(list, hasTool, size) {
-    const taken = [], last = list.length - 1;
-    list.forEach((frame, i) => {
-      const origin = columnOf(frame, 3), name = hasTool && i === last ? "T" : String(i);
-      ["x", "y", "z"].forEach((letter, k) => {
-        const a = this.screen(origin), b = this.screen(add(origin, columnOf(frame, k), k === 1 ? 0.6 * size : size));
-        const far = Math.hypot(b[0] - a[0], b[1] - a[1]);
-        this.svg.append(this.node("line", { x1: a[0].toFixed(1), y1: a[1].toFixed(1), x2: b[0].toFixed(1), y2: b[1].toFixed(1) }, `axis ${letter}`));
-        if (far < 4) return;
+    const arrows = list.flatMap((frame, i) => ["x", "y", "z"].map((letter, k) => {
+      const origin = columnOf(frame, 3), name = hasTool && i === list.length - 1 ? "T" : String(i);
+      const a = this.screen(origin), b = this.screen(add(origin, columnOf(frame, k), k === 1 ? 0.6 * size : size));
+      return { letter, a, b, far: Math.hypot(b[0] - a[0], b[1] - a[1]), names: [name] };
+    }));
+    const named = [];
+    for (const arrow of arrows) {
+      const { letter, a, b, far } = arrow;
+      this.svg.append(this.node("line", { x1: a[0].toFixed(1), y1: a[1].toFixed(1), x2: b[0].toFixed(1), y2: b[1].toFixed(1) }, `axis ${letter}`));
+      if (far >= 4) {
         const [ux, uy] = [(b[0] - a[0]) / far, (b[1] - a[1]) / far];
         this.svg.append(this.polygon([[b[0] + 5 * ux, b[1] + 5 * uy], [b[0] - 3 * uy, b[1] + 3 * ux], [b[0] + 3 * uy, b[1] - 3 * ux]], `head ${letter}`));
-        if (k === 1) return;
-        // Past the tip, or beside it where another name stands.
-        for (const [along, aside] of [[14, 0], [14, 14], [14, -14], [26, 0], [26, 16], [26, -16], [38, 0]]) {
-          const at = [b[0] + along * ux - aside * uy, b[1] + along * uy + aside * ux];
-          if (taken.some((t) => Math.abs(t[0] - at[0]) < 17 && Math.abs(t[1] - at[1]) < 14)) continue;
-          taken.push(at);
-          const text = this.node("text", { x: at[0].toFixed(1), y: (at[1] + 4).toFixed(1) }, `name ${letter}`);
-          text.append(letter, this.node("tspan", { dy: 4, "font-size": 10 }));
-          text.lastChild.textContent = name;
-          this.svg.append(text);
-          break;
-        }
-      });
-    });
+      }
+      if (letter === "y" || far < 4) continue;
+      const same = named.find((n) => n.letter === letter && Math.hypot(n.b[0] - b[0], n.b[1] - b[1]) < 5);
+      if (same) same.names.push(...arrow.names);
+      else named.push(arrow);
+    }
+    const taken = [];
+    for (const { letter, a, b, far, names } of named) {
+      const [ux, uy] = [(b[0] - a[0]) / far, (b[1] - a[1]) / far], width = 9 + 4 * names.join(",").length;
+      // Past the tip, or beside it where another name stands.
+      for (const [along, aside] of [[14, 0], [14, 14], [14, -14], [26, 0], [26, 16], [26, -16], [38, 0], [-6, 14], [-6, -14]]) {
+        const at = [b[0] + along * ux - aside * uy, b[1] + along * uy + aside * ux];
+        if (Math.abs(at[0]) > 290 || Math.abs(at[1]) > 290 || taken.some((t) => Math.abs(t.at[0] - at[0]) < width + t.width && Math.abs(t.at[1] - at[1]) < 15)) continue;
+        taken.push({ at, width });
+        const text = this.node("text", { x: at[0].toFixed(1), y: (at[1] + 4).toFixed(1) }, `name ${letter}`);
+        text.append(letter, this.node("tspan", { dy: 4, "font-size": 11 }));
+        text.lastChild.textContent = names.join(",");
+        this.svg.append(text);
+        break;
+      }
+    }
   }
 }
 
