@@ -130,3 +130,37 @@ fn files_appear_when_they_are_complete() {
     assert!(code == 2 && err.starts_with("error: /nowhere/page.html"), "{err}");
     std::fs::remove_dir_all(&folder).ok();
 }
+
+/// Notation, parts and the example are choices; a choice that does not fit the robot is an error before anything is printed.
+#[test]
+fn choices_of_notes() {
+    for (options, part, other) in [
+        (vec!["--sines", "long"], "l₁·cos θ₁", "l₁c₁"),
+        (vec!["--transforms", "trailing"], "T₂⁰ = T₁⁰ T₂¹", "⁰T₂"),
+        (vec!["--transforms", "products"], "T₂ = A₁ A₂", "⁰T₂"),
+        (vec!["--joints", "phi"], "φ₂", "θ₂"),
+        (vec!["--frames", "0=S"], "(S)T₂", "⁰T₂"),
+        (vec!["--parts", "forward"], "Forward kinematics", "Link transforms"),
+        (vec!["--parts", "forward", "--products", "1-3,0-3"], "⁰T₃ = ⁰T₁ ¹T₃", "⁰T₂"),
+        (vec!["--parts", "example", "--at", "q1 = 90deg"], "θ₁ = 90°", "θ₁ = 20°"),
+        (vec!["--parts", "example", "--at=q1=90deg", "--angles=radians"], "θ₁ = 1.57", "90°"),
+    ] {
+        let (code, out, err) = dh(&[vec!["notes"], options.clone()].concat(), PLANAR);
+        assert_eq!((code, err.as_str()), (0, ""), "{options:?}");
+        assert!(out.contains(part), "{options:?}: {out}");
+        assert!(!out.contains(other), "{options:?}: {out}");
+    }
+    for (options, part) in [
+        (vec!["--parts", "tables"], "one of table, links"),
+        (vec!["--at", "q9 = 1deg"], "no joint variable `q9`"),
+        (vec!["--at", "q1 = 1"], "has no unit"),
+        (vec!["--pose", "tx(1) + 2"], "joined by `*`"),
+        (vec!["--products", "0-7"], "the last frame is 3"),
+        (vec!["--sines"], "needs a value"),
+    ] {
+        let (code, out, err) = dh(&[vec!["notes", "-"], options.clone()].concat(), PLANAR);
+        assert_eq!((code, out.as_str()), (2, ""), "{options:?}");
+        assert!(err.contains(part), "{options:?}: {err}");
+    }
+    assert_eq!(dh(&["plan", "--sines", "long"], PLANAR).0, 2);
+}

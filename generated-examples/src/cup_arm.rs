@@ -1,6 +1,10 @@
 //! The arm of the cup-grasp task: a base, a tool and millimetres.
 //!
-//! Source: slides on inverse kinematics, the task worked through with numbers.
+//! Source: slides on inverse kinematics, the task worked through with numbers. The tool frame is the cup's, held by the gripper;
+//! the notes work out where the table and the cup on it stand.
+//!
+//! Notes: --frames b=W,e=C
+//! Notes: --pose tx(830) * ty(20) * tz(330) * tx(-280) * ty(250) * tz(62.5) * rz(35deg)
 
 use dh_robot::dh_robot;
 
@@ -11,7 +15,7 @@ dh_robot! {
     convention = modified;
     unit = mm;
     base = tz(373mm);
-    tool = tz(206mm);
+    tool = tz(206mm) * ry(90deg) * rz(180deg);
 
     | joint | alpha  | a   | d   | theta |
     |-------|--------|-----|-----|-------|

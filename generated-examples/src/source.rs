@@ -12,6 +12,8 @@ pub struct Source {
     pub module: String,
     /// What stands between the braces of `dh_robot!`: the text that a `.dh` file would hold.
     pub body: String,
+    /// Options of its notes, from lines `Notes: --name value` of the module's documentation.
+    pub options: Vec<(String, String)>,
 }
 
 /// The folder of this crate.
@@ -28,11 +30,20 @@ pub fn all() -> io::Result<Vec<Source>> {
     crate::ROBOTS.iter().map(|module| one(module)).collect()
 }
 
+/// Options of the notes that a module's documentation asks for.
+fn options(module: &str) -> Vec<(String, String)> {
+    let lines = module.lines().filter_map(|line| line.strip_prefix("//! Notes: "));
+    lines
+        .filter_map(|line| line.split_once(' '))
+        .map(|(name, value)| (name.to_string(), value.trim().to_string()))
+        .collect()
+}
+
 fn one(module: &str) -> io::Result<Source> {
     let path: PathBuf = folder().join(format!("src/{module}.rs"));
     let text = fs::read_to_string(&path)?;
     match body(&text) {
-        Some(body) => Ok(Source { module: module.to_string(), body }),
+        Some(body) => Ok(Source { module: module.to_string(), body, options: options(&text) }),
         None => Err(io::Error::new(
             io::ErrorKind::InvalidData,
             format!("{}: no `dh_robot! {{ }}` at its end", path.display()),

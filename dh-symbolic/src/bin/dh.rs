@@ -7,7 +7,7 @@ use dh_symbolic::chain::table::{Claims, Parsed, parse};
 use dh_symbolic::diagnostic::lex;
 use dh_symbolic::kinematics::claims;
 use dh_symbolic::pipeline::compile;
-use dh_symbolic::render::notes::{Language, Options, notes};
+use dh_symbolic::render::notes::{Options, notes};
 use dh_symbolic::render::{Format, javascript, page, plan, rust::pretty, verdict};
 use std::io::{Read, Write};
 use std::process::ExitCode;
@@ -26,6 +26,8 @@ dh: kinematics from a Denavit-Hartenberg table
   --lang en|zh                          their language
   --out PATH                            write there, not to standard output; the file appears when it is complete
 
+for notes:
+{notes}
 FILE holds the body of dh_robot!; without it, or with -, standard input is read.
 Exit code: 0, 1 (a claim is wrong), 2 (bad usage or table).
 ";
@@ -33,6 +35,11 @@ Exit code: 0, 1 (a claim is wrong), 2 (bad usage or table).
 /// Formats of one command alone.
 const OTHERS: [(&str, &str); 4] =
     [("plan", "mermaid"), ("notes", "page"), ("expand", "rust"), ("expand", "javascript")];
+
+/// The help text.
+fn usage() -> String {
+    USAGE.replace("{notes}", Options::HELP)
+}
 
 const WRONG: u8 = 1;
 const BAD: u8 = 2;
@@ -81,21 +88,22 @@ struct Request {
     format: Option<Format>,
     /// The format as written.
     to: Option<String>,
-    language: Language,
+    /// How notes are written.
+    options: Options,
     /// Where to write.
     out: Option<String>,
 }
 
 fn run(arguments: &[String]) -> Answer {
     if arguments.iter().any(|a| a == "--help" || a == "-h") || arguments.first().is_some_and(|a| a == "help") {
-        return Answer::good(USAGE.to_string());
+        return Answer::good(usage());
     }
     if arguments.iter().any(|a| a == "--version" || a == "-V") {
         return Answer::good(format!("dh {}\n", env!("CARGO_PKG_VERSION")));
     }
     let request = match request(arguments) {
         Ok(r) => r,
-        Err(message) => return Answer::bad(format!("error: {message}\n\n{USAGE}")),
+        Err(message) => return Answer::bad(format!("error: {message}\n\n{}", usage())),
     };
     let source = match read(request.file.as_deref()) {
         Ok(text) => text,
@@ -103,16 +111,16 @@ fn run(arguments: &[String]) -> Answer {
     };
     let name = request.file.as_deref().filter(|f| *f != "-").unwrap_or("standard input");
     let mut answer = match request.command.as_str() {
-        "page" => with_chain(&source, name, |_, chain| or_defect(page(&chain, request.language))),
+        "page" => with_chain(&source, name, |_, chain| or_defect(page(&chain, request.options.language))),
         "notes" if request.to.as_deref() == Some("page") => {
-            with_chain(&source, name, |_, chain| or_defect(page(&chain, request.language)))
+            with_chain(&source, name, |_, chain| or_defect(page(&chain, request.options.language)))
         }
         "expand" if request.to.as_deref() == Some("javascript") => {
             with_chain(&source, name, |_, chain| or_defect(javascript::script(&chain)))
         }
-        "notes" => with_chain(&source, name, |_, chain| {
-            let options = Options { language: request.language, ..Options::default() };
-            Answer::good(notes(&chain, &options).print(request.format.unwrap_or(Format::Text)))
+        "notes" => with_chain(&source, name, |_, chain| match request.options.check(&chain) {
+            Ok(()) => Answer::good(notes(&chain, &request.options).print(request.format.unwrap_or(Format::Text))),
+            Err(message) => Answer::bad(format!("error: {message}\n")),
         }),
         "check" => with_chain(&source, name, |parsed, chain| check(parsed, &chain)),
         "plan" => with_chain(&source, name, |_, chain| Answer::good(show_plan(&request, &chain))),
@@ -146,9 +154,10 @@ fn request(arguments: &[String]) -> Result<Request, String> {
         file: None,
         format: Some(Format::Text),
         to: None,
-        language: Language::English,
+        options: Options::default(),
         out: None,
     };
+    let mut of_notes = None;
     let mut list = arguments.iter();
     while let Some(a) = list.next() {
         let (name, attached) = match a.split_once('=') {
@@ -168,14 +177,14 @@ fn request(arguments: &[String]) -> Result<Request, String> {
                 r.format = known;
                 r.to = Some(wanted);
             }
-            "--lang" => {
-                r.language = match value()?.as_str() {
-                    "en" => Language::English,
-                    "zh" => Language::Chinese,
-                    other => return Err(format!("no language `{other}`: en or zh")),
-                };
-            }
             "--out" | "-o" => r.out = Some(value()?),
+            // Whether there is such an option is asked before its value is taken.
+            _ if Options::NAMES.contains(&name) => {
+                r.options.set(name, &value()?)?;
+                if name != "--lang" {
+                    of_notes = Some(name.to_string());
+                }
+            }
             _ if name.starts_with("--") => return Err(format!("no option `{name}`")),
             _ if r.command.is_empty() => r.command = a.clone(),
             _ if r.file.is_none() => r.file = Some(a.clone()),
@@ -186,6 +195,9 @@ fn request(arguments: &[String]) -> Result<Request, String> {
         && *command != r.command
     {
         return Err(format!("{name} is for {command}"));
+    }
+    if let Some(name) = of_notes.filter(|_| r.command != "notes" && !r.command.is_empty()) {
+        return Err(format!("`{name}` is for notes"));
     }
     match r.command.as_str() {
         "expand" | "page" if r.format.is_some() && r.to.is_some() => {
@@ -241,8 +253,8 @@ fn check(parsed: &Parsed, chain: &Chain) -> Answer {
 /// The plan, or why there is none.
 fn show_plan(request: &Request, chain: &Chain) -> String {
     match request.format {
-        Some(format) => plan(chain, request.language).print(format),
-        None => plan::mermaid(chain, request.language),
+        Some(format) => plan(chain, request.options.language).print(format),
+        None => plan::mermaid(chain, request.options.language),
     }
 }
 

@@ -29,13 +29,15 @@ mod rustdoc;
 #[cfg(test)]
 mod samples;
 mod story;
+mod style;
 pub mod text;
 mod typeset;
 pub mod typst;
 pub mod verdict;
 
 pub use document::{Document, Format};
-pub use notes::{Language, Options, notes};
+pub use notes::{Language, Options, Part, notes};
 pub use page::page;
 pub use plan::plan;
 pub use rustdoc::rustdoc;
+pub use style::{Style, Transforms};

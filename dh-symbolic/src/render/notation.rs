@@ -3,6 +3,7 @@
 use super::expression::{Expression, Wave};
 use super::math::{Math, Sign};
 pub use super::name::Name;
+use super::style::Style;
 use crate::algebra::{AngleVar, Ring, Symbol};
 use crate::chain::{Chain, Coordinate};
 
@@ -11,6 +12,7 @@ use crate::chain::{Chain, Coordinate};
 pub struct Notation {
     symbols: Vec<(Symbol, Math)>,
     angles: Vec<(AngleVar, Name)>,
+    pub(super) style: Style,
 }
 
 impl Notation {
@@ -19,6 +21,7 @@ impl Notation {
         Notation {
             symbols: ring.symbols().map(|s| (s, Name::of(ring.symbol_name(s)).math())).collect(),
             angles: ring.angles().map(|v| (v, Name::of(ring.angle_name(v)))).collect(),
+            style: Style::default(),
         }
     }
 
@@ -38,14 +41,21 @@ impl Notation {
     /// The names of textbooks: theta_i for turning joints and d_i for sliding ones, where the joint variable is just
     /// that (no offset, no coupling, every row a joint) and no parameter has the name; else as in code.
     pub fn textbook(chain: &Chain) -> Notation {
+        Notation::styled(chain, &Style::default())
+    }
+
+    /// The same with choices of notation.
+    pub fn styled(chain: &Chain, style: &Style) -> Notation {
         let mut notation = Notation::of_code(chain);
+        notation.style = style.clone();
+        let stem = style.joints.as_deref().unwrap_or("theta");
         if !is_plain(chain) {
             return notation;
         }
         for joint in &chain.joints {
             let number = (joint.row + 1).to_string();
             match joint.coordinate {
-                Coordinate::Angle(v) => notation.rename_angle(v, Name::with_index("theta", number)),
+                Coordinate::Angle(v) => notation.rename_angle(v, Name::with_index(stem, number)),
                 Coordinate::Length(s) => notation.rename_symbol(s, Name::with_index("d", number)),
             }
         }
@@ -86,6 +96,11 @@ impl Notation {
         }
     }
 
+    /// Is this what joint angles are called?
+    fn is_joint(&self, stem: &str) -> bool {
+        matches!(stem, "q" | "theta") || self.style.joints.as_deref() == Some(stem)
+    }
+
     fn angle_name(&self, v: AngleVar) -> Name {
         self.angles.iter().find(|(w, _)| *w == v).map_or_else(|| Name::of("angle"), |(_, n)| n.clone())
     }
@@ -102,10 +117,13 @@ impl Notation {
 
     /// A sine or cosine as typeset: c1, s23, c2-3 for joint angles with numbers; c alpha2 for other angles; else written out.
     pub fn wave(&self, w: &Wave) -> Math {
+        if self.style.long_sines {
+            return self.written_out(w);
+        }
         let letter = Math::Letter(if w.sine { 's' } else { 'c' });
         let names: Vec<(Name, i8)> = w.angles.iter().map(|(v, k)| (self.angle_name(*v), *k)).collect();
         let numbered = names.iter().all(|(n, k)| {
-            (n.stem == "q" || n.stem == "theta")
+            self.is_joint(&n.stem)
                 && k.unsigned_abs() == 1
                 && !n.index.is_empty()
                 && n.index.bytes().all(|b| b.is_ascii_digit())
@@ -170,6 +188,9 @@ impl Notation {
 
     /// The same for a sorted list of sines and cosines.
     pub fn legend_of(&self, waves: &[Wave]) -> Vec<Math> {
+        if self.style.long_sines {
+            return Vec::new();
+        }
         let numbers: Vec<&str> = self.family(waves);
         let together = numbers.len() > 2;
         let mut out = Vec::new();
@@ -217,9 +238,8 @@ impl Notation {
     fn number<'a>(&'a self, w: &Wave) -> Option<(&'a str, &'a str)> {
         let [(v, 1)] = w.angles.as_slice() else { return None };
         let (_, name) = self.angles.iter().find(|(x, _)| x == v)?;
-        let fine = matches!(name.stem.as_str(), "q" | "theta")
-            && !name.index.is_empty()
-            && name.index.bytes().all(|b| b.is_ascii_digit());
+        let fine =
+            self.is_joint(&name.stem) && !name.index.is_empty() && name.index.bytes().all(|b| b.is_ascii_digit());
         fine.then_some((name.stem.as_str(), name.index.as_str()))
     }
 

@@ -44,7 +44,7 @@ pub(super) fn constants(chain: &Chain, notation: &Notation, pose: &Transform) ->
         Handle::Angle(v) => entries().any(|e| e.has_angle(v)),
     };
     let constants = chain.parameters.iter().filter(|p| matches!(p.role, Role::Constant(_)));
-    constants.filter(occurs).filter_map(|p| Some(Math::equation(parameter(notation, p), value(p)?))).collect()
+    constants.filter(occurs).filter_map(|p| Some(Math::equation(parameter(notation, p), value(notation, p)?))).collect()
 }
 
 /// Joint coordinates as functions of the motors, where they are not the same.
@@ -109,29 +109,29 @@ fn shift(cell: &AngleCell, chain: &Chain, notation: &Notation, row: &mut Vec<Mat
     }
     let number = AngleCell { symbols: Vec::new(), ..cell.clone() };
     if !number.is_zero() {
-        let (negative, value) = constant_angle(&number);
+        let (negative, value) = constant_angle(notation, &number);
         push_sign(row, negative);
         row.push(value);
     }
 }
 
 /// A length or angle with its sign, as typeset.
-pub(super) fn value(p: &Parameter) -> Option<Math> {
+pub(super) fn value(notation: &Notation, p: &Parameter) -> Option<Math> {
     let value = match &p.role {
         Role::Field(v) => v.as_ref()?,
         Role::Constant(v) => v,
     };
     let (negative, m) = match value {
         Value::Length(x) => (x.is_negative(), length(&x.abs())),
-        Value::Angle(cell) => constant_angle(cell),
+        Value::Angle(cell) => constant_angle(notation, cell),
     };
     Some(if negative { Math::Row(vec![Math::Sign(Sign::Negative), m]) } else { m })
 }
 
 /// Sign and magnitude of an angle without declared angles: degrees where it is exact, else radians.
-fn constant_angle(cell: &AngleCell) -> (bool, Math) {
+fn constant_angle(notation: &Notation, cell: &AngleCell) -> (bool, Math) {
     match &cell.approx {
-        None => degrees(&cell.exact()),
+        None => notation.exact_angle(cell.exact().factor()),
         Some(x) if cell.exact().is_zero() => radians(x),
         Some(_) => {
             let x = cell.radians();
@@ -145,20 +145,15 @@ fn length(x: &Rational) -> Math {
     decimal(x).map_or_else(|| number(x), Math::Number)
 }
 
-fn degrees(angle: &Angle) -> (bool, Math) {
-    let x = angle.to_degrees();
-    (x.is_negative(), Math::Row(vec![number(&x.abs()), Math::Sign(Sign::Degree)]))
-}
-
 fn radians(x: &Rational) -> (bool, Math) {
     let digits = decimal(&x.abs()).map_or_else(|| number(&x.abs()), Math::Number);
     (x.is_negative(), Math::Row(vec![digits, Math::Sign(Sign::Thin), Math::word("rad")]))
 }
 
 /// A bound of a range, as typeset.
-pub(super) fn bound(b: &Bound) -> Math {
+pub(super) fn bound(notation: &Notation, b: &Bound) -> Math {
     let (negative, m) = match b {
-        Bound::HalfTurns(x) => degrees(&Angle::half_turns(x.clone())),
+        Bound::HalfTurns(x) => notation.exact_angle(x),
         Bound::Radians(x) => radians(x),
         Bound::Length(x) => (x.is_negative(), length(&x.abs())),
     };

@@ -80,7 +80,13 @@ fn tokens(source: &Source) -> io::Result<TokenStream> {
 fn lecture(source: &Source) -> io::Result<String> {
     let parsed = parse(tokens(source)?);
     let spec = parsed.spec.ok_or_else(|| fail(source, &"the table has errors"))?;
-    let text = notes(&Chain::new(spec), &Options::default()).print(Format::Markdown);
+    let chain = Chain::new(spec);
+    let mut options = Options::default();
+    for (name, value) in &source.options {
+        options.set(name, value).map_err(|e| fail(source, &e))?;
+    }
+    options.check(&chain).map_err(|e| fail(source, &e))?;
+    let text = notes(&chain, &options).print(Format::Markdown);
     Ok(format!("<!-- The notes of src/{}.rs. Made by `{COMMAND}`; do not edit. -->\n\n{text}", source.module))
 }
 

@@ -1,13 +1,14 @@
 //! Link transforms, their products, the pose.
 
-use super::steps::steps;
-use super::{Block, Math, Phrase, Sign, Text, Writer, frame_transform, link_name, side_by_side};
+use super::steps::{asked, steps};
+use super::{Block, Math, Phrase, Prefix, Text, Writer, side_by_side};
 use crate::algebra::{LinearAngle, Poly, Ring, Transform};
 use crate::chain::{Convention, Elementary, Link};
 use crate::kinematics::Kinematics;
 use crate::render::expression::Expression;
 use crate::render::grouping::Order;
 use crate::render::notation::{Name, Notation};
+use crate::render::style::{Frame, Transforms};
 
 impl Writer<'_> {
     pub(super) fn links(&mut self, kinematics: &Kinematics) {
@@ -18,7 +19,7 @@ impl Writer<'_> {
         for i in 1..=kinematics.len() {
             let Some(t) = kinematics.link(i) else { continue };
             let before = self.blocks.len();
-            all.extend(self.transform(link_name(i - 1, i), None, t, Some(i - 1)));
+            all.extend(self.transform(self.link_name(i - 1, i), None, t, Some((i - 1, Some(i)))));
             blocks.extend(self.blocks.drain(before..));
         }
         self.tell_new(Phrase::Short, &all);
@@ -44,6 +45,7 @@ impl Writer<'_> {
             Convention::Standard => "i",
         };
         let mut notation = Notation::of_ring(&ring);
+        notation.style = self.notation.style.clone();
         let named = |stem: &str, index: &str| Name { stem: stem.into(), index: index.into() };
         notation.rename_angle(alpha, named("alpha", before));
         notation.rename_angle(theta, named("theta", "i"));
@@ -65,53 +67,59 @@ impl Writer<'_> {
             })
             .collect();
         self.say(Phrase::General, vec![]);
-        let i = Math::Letter('i');
-        let i_before = Math::Row(vec![i.clone(), Math::Sign(Sign::Minus), Math::number(1)]);
         let right = Math::equation(side_by_side(product), Math::Matrix(cells));
-        self.display(frame_transform(i_before, i), right);
+        self.display(self.notation.transform(Frame::Before, Frame::General), right);
     }
 
     pub(super) fn forward(&mut self, kinematics: &Kinematics) {
         let n = kinematics.len();
         self.heading(1, Phrase::Forward);
-        let list = steps(self.chain);
-        if list.len() > 1 {
+        let list = if self.options.products.is_empty() { steps(self.chain) } else { asked(n, &self.options.products) };
+        if list.len() > 1 && self.options.products.is_empty() {
             self.say(Phrase::FromTheTip, vec![]);
+        }
+        if self.notation.style.transforms == Transforms::Products && n > 1 {
+            let a = Math::Letter('A').below(Math::Letter('i'));
+            let product = side_by_side((1..=n).map(|i| self.link_name(i - 1, i)).collect());
+            let whole = Math::equation(self.link_name(0, n), product);
+            self.say(Phrase::Paul, vec![a, Math::Letter('i'), whole]);
         }
         let mut last = Vec::new();
         for s in list {
             let Some(t) = kinematics.transform(s.from, s.to) else { continue };
-            let product = side_by_side(vec![link_name(s.from, s.middle), link_name(s.middle, s.to)]);
-            let prefix = (s.from > 0).then_some(s.from);
-            last = self.product(link_name(s.from, s.to), product, &t, prefix);
+            let ends: Vec<usize> = std::iter::once(s.from).chain(s.middle).chain([s.to]).collect();
+            let product = ends.windows(2).map(|w| self.link_name(w[0], w[1])).collect();
+            let prefix = (s.from > 0 || s.to < n).then_some((s.from, (s.to < n).then_some(s.to)));
+            last = self.product(self.link_name(s.from, s.to), side_by_side(product), &t, prefix);
         }
         let (base, tool) = (!self.chain.base.is_empty(), !self.chain.tool.is_empty());
         if base || tool {
             self.say(Phrase::BaseAndTool, vec![]);
             let mut product = Vec::new();
-            let (first, end) = (Math::Letter('b'), Math::Letter('e'));
             if base {
-                let left = frame_transform(first.clone(), Math::number(0));
+                let left = self.notation.transform(Frame::Base, Frame::Row(0));
                 self.transform(left.clone(), None, kinematics.base(), None);
                 product.push(left);
             }
             if n > 0 {
-                product.push(link_name(0, n));
+                product.push(self.link_name(0, n));
             }
             if tool {
-                let left = frame_transform(Math::number(n), end.clone());
+                let left = self.notation.transform(Frame::Row(n), Frame::Tool);
                 self.transform(left.clone(), None, kinematics.tool(), None);
                 product.push(left);
             }
-            let (from, to) = (if base { first } else { Math::number(0) }, if tool { end } else { Math::number(n) });
-            last = self.product(frame_transform(from, to), side_by_side(product), &kinematics.pose(), None);
+            let from = if base { Frame::Base } else { Frame::Row(0) };
+            let to = if tool { Frame::Tool } else { Frame::Row(n) };
+            let left = self.notation.transform(from, to);
+            last = self.product(left, side_by_side(product), &kinematics.pose(), None);
         }
         let legend = self.notation.legend(&last);
         self.tell(Phrase::Legend, legend);
     }
 
     /// A product of transforms, written out if it is not too long.
-    fn product(&mut self, left: Math, product: Math, t: &Transform, prefix: Option<usize>) -> Vec<Expression> {
+    fn product(&mut self, left: Math, product: Math, t: &Transform, prefix: Prefix) -> Vec<Expression> {
         let terms = terms(t);
         if terms > self.options.terms {
             self.named.clear();

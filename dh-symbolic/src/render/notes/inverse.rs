@@ -34,7 +34,6 @@ impl Writer<'_> {
             1 => self.say(Phrase::TotalOne, vec![]),
             n => self.say(Phrase::Total, vec![Math::number(n)]),
         }
-        self.example(plan);
     }
 
     /// What is given, and in which frames.
@@ -58,6 +57,7 @@ impl Writer<'_> {
             shown.push((name, end));
         }
         let r = Math::Letter('r').below(Math::Row(vec![Math::Letter('i'), Math::Letter('j')]));
+        self.whole_pose = Some((whole.clone(), Math::Row(product.clone())));
         self.say(Phrase::Wanted, vec![Math::equation(whole, Math::Row(product)), r, Math::Letter('p')]);
         for (name, t) in shown {
             self.transform(name, None, t, None);

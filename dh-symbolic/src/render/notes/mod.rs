@@ -5,8 +5,10 @@
 
 mod example;
 mod forward;
+mod given;
 mod inverse;
 mod jacobian;
+mod options;
 mod singular;
 mod steps;
 mod table;
@@ -15,6 +17,7 @@ mod tests;
 pub(super) mod words;
 
 pub(super) use inverse::method;
+pub use options::{Options, Part};
 pub use words::Language;
 
 use super::document::{Block, Document, Equation, Span, Text};
@@ -23,40 +26,37 @@ use super::grouping::Order;
 use super::math::{Math, Sign};
 use super::notation::{Notation, waves};
 use super::quantities::named_offsets;
+use super::style::Frame;
 use crate::algebra::{Poly, Transform};
 use crate::chain::Chain;
 use crate::kinematics::Kinematics;
+use example::Start;
 use words::Phrase;
 
-/// How notes are written.
-#[derive(Clone, Copy, Debug)]
-pub struct Options {
-    /// Language of the prose.
-    pub language: Language,
-    /// Glyphs that fit on a line: longer formulas are cut, wider matrices become lists of entries.
-    pub width: usize,
-    /// Products with more terms than this, written out, are left as products.
-    pub terms: usize,
-}
-
-impl Default for Options {
-    fn default() -> Options {
-        Options { language: Language::English, width: 64, terms: 1500 }
-    }
-}
-
-/// The notes of a robot: table, link transforms, products step by step, pose, Jacobian.
+/// The notes of a robot: the parts that the options name. Example texts that cannot be read are passed over; ask
+/// [`Options::check`] first.
 pub fn notes(chain: &Chain, options: &Options) -> Document {
+    let start = Start::read(chain, options).or_else(|_| Start::read(chain, &Options::default()));
     let named = named_offsets(chain);
     let chain = named.as_ref().unwrap_or(chain);
     let kinematics = Kinematics::new(chain);
-    let mut w = Writer::new(chain, *options);
-    w.table();
-    w.links(&kinematics);
-    w.forward(&kinematics);
-    w.jacobian(&kinematics);
-    w.singular(&kinematics);
-    w.inverse();
+    let mut w = Writer::new(chain, options.clone());
+    for part in &options.parts {
+        match part {
+            Part::Table => w.table(),
+            Part::Links => w.links(&kinematics),
+            Part::Forward => w.forward(&kinematics),
+            Part::Jacobian => w.jacobian(&kinematics),
+            Part::Singular => w.singular(&kinematics),
+            Part::Workspace => {}
+            Part::Inverse => w.inverse(),
+            Part::Example => {
+                if let Ok(start) = &start {
+                    w.example(start);
+                }
+            }
+        }
+    }
     let title = Phrase::Title.in_language(options.language).replace("{}", &chain.name);
     Document { title, language: options.language.tag(), blocks: w.blocks }
 }
@@ -66,12 +66,29 @@ pub(super) fn matrices(chain: &Chain, options: &Options) -> Vec<Block> {
     let named = named_offsets(chain);
     let chain = named.as_ref().unwrap_or(chain);
     let kinematics = Kinematics::new(chain);
-    let mut w = Writer::new(chain, *options);
+    let mut w = Writer::new(chain, options.clone());
     w.table();
     w.links(&kinematics);
     w.forward(&kinematics);
     w.blocks
 }
+
+impl Options {
+    /// Do joint names, values, motions and frames of these options fit the robot?
+    ///
+    /// # Errors
+    /// What is wrong with the first that does not.
+    pub fn check(&self, chain: &Chain) -> Result<(), String> {
+        let last = chain.links.len();
+        if let Some((i, j)) = self.products.iter().find(|p| p.1 > last) {
+            return Err(format!("`--products`: there is no T({i}, {j}), the last frame is {last}"));
+        }
+        Start::read(chain, self).map(|_| ())
+    }
+}
+
+/// Glyphs of a short product that stands beside a matrix of full width.
+const PRODUCT: usize = 10;
 
 /// A note while it is being written.
 struct Writer<'a> {
@@ -86,20 +103,28 @@ struct Writer<'a> {
     named: Vec<(Poly, Math)>,
     /// Number of the last numbered equation.
     number: usize,
+    /// The pose between the first and the last frame, and what it is made of: once the inverse has named them.
+    whole_pose: Option<(Math, Math)>,
 }
 
 impl<'a> Writer<'a> {
     fn new(chain: &'a Chain, options: Options) -> Writer<'a> {
         Writer {
             chain,
-            notation: Notation::textbook(chain),
+            notation: Notation::styled(chain, &options.style),
             order: Order::of(chain),
             options,
+            whole_pose: None,
             blocks: Vec::new(),
             told: Vec::new(),
             named: Vec::new(),
             number: 0,
         }
+    }
+
+    /// The transform between two frames of the table.
+    fn link_name(&self, i: usize, j: usize) -> Math {
+        self.notation.transform(Frame::Row(i), Frame::Row(j))
     }
 
     fn words(&self, p: Phrase) -> &'static str {
@@ -130,6 +155,21 @@ impl<'a> Writer<'a> {
     fn display(&mut self, left: Math, right: Math) {
         self.number += 1;
         self.blocks.push(Block::Equations(vec![Equation { left, right: vec![right], number: Some(self.number) }]));
+    }
+
+    /// `left = product = matrix`, on two lines where one is too short.
+    fn display_product(&mut self, left: Math, product: Option<Math>, matrix: Math) {
+        let width = |m: &Math| match m {
+            Math::Matrix(rows) => row_width(rows),
+            other => other.glyphs(),
+        };
+        let right = match product {
+            Some(p) if p.glyphs() + width(&matrix) <= self.options.width + PRODUCT => vec![Math::equation(p, matrix)],
+            Some(p) => vec![p, Math::Row(vec![Math::Sign(Sign::Equals), matrix])],
+            None => vec![matrix],
+        };
+        self.number += 1;
+        self.blocks.push(Block::Equations(vec![Equation { left, right, number: Some(self.number) }]));
     }
 
     /// Tells the abbreviations in these formulas that were not told before.
@@ -169,13 +209,7 @@ impl<'a> Writer<'a> {
     }
 
     /// `left = product = matrix`, or, where the matrix is too wide, a matrix of names and the entries one by one, in columns.
-    fn transform(
-        &mut self,
-        left: Math,
-        product: Option<Math>,
-        t: &Transform,
-        prefix: Option<usize>,
-    ) -> Vec<Expression> {
+    fn transform(&mut self, left: Math, product: Option<Math>, t: &Transform, prefix: Prefix) -> Vec<Expression> {
         let entries = self.entries(t);
         let mut cells = self.matrix(&entries);
         let fits = row_width(&cells) <= self.options.width;
@@ -195,11 +229,7 @@ impl<'a> Writer<'a> {
         }
         cells.push(["0", "0", "0", "1"].map(Math::number).to_vec());
         let matrix = Math::Matrix(cells);
-        let right = match product {
-            Some(p) => Math::equation(p, matrix),
-            None => matrix,
-        };
-        self.display(left, right);
+        self.display_product(left, product, matrix);
         if !list.is_empty() {
             self.blocks.push(Block::Equations(list));
         }
@@ -213,32 +243,27 @@ fn row_width(cells: &[Vec<Math>]) -> usize {
     (0..columns).map(|j| 1 + cells.iter().filter_map(|r| r.get(j)).map(Math::glyphs).max().unwrap_or(0)).sum()
 }
 
-/// r11, px; with the frame before it, where it is not the base.
-fn name(i: usize, j: usize, prefix: Option<usize>) -> Math {
+/// The frames of a transform whose entries get names: the first where it is not the base, the second where it is not the last.
+type Prefix = Option<(usize, Option<usize>)>;
+
+/// r11, px; with the frames before it.
+fn name(i: usize, j: usize, prefix: Prefix) -> Math {
     let axes = ['x', 'y', 'z'];
     let plain = match axes.get(i) {
         Some(axis) if j == 3 => Math::Letter('p').below(Math::Letter(*axis)),
         _ => Math::Letter('r').below(Math::number(format!("{}{}", i + 1, j + 1))),
     };
     match prefix {
-        Some(frame) => plain.before(Math::number(frame)),
+        Some((from, None)) => plain.before(Math::number(from)),
+        Some((from, Some(to))) => match plain.before(Math::number(from)) {
+            Math::Script(mut s) => {
+                s.before_sub = Some(Math::number(to));
+                Math::Script(s)
+            }
+            other => other,
+        },
         None => plain,
     }
-}
-
-/// The transform from frame i to frame j: T with i above and j below on its left.
-fn frame_transform(i: Math, j: Math) -> Math {
-    Math::Script(Box::new(super::math::Script {
-        base: Math::Letter('T'),
-        sub: None,
-        sup: None,
-        before_sub: Some(j),
-        before_sup: Some(i),
-    }))
-}
-
-fn link_name(i: usize, j: usize) -> Math {
-    frame_transform(Math::number(i), Math::number(j))
 }
 
 fn side_by_side(list: Vec<Math>) -> Math {

@@ -38,7 +38,7 @@ impl Writer<'_> {
     }
 
     /// A joint's variable.
-    fn coordinate(&self, joint: usize) -> Math {
+    pub(super) fn coordinate(&self, joint: usize) -> Math {
         match self.chain.joints.get(joint).map(|j| j.coordinate) {
             Some(Coordinate::Angle(v)) => self.notation.angle(v),
             Some(Coordinate::Length(s)) => self.notation.symbol(s),
@@ -338,7 +338,11 @@ impl Writer<'_> {
         let name = self.notation.angle(*v);
         let either = |left: Math, [x, y]: [f64; 2], places: usize| {
             let or = Span::Plain(self.words(Phrase::Or).to_string());
-            vec![Span::Math(Math::equation(left, self.turn(x, places))), or, Span::Math(self.turn(y, places))]
+            let turn = |degrees: f64| match places {
+                0 => self.exact(degrees as i64),
+                _ => self.notation.decimal_angle(degrees.to_radians(), places),
+            };
+            vec![Span::Math(Math::equation(left, turn(x))), or, Span::Math(turn(y))]
         };
         if !c.is_zero() {
             let ((a, b), c) = self.nominal(&a).zip(self.nominal(&b)).zip(self.nominal(&c))?;
@@ -357,11 +361,18 @@ impl Writer<'_> {
         let first = Math::equation(name, Math::call("atan2", formula.to_vec()));
         let Some((a, b)) = self.nominal(&a).zip(self.nominal(&b)) else {
             let or = Span::Plain(self.words(Phrase::OrHalfTurn).to_string());
-            return Some(vec![Span::Math(first), or, Span::Math(self.turn(180.0, 0))]);
+            return Some(vec![Span::Math(first), or, Span::Math(self.exact(180))]);
         };
         let degrees = (-a).atan2(b).to_degrees();
         let other = if degrees > 0.0 { degrees - 180.0 } else { degrees + 180.0 };
         Some(either(first, [degrees, other], 2))
+    }
+
+    /// Whole degrees, typeset.
+    pub(super) fn exact(&self, degrees: i64) -> Math {
+        let half_turns = crate::algebra::Rational::new(degrees, 180).unwrap_or(crate::algebra::Rational::ZERO);
+        let (negative, m) = self.notation.exact_angle(&half_turns);
+        if negative { Math::Row(vec![Math::Sign(Sign::Negative), m]) } else { m }
     }
 
     /// The value with nominal parameters, where all have one.
@@ -378,11 +389,6 @@ impl Writer<'_> {
             angle: &|v| self.chain.nominal(Handle::Angle(v)),
         };
         known.then(|| p.evaluate(&at))
-    }
-
-    /// An angle in degrees, typeset.
-    pub(super) fn turn(&self, degrees: f64, places: usize) -> Math {
-        Math::Row(vec![super::example::decimal(degrees, places), Math::Sign(Sign::Degree)])
     }
 }
 

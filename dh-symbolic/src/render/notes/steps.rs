@@ -2,11 +2,11 @@
 
 use crate::chain::{Chain, Convention};
 
-/// T(from, to) = T(from, middle) T(middle, to).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// T(from, to) is the product of what lies between these frames: mostly T(from, middle) T(middle, to).
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Step {
     pub(super) from: usize,
-    pub(super) middle: usize,
+    pub(super) middle: Vec<usize>,
     pub(super) to: usize,
 }
 
@@ -22,11 +22,43 @@ pub(super) fn steps(chain: &Chain) -> Vec<Step> {
     let mut tail: Option<usize> = None;
     for run in cuts.windows(2).rev() {
         let &[a, b] = run else { continue };
-        steps.extend((a + 2..=b).map(|to| Step { from: a, middle: to - 1, to }));
+        steps.extend((a + 2..=b).map(|to| Step { from: a, middle: vec![to - 1], to }));
         if tail.is_some() {
-            steps.push(Step { from: a, middle: b, to: n });
+            steps.push(Step { from: a, middle: vec![b], to: n });
         }
         tail = Some(a);
+    }
+    steps
+}
+
+/// The products that were asked for, in that order; each is made of the fewest factors among rows and products formed before it.
+pub(super) fn asked(n: usize, products: &[(usize, usize)]) -> Vec<Step> {
+    let mut known: Vec<(usize, usize)> = (0..n).map(|i| (i, i + 1)).collect();
+    let mut steps = Vec::new();
+    for (from, to) in products.iter().copied().filter(|(i, j)| i < j && *j <= n) {
+        // Fewest factors from `from` to every frame, and the frame before it.
+        let mut best: Vec<Option<(usize, usize)>> = vec![None; n + 1];
+        if let Some(place) = best.get_mut(from) {
+            *place = Some((0, from));
+        }
+        for j in from + 1..=to {
+            let ways = known.iter().filter(|(i, k)| *k == j && *i >= from && (*i, *k) != (from, to));
+            let way = ways.filter_map(|(i, _)| Some((best.get(*i)?.as_ref()?.0 + 1, *i))).min();
+            if let (Some(way), Some(place)) = (way, best.get_mut(j)) {
+                *place = Some(way);
+            }
+        }
+        let mut middle = Vec::new();
+        let mut at = to;
+        while let Some(Some((_, before))) = best.get(at).filter(|_| at > from) {
+            at = *before;
+            if at > from {
+                middle.push(at);
+            }
+        }
+        middle.reverse();
+        known.push((from, to));
+        steps.push(Step { from, middle, to });
     }
     steps
 }
@@ -40,4 +72,18 @@ fn parallel(chain: &Chain, i: usize) -> bool {
     chain.links.get(row).is_some_and(|l| {
         l.alpha.terms.is_empty() && l.alpha.constant.steps_of_15_degrees().is_some_and(|n| n % 12 == 0)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn products_use_those_before_them() {
+        let steps = asked(6, &[(4, 6), (3, 6), (1, 3), (0, 6), (0, 2)]);
+        let middle: Vec<&[usize]> = steps.iter().map(|s| &s.middle[..]).collect();
+        assert_eq!(middle, [&[5][..], &[4], &[2], &[1, 3], &[1]]);
+        assert_eq!(asked(3, &[(0, 3)])[0].middle, [1, 2]);
+        assert!(asked(3, &[(0, 4), (2, 2)]).is_empty());
+    }
 }

@@ -4,7 +4,6 @@ use super::{Block, Equation, Math, Phrase, Sign, Span, Text, Writer};
 use crate::algebra::LinearAngle;
 use crate::chain::{Convention, Handle, Link};
 use crate::render::quantities::{bound, is_used, parameter, relations, value};
-use crate::render::typeset::number;
 
 impl Writer<'_> {
     pub(super) fn table(&mut self) {
@@ -60,20 +59,21 @@ impl Writer<'_> {
     /// theta2 - 90 degrees.
     fn angle(&self, angle: &LinearAngle) -> Math {
         let mut row = vec![self.notation.combination(&angle.terms)];
-        let degrees = angle.constant.to_degrees();
         if !angle.constant.is_zero() {
-            row.push(Math::Sign(match (degrees.is_negative(), angle.terms.is_empty()) {
+            let (negative, value) = self.notation.exact_angle(angle.constant.factor());
+            row.push(Math::Sign(match (negative, angle.terms.is_empty()) {
                 (true, true) => Sign::Negative,
                 (true, false) => Sign::Minus,
                 (false, true) => Sign::Thin,
                 (false, false) => Sign::Plus,
             }));
-            row.push(number(&degrees.abs()));
-            row.push(Math::Sign(Sign::Degree));
+            row.push(value);
         } else if angle.terms.is_empty() {
             row.push(Math::number(0));
         }
-        Math::Row(row.into_iter().filter(|m| *m != Math::Sign(Sign::Thin)).collect())
+        let empty = |m: &Math| *m == Math::Sign(Sign::Thin) || *m == Math::Row(vec![]);
+        row.retain(|m| !empty(m));
+        if row.len() == 1 { row.remove(0) } else { Math::Row(row) }
     }
 
     fn range(&self, link: &Link) -> Text {
@@ -81,7 +81,14 @@ impl Writer<'_> {
             return self.words(Phrase::Fixed).into();
         };
         let Some((low, high)) = &joint.range else { return Text::default() };
-        Math::Row(vec![Math::Open('['), bound(low), Math::Sign(Sign::Comma), bound(high), Math::Close(']')]).into()
+        Math::Row(vec![
+            Math::Open('['),
+            bound(&self.notation, low),
+            Math::Sign(Sign::Comma),
+            bound(&self.notation, high),
+            Math::Close(']'),
+        ])
+        .into()
     }
 
     /// Nominal values, by kind.
@@ -91,7 +98,7 @@ impl Writer<'_> {
         let mut free = Vec::new();
         for p in self.chain.parameters.iter().filter(|p| is_used(self.chain, p)) {
             let name = parameter(&self.notation, p);
-            match value(p) {
+            match value(&self.notation, p) {
                 Some(v) => {
                     let list = if matches!(p.handle, Handle::Length(_)) { &mut lengths } else { &mut angles };
                     list.push(Math::equation(name, v));

@@ -59,6 +59,7 @@ phrases! {
     Forward: "Forward kinematics", "正运动学";
     FromTheTip: "The product is formed from the tip to the base; links with parallel axes are joined first, so that their angles add up.",
         "乘积从末端向基座逐步形成；轴线平行的杆件先合并，使其角度相加。";
+    Paul: "{} is the transform of row {}; products from the base are called T: {}.", "{} 是第 {} 行的变换；从基座起的乘积记为 T：{}。";
     With: "with {}", "其中 {}";
     BaseAndTool: "With the constant transforms of base and tool", "加上基座和工具的常量变换";
     /// Between the equations of a legend.
@@ -102,6 +103,20 @@ phrases! {
     TotalOne: "In all there is at most one solution; it is confirmed by the forward kinematics.", "总共最多一个解；用正运动学验证。";
     Example: "Worked example", "算例";
     ExamplePose: "With {} the forward kinematics gives the pose", "取 {}，由正运动学得位姿";
+    ExampleGiven: "The pose is given:", "给定位姿：";
+    ExampleChosen: "The caller chooses {}.", "由使用者给定 {}。";
+    ExamplePosition: "Of this the task asks only for the position:", "任务只要求位置：";
+    ExampleAxis: "Of this the task asks only for the position and the direction of the last z axis:", "任务只要求位置和最后 z 轴的方向：";
+    ExamplePlanar: "Of this the task asks only for the place in the plane and the angle about z:", "任务只要求平面内的位置和绕 z 轴的角度：";
+    ExampleInner: "Between the frames of the inverse this is", "换到逆解所用的坐标系之间，得";
+    ExampleNone: "No joint vector reaches it.", "没有关节变量能到达该位姿。";
+    ExampleFree: "In solutions {} a joint is free: one value of a continuum is shown.", "解 {} 中有关节可任取：这里只给出其中一个值。";
+    ExampleClosest: "Closest to {} is solution {}.", "距 {} 最近的是第 {} 组解。";
+    ExampleClosestInRange: " Of those in range it is solution {}.", "在范围内的解中，最近的是第 {} 组。";
+    ExampleNoneInRange: " None is in range.", "没有一组在范围内。";
+    InRange: "in range", "范围内";
+    Yes: "yes", "是";
+    No: "no", "否";
     ExampleValues: "Parameters without a value are taken as {}.", "没有给定值的参数取 {}。";
     ExampleSolutions: "The steps above find {} joint vectors with this pose, to {} in every entry:", "上述步骤求得 {} 组关节变量具有该位姿，每个元素误差不超过 {}：";
     ExampleSolution: "The steps above find one joint vector with this pose, to {} in every entry:", "上述步骤求得一组关节变量具有该位姿，每个元素误差不超过 {}：";

@@ -5,8 +5,9 @@ use crate::algebra::{AngleVar, Symbol};
 use crate::chain::{Chain, Convention, Coordinate};
 use crate::planner::{Equation, KnownPose, Plan, Scalar};
 use crate::render::expression::Wave;
-use crate::render::math::{Math, Script, Sign};
+use crate::render::math::{Math, Sign};
 use crate::render::notation::{Name, Notation};
+use crate::render::style::Frame;
 
 /// Letters for known poses after the target's, which is r and p.
 const LETTERS: [&str; 9] = ["u", "v", "w", "h", "m", "f", "n", "o", "l"];
@@ -129,21 +130,20 @@ impl Story<'_> {
         (joints, if self.modified { will_shift && !shifted } else { shifted })
     }
 
+    fn frame_at(&self, hop: usize) -> Frame {
+        match self.frame(hop) {
+            (joint, true) => Frame::Primed(joint),
+            (joint, false) => Frame::Row(joint),
+        }
+    }
+
     pub(super) fn frame_name(&self, hop: usize) -> Math {
-        let (joint, prime) = self.frame(hop);
-        let number = Math::number(joint);
-        if prime { number.above(Math::Sign(Sign::Prime)) } else { number }
+        self.notation.frame(self.frame_at(hop))
     }
 
     /// The transform between two frames of the axes.
     pub(crate) fn between(&self, a: usize, b: usize) -> Math {
-        Math::Script(Box::new(Script {
-            base: Math::Letter('T'),
-            sub: None,
-            sup: None,
-            before_sub: Some(self.frame_name(b)),
-            before_sup: Some(self.frame_name(a)),
-        }))
+        self.notation.transform(self.frame_at(a), self.frame_at(b))
     }
 
     /// Numbers of the joints for which a primed frame occurs in the plan's equations or poses.

@@ -1,0 +1,91 @@
+//! What the reader of a note gives for its example: joint values, a pose.
+
+use crate::chain::table::parse;
+use crate::chain::{AngleCell, Bound, Chain, Coordinate, LengthCell, MotionSpec, Role, Value};
+use crate::diagnostic::{Errors, lex};
+
+/// A product of motions, read by the rules and in the unit of a table.
+///
+/// # Errors
+/// What is wrong with the text.
+pub(super) fn motions(chain: &Chain, what: &str, text: &str) -> Result<Vec<MotionSpec>, String> {
+    // A table that has nothing but these motions.
+    let unit = chain.unit.name;
+    let source = format!(
+        "pub struct Pose; convention = modified; unit = {unit}; base = {text};\n| alpha | a | d | theta |\n| 0 | 0 | 0 | q1 |\n"
+    );
+    let fail = |errors: Errors| {
+        let drawn = errors.draw(&source, what);
+        let first = drawn.lines().next().unwrap_or_default().trim_start_matches("error: ");
+        format!("`{what}` `{text}`: {first}")
+    };
+    let mut parsed = parse(lex(&source).map_err(fail)?);
+    let spec = parsed.spec.take().filter(|_| parsed.errors.is_empty());
+    spec.map(|s| s.base).ok_or_else(|| fail(parsed.errors))
+}
+
+/// Values of some variables, `q1 = 20deg, q3 = 0.1m`: radians and table units, by joint.
+///
+/// # Errors
+/// What is wrong with the text.
+pub(super) fn joints(chain: &Chain, what: &str, text: &str) -> Result<Vec<Option<f64>>, String> {
+    let mut values = vec![None; chain.dof()];
+    for item in text.split(',').map(str::trim).filter(|t| !t.is_empty()) {
+        let Some((name, value)) = item.split_once('=').map(|(n, v)| (n.trim(), v.trim())) else {
+            return Err(format!("`{what}` takes values such as `q1 = 20deg`, not `{item}`"));
+        };
+        let Some(k) = chain.joints.iter().position(|j| j.name == name) else {
+            return Err(format!("`{what}`: the robot has no joint variable `{name}`"));
+        };
+        let turns = chain.joints.get(k).is_some_and(|j| matches!(j.coordinate, Coordinate::Angle(_)));
+        let list = motions(chain, what, &if turns { format!("rz({value})") } else { format!("tz({value})") })?;
+        let number = match list.as_slice() {
+            [MotionSpec::Rotate(_, angle)] => angle.radians(),
+            [MotionSpec::Translate(_, x)] => length(x),
+            _ => return Err(format!("`{what}` takes values such as `q1 = 20deg`, not `{item}`")),
+        };
+        if let Some(place) = values.get_mut(k) {
+            *place = Some(number);
+        }
+    }
+    Ok(values)
+}
+
+/// A length without declared names.
+pub(super) fn length(cell: &LengthCell) -> f64 {
+    cell.terms.iter().filter(|t| t.1.is_empty()).map(|t| t.0.to_f64()).sum()
+}
+
+/// The 4x4 matrix of a motion, upper three rows.
+pub(super) fn matrix(motion: &MotionSpec) -> [[f64; 4]; 3] {
+    let mut t = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+    match motion {
+        MotionSpec::Translate(axis, x) => t[axis % 3][3] = length(x),
+        MotionSpec::Rotate(axis, angle) => {
+            let (s, c) = angle.radians().sin_cos();
+            let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+            (t[j][j], t[k][k], t[j][k], t[k][j]) = (c, c, -s, s);
+        }
+    }
+    t
+}
+
+/// A bound of a range in radians or table units.
+pub(super) fn bound(b: &Bound) -> f64 {
+    match b {
+        Bound::HalfTurns(x) => x.to_f64() * std::f64::consts::PI,
+        Bound::Radians(x) | Bound::Length(x) => x.to_f64(),
+    }
+}
+
+/// The value of a joint angle's constant part.
+pub(super) fn shift(chain: &Chain, cell: &AngleCell) -> f64 {
+    let symbol = |(i, k): &(usize, i8)| {
+        let value = match chain.parameters.get(*i).map(|p| &p.role) {
+            Some(Role::Constant(Value::Angle(cell)) | Role::Field(Some(Value::Angle(cell)))) => cell.radians(),
+            _ => 0.0,
+        };
+        f64::from(*k) * value
+    };
+    cell.radians() + cell.symbols.iter().map(symbol).sum::<f64>()
+}
