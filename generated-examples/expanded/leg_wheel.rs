@@ -34,7 +34,7 @@ impl LegWheel {
     pub const DOF: usize = 2;
     /// Kind, range and name of every joint.
     pub const JOINTS: [::dh_robot::Joint<f64>; 2] = [
-        ::dh_robot::Joint::revolute("q1"),
+        ::dh_robot::Joint::prismatic("q1"),
         ::dh_robot::Joint::prismatic("q2"),
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.

@@ -164,14 +164,15 @@ impl ::dh_robot::Jacobian<3, f64> for Planar3rCraig {
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl Planar3rCraig {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
-    pub const MAX_SOLUTIONS: usize = 4;
+    pub const MAX_SOLUTIONS: usize = 2;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// Plan:
     /// 1. `q1 + q2 + q3`: two equations in its sine and cosine: one value.
-    /// 2. `q2`, `q1`: two equations, each linear in both sines and cosines (Pieper).
+    /// 2. `q2`: a cos + b sin = c: two values.
+    /// 3. `q1`: two equations in its sine and cosine: one value.
     #[must_use]
-    pub fn inverse(&self, target: (f64, f64, f64)) -> ::dh_robot::Solutions<f64, 3, 4> {
+    pub fn inverse(&self, target: (f64, f64, f64)) -> ::dh_robot::Solutions<f64, 3, 2> {
         let (x, y, phi): (f64, f64, f64) = (
             target.0.into(),
             target.1.into(),
@@ -212,8 +213,9 @@ impl Planar3rCraig {
     ) -> ::dh_robot::inverse::Attempt {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
-        let t_2 = self.l1 * 0.14107434153130033;
-        let t_3 = self.l2 * 0.14107434153130033;
+        let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
+        let t_3 = self.l1 * 0.14107434153130033;
+        let t_4 = self.l2 * 0.14107434153130033;
         let r0 = ::dh_robot::ik::solve_pair(
             1.0,
             0.0,
@@ -234,26 +236,65 @@ impl Planar3rCraig {
         };
         for (i0, &[c123, s123]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
             let a0 = ::dh_robot::math::atan2(s123, c123);
-            let r1 = ::dh_robot::ik::solve_bilinear_choosing(
-                &[-t[0][3], t_2, 0.0, 0.0, t_3, 0.0, 0.0, 0.0, -t_3],
-                &[-t[1][3], 0.0, t_2, 0.0, 0.0, t_3, 0.0, t_3, 0.0],
-                [pick.angle(1), pick.angle(2)],
+            let r1 = ::dh_robot::ik::solve_sincos(
+                2.0 * t_3 * t_4,
+                0.0,
+                t_2 - (t_3 * t_3 + t_4 * t_4),
                 1e-11,
             );
             if r1.roots.is_empty() {
-                attempt.note(r1.outcome, free, "q2, q1", 7.088461226509633, "m");
+                attempt
+                    .note_distance(
+                        r1.outcome,
+                        free,
+                        "elbow q2",
+                        t_2,
+                        t_2 - (t_3 * t_3 + t_4 * t_4),
+                        7.088461226509633,
+                        "m",
+                    );
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
-                free.union(::dh_robot::FreeJoints::of(&[1, 0]))
+                free.union(::dh_robot::FreeJoints::of(&[1]))
             } else {
                 free
             };
-            for (i1, &[[c2, s2], [c1, s1]]) in r1.iter().enumerate() {
+            for (i1, &[c2, s2]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s2, c2);
-                let a2 = ::dh_robot::math::atan2(s1, c1);
-                let branch = ::dh_robot::Branch::ANY.with_step(0, i1);
-                found([a2, a1, a0 - a1 - a2], branch, free);
+                let t_5 = t_3 + t_4 * c2;
+                let t_6 = t_4 * s2;
+                let r2 = ::dh_robot::ik::solve_pair(
+                    t_5,
+                    -t_6,
+                    t[0][3],
+                    t_6,
+                    t_5,
+                    t[1][3],
+                    1e-11,
+                );
+                if r2.roots.is_empty() {
+                    attempt.note(r2.outcome, free, "q1", 7.088461226509633, "m");
+                }
+                let free = if r2.is_free() {
+                    attempt.degenerate = true;
+                    free.union(::dh_robot::FreeJoints::of(&[0]))
+                } else {
+                    free
+                };
+                for (i2, &[c1, s1]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
+                    let a2 = ::dh_robot::math::atan2(s1, c1);
+                    let branch = ::dh_robot::Branch::ANY
+                        .with_step(0, i1)
+                        .with_elbow(
+                            if i1 == 0 {
+                                ::dh_robot::Elbow::Up
+                            } else {
+                                ::dh_robot::Elbow::Down
+                            },
+                        );
+                    found([a2, a1, a0 - a1 - a2], branch, free);
+                }
             }
         }
         attempt
@@ -298,9 +339,9 @@ impl ::dh_robot::ik::Kinematics<3> for Planar3rCraig {
         )
     }
 }
-impl ::dh_robot::InverseKinematics<3, 4, f64> for Planar3rCraig {
+impl ::dh_robot::InverseKinematics<3, 2, f64> for Planar3rCraig {
     type Target = (f64, f64, f64);
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 3, 4> {
+    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 3, 2> {
         Planar3rCraig::inverse(self, *target)
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Frames stand on the joint axes, before and after the shift d along each axis, since the point where neighbouring axes meet is
 //! one of the two. A task that leaves something open becomes virtual joints: the turn about the tool's axis for `axis`, three turns
-//! about the tool's point for `position`, a slide along z for `planar`.
+//! about the tool's point for `position`, a slide along z for `planar` where joints change the height.
 
 use super::kernels::pose::{self, Pose};
 use crate::algebra::{Angle, AngleVar, LinearAngle, Poly, Rational, Ring, Transform};
@@ -68,6 +68,17 @@ pub(crate) fn numeric(chain: &Chain, t: &Transform, reach: f64) -> Pose {
     })
 }
 
+/// The tool's height, if no joint changes it.
+fn constant_height(chain: &Chain) -> Option<Poly> {
+    let pose = crate::kinematics::Kinematics::new(chain).pose();
+    let height = &pose.p[2];
+    let moves = |c: &Coordinate| match c {
+        Coordinate::Length(s) => height.symbols().contains(s),
+        Coordinate::Angle(v) => height.angles().contains(v),
+    };
+    (!chain.joints.iter().any(|j| moves(&j.coordinate))).then(|| height.clone())
+}
+
 /// Elementary motions and joints in one list.
 enum Item {
     Constant(Elementary),
@@ -81,9 +92,14 @@ impl Axes {
         let mut coordinates: Vec<Coordinate> = chain.joints.iter().map(|j| j.coordinate).collect();
         let real = coordinates.len();
         let mut items: Vec<Item> = Vec::new();
-        if chain.task == Task::Planar {
-            coordinates.push(Coordinate::Length(ring.symbol("virtual_z")));
-            items.push(Item::Joint(real));
+        match (chain.task, constant_height(chain)) {
+            // The target's height is 0.
+            (Task::Planar, Some(height)) => items.push(Item::Constant(Elementary::Translate(2, -&height))),
+            (Task::Planar, None) => {
+                coordinates.push(Coordinate::Length(ring.symbol("virtual_z")));
+                items.push(Item::Joint(real));
+            }
+            _ => {}
         }
         items.extend(chain.base.iter().cloned().map(Item::Constant));
         for (row, link) in chain.links.iter().enumerate() {

@@ -67,7 +67,10 @@ impl Writer<'_> {
             Task::Pose => {}
             Task::Axis => self.say(Phrase::TaskAxis, open(self.chain.dof())),
             Task::Position => self.say(Phrase::TaskPosition, vec![]),
-            Task::Planar => self.say(Phrase::TaskPlanar, open(self.chain.dof())),
+            Task::Planar if axes.coordinates.len() > axes.real => {
+                self.say(Phrase::TaskPlanar, open(self.chain.dof()));
+            }
+            Task::Planar => self.say(Phrase::TaskInPlane, vec![]),
         }
         let i = || Math::Letter('i');
         if self.chain.convention == crate::chain::Convention::Standard {

@@ -81,6 +81,8 @@ phrases! {
         "只要求位置。绕工具点的三个转角不限：把它们看作多出的关节，其值无关紧要。";
     TaskPlanar: "Only x, y and the angle about z are asked for. The height {} is open: it counts as one more joint, whose value does not matter.",
         "只要求 x、y 和绕 z 轴的角度。高度 {} 不限：把它看作多出的一个关节，其值无关紧要。";
+    TaskInPlane: "Only x, y and the angle about z are asked for: no joint changes the height.",
+        "只要求 x、y 和绕 z 轴的角度：没有关节改变高度。";
     Given: "The caller chooses {}.", "{} 由使用者给定。";
     StepTitle: "Step {}: ", "第 {} 步：";
     KnownPose: "Known by now:", "至此已知：";
