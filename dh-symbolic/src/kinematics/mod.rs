@@ -8,6 +8,7 @@
 pub mod claims;
 mod forward;
 mod jacobian;
+pub mod reach;
 mod segments;
 pub mod singular;
 

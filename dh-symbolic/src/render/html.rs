@@ -97,6 +97,7 @@ pub fn math(m: &Math) -> String {
             Sign::Equals => "<mo>=</mo>",
             Sign::Times => "<mspace width=\"0.17em\"/>",
             Sign::Comma => "<mo separator=\"true\">,</mo>",
+            Sign::AtMost => "<mo>≤</mo>",
             Sign::Degree => "<mi mathvariant=\"normal\">°</mi>",
             Sign::PlusMinus => "<mo>±</mo>",
             Sign::Either => "<mo form=\"prefix\">±</mo>",

@@ -132,6 +132,7 @@ fn write(m: &Math, out: &mut String) {
                 Sign::Equals => " = ",
                 Sign::Times => "\\,",
                 Sign::Comma => ",",
+                Sign::AtMost => " \\le ",
                 Sign::Degree => "^{\\circ}",
                 Sign::PlusMinus => " \\pm ",
                 Sign::Either => "\\pm ",

@@ -42,6 +42,8 @@ pub enum Sign {
     Times,
     /// Between arguments.
     Comma,
+    /// At most, between sides.
+    AtMost,
     /// The sign of degrees.
     Degree,
     /// Plus or minus, between summands.

@@ -113,6 +113,7 @@ pub fn math(m: &Math) -> String {
             Sign::Equals => "=",
             Sign::Times => "thin",
             Sign::Comma => "\\,",
+            Sign::AtMost => "<=",
             Sign::Degree => "degree",
             Sign::PlusMinus | Sign::Either => "plus.minus",
             Sign::Arrow => "->",

@@ -20,7 +20,8 @@ use super::{Kinematics, jacobian};
 use crate::algebra::{Element, FieldPoint, Poly, Rational, Vector};
 use crate::chain::{Chain, Coordinate, Task};
 use blocks::{Pattern, SIDE};
-use stand::{Frame, Triple, cross, frames, minus, seen};
+pub(in crate::kinematics) use stand::seen;
+use stand::{Frame, Triple, cross, frames, minus};
 
 /// Products of terms that one block may take.
 const BUDGET: usize = 60_000;

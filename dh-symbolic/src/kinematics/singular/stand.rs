@@ -33,7 +33,7 @@ impl Stand {
 }
 
 /// Frame `b` seen from frame `a`.
-pub(super) fn seen(k: &Kinematics, a: Stand, b: Stand) -> Transform {
+pub(in crate::kinematics) fn seen(k: &Kinematics, a: Stand, b: Stand) -> Transform {
     if a > b {
         return seen(k, b, a).inverse();
     }

@@ -15,6 +15,7 @@ mod table;
 #[cfg(test)]
 mod tests;
 pub(super) mod words;
+mod workspace;
 
 pub(super) use inverse::method;
 pub use options::{Options, Part};
@@ -48,7 +49,7 @@ pub fn notes(chain: &Chain, options: &Options) -> Document {
             Part::Forward => w.forward(&kinematics),
             Part::Jacobian => w.jacobian(&kinematics),
             Part::Singular => w.singular(&kinematics),
-            Part::Workspace => {}
+            Part::Workspace => w.workspace(&kinematics),
             Part::Inverse => w.inverse(),
             Part::Example => {
                 if let Ok(start) = &start {

@@ -213,4 +213,29 @@ phrases! {
     PlaceWrist: " (wrist singularity)", "（腕部奇异）";
     PlaceElbow: " (elbow singularity)", "（肘部奇异）";
     PlaceShoulder: " (shoulder singularity)", "（肩部奇异）";
+    Workspace: "Workspace", "工作空间";
+    Subspace: "With {} joints the poses of the arm are a set of {} dimensions among the six of a rigid body: a subspace.",
+        "机械臂有 {} 个关节，其位姿在刚体的六维中只构成 {} 维的子空间。";
+    SubspaceEntries: "All poses have in common", "所有位姿都满足";
+    SubspaceTurn: "The place of the last origin, ({}, {}), says it all: the joints are", "末端原点的位置（{}，{}）决定一切：各关节为";
+    SubspaceMatrix: "and the pose is (a second one has the other sign of the root)", "位姿为（根号取负号得到另一个）";
+    RingLinks: "All axes are parallel. Seen along them the arm is a chain of links with lengths {}.", "所有轴平行。沿轴方向看，机械臂是平面连杆链，杆长为 {}。";
+    RingReach: "Reachable workspace: the ring about the first axis whose distance {} lies between these bounds:",
+        "可达工作空间：绕第一轴的圆环，到轴的距离 {} 介于下列界限之间：";
+    RingTwo: "Inside the ring there are two solutions for a place (elbow on either side), on its edges one.", "环内每个位置有两个解（肘在两侧），边界上一个解。";
+    Dexterous: "Dexterous workspace, where the last link can point in every direction: a circle with its length about the place must lie in the ring of the links before, whose radii are",
+        "灵巧工作空间（末杆可指向任意方向）：以该点为圆心、末杆长为半径的圆须落在前面各杆的圆环内，其半径为";
+    DexterousWhere: "That is so where {} and, besides, {} or {}.", "即 {}，并且 {} 或 {}。";
+    DexterousNumbers: "In numbers: {}.", "数值：{}。";
+    DexterousNumbersTwo: "In numbers: {}, and {}.", "数值：{}，以及 {}。";
+    DexterousEmpty: "With the values of the table there is no such place.", "按表中数值，不存在这样的位置。";
+    DexterousAll: "The last frame sits on the last axis: it takes every direction wherever it can be, so the dexterous workspace is the reachable one.",
+        "末端坐标系位于最后一根轴上，可达之处均可取任意方向：灵巧工作空间即可达工作空间。";
+    DexterousPoint: "Dexterous workspace: the links are equally long, so the last one can point in every direction at the centre alone.",
+        "灵巧工作空间：两杆等长，只有圆心处末杆可指向任意方向。";
+    DexterousNone: "Dexterous workspace: empty, since {} and {} differ.", "灵巧工作空间：空集，因为 {} 与 {} 不相等。";
+    DexterousTwo: "Dexterous workspace: the centre alone if {} = {}, else empty.", "灵巧工作空间：若 {} = {}，只有圆心；否则为空集。";
+    RingLimited: "The ranges of joints {} leave only a part of this.", "关节 {} 的范围只允许其中一部分。";
+    RingElbow: "The range of the elbow keeps the distance between {} and {}.", "肘关节的范围使距离介于 {} 与 {} 之间。";
+    RingHeight: "Joint {} moves this along the axes, by {} in all.", "关节 {} 使其沿轴方向移动，总行程 {}。";
 }

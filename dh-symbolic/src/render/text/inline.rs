@@ -56,6 +56,7 @@ fn sign(s: Sign) -> &'static str {
         Sign::Equals => " = ",
         Sign::Times => "·",
         Sign::Comma => ", ",
+        Sign::AtMost => " ≤ ",
         Sign::Degree => "°",
         Sign::PlusMinus => " ± ",
         Sign::Either => "±",
