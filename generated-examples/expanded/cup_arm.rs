@@ -15,20 +15,20 @@
 ///
 /// `base = tz(373mm);`
 ///
-/// `tool = tz(206mm);`
+/// `tool = tz(206mm)*ry(90deg)*rz(180deg);`
 ///
 /// Pose of the tool in the base, rotation and translation:
 ///
 /// ```text
-/// r₁₁ = c₁[c₂₃(c₄c₅c₆ − s₄s₆) − s₂₃s₅c₆] + s₁(s₄c₅c₆ + c₄s₆)
-/// r₂₁ = s₁[c₂₃(c₄c₅c₆ − s₄s₆) − s₂₃s₅c₆] − c₁(s₄c₅c₆ + c₄s₆)
-/// r₃₁ = −s₂₃(c₄c₅c₆ − s₄s₆) − c₂₃s₅c₆
-/// r₁₂ = −c₁[c₂₃(c₄c₅s₆ + s₄c₆) − s₂₃s₅s₆] − s₁(s₄c₅s₆ − c₄c₆)
-/// r₂₂ = −s₁[c₂₃(c₄c₅s₆ + s₄c₆) − s₂₃s₅s₆] + c₁(s₄c₅s₆ − c₄c₆)
-/// r₃₂ = s₂₃(c₄c₅s₆ + s₄c₆) + c₂₃s₅s₆
-/// r₁₃ = −c₁(c₂₃c₄s₅ + s₂₃c₅) − s₁s₄s₅
-/// r₂₃ = −s₁(c₂₃c₄s₅ + s₂₃c₅) + c₁s₄s₅
-/// r₃₃ = s₂₃c₄s₅ − c₂₃c₅
+/// r₁₁ = −c₁(c₂₃c₄s₅ + s₂₃c₅) − s₁s₄s₅
+/// r₂₁ = −s₁(c₂₃c₄s₅ + s₂₃c₅) + c₁s₄s₅
+/// r₃₁ = s₂₃c₄s₅ − c₂₃c₅
+/// r₁₂ = c₁[c₂₃(c₄c₅s₆ + s₄c₆) − s₂₃s₅s₆] + s₁(s₄c₅s₆ − c₄c₆)
+/// r₂₂ = s₁[c₂₃(c₄c₅s₆ + s₄c₆) − s₂₃s₅s₆] − c₁(s₄c₅s₆ − c₄c₆)
+/// r₃₂ = −s₂₃(c₄c₅s₆ + s₄c₆) − c₂₃s₅s₆
+/// r₁₃ = c₁[c₂₃(c₄c₅c₆ − s₄s₆) − s₂₃s₅c₆] + s₁(s₄c₅c₆ + c₄s₆)
+/// r₂₃ = s₁[c₂₃(c₄c₅c₆ − s₄s₆) − s₂₃s₅c₆] − c₁(s₄c₅c₆ + c₄s₆)
+/// r₃₃ = −s₂₃(c₄c₅c₆ − s₄s₆) − c₂₃s₅c₆
 /// px  = −c₁[a₁ − a₂c₂ + c₂₃(a₃ + tz·c₄s₅) + s₂₃(d₄ + tz·c₅)] − tz·s₁s₄s₅
 /// py  = −s₁[a₁ − a₂c₂ + c₂₃(a₃ + tz·c₄s₅) + s₂₃(d₄ + tz·c₅)] + tz·c₁s₄s₅
 /// pz  = bz − a₂s₂ + s₂₃(a₃ + tz·c₄s₅) − c₂₃(d₄ + tz·c₅)
@@ -58,7 +58,7 @@ impl CupArm {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in mm.
     ///
-    /// Cost: 41 multiplications, 23 additions, 6 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 44 multiplications, 24 additions, 6 sine-cosine pairs. Proven equal to the product of the link transforms.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
@@ -66,29 +66,36 @@ impl CupArm {
         let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let c6c5 = c6 * c5;
-        let c6s5 = c6 * s5;
-        let t_2 = c6c5 * c4 - s6 * s4;
-        let t_3 = c6c5 * s4 + s6 * c4;
-        let t_4 = t_2 * c23 - c6s5 * s23;
-        let t_5 = t_2 * s23 + c6s5 * c23;
-        let t_6 = t_4 * c1 + t_3 * s1;
-        let t_7 = t_4 * s1 - t_3 * c1;
         let s5c4 = s5 * c4;
         let s5s4 = s5 * s4;
-        let t_8 = c23 * s5c4 + c5 * s23;
-        let t_9 = s23 * s5c4 - c5 * c23;
-        let t_10 = c1 * t_8 + s1 * s5s4;
-        let t_11 = s1 * t_8 - c1 * s5s4;
-        let t_12 = 30.0 + c23 * 40.0 + s23 * 338.0 - 340.0 * c2;
-        let t_13 = s23 * 40.0 - c23 * 338.0 - 340.0 * s2 + 373.0 + t_9 * 206.0;
+        let t_2 = s5c4 * c23 + c5 * s23;
+        let t_3 = s5c4 * s23 - c5 * c23;
+        let t_4 = t_2 * c1 + s5s4 * s1;
+        let t_5 = t_2 * s1 - s5s4 * c1;
+        let c6c5 = c6 * c5;
+        let c6s5 = c6 * s5;
+        let t_6 = c4 * c6c5 - s6 * s4;
+        let t_7 = s4 * c6c5 + s6 * c4;
+        let t_8 = c23 * t_6 - s23 * c6s5;
+        let t_9 = s23 * t_6 + c23 * c6s5;
+        let t_10 = c1 * t_8 + s1 * t_7;
+        let t_11 = s1 * t_8 - c1 * t_7;
+        let t_12 = s5 * 206.0;
+        let t_13 = c5 * 206.0 + 338.0;
+        let t_14 = s4 * t_12;
+        let t_15 = 40.0 + c4 * t_12;
+        let t_16 = 30.0 + c23 * t_15 + s23 * t_13 - 340.0 * c2;
         ::dh_robot::pose::from_entries(
             [
-                [t_6, t_5 * t_11 - t_7 * t_9, -t_10],
-                [t_7, t_6 * t_9 - t_5 * t_10, -t_11],
-                [-t_5, -(t_7 * t_10 - t_6 * t_11), t_9],
+                [-t_4, t_3 * t_11 - t_5 * t_9, t_10],
+                [-t_5, t_4 * t_9 - t_3 * t_10, t_11],
+                [t_3, -(t_5 * t_10 - t_4 * t_11), -t_9],
             ],
-            [-(c1 * t_12 + t_10 * 206.0), -(s1 * t_12 + t_11 * 206.0), t_13],
+            [
+                -(c1 * t_16 + s1 * t_14),
+                -(s1 * t_16 - c1 * t_14),
+                s23 * t_15 - c23 * t_13 - 340.0 * s2 + 373.0,
+            ],
         )
     }
     /// Pose of every moving link's frame in the base, without the tool.
@@ -260,9 +267,9 @@ impl CupArm {
         (
             ::dh_robot::pose::from_entries(
                 [
-                    [t_6 * c6 + t_4 * s6, t_4 * c6 - t_6 * s6, -t_9],
-                    [t_7 * c6 - t_5 * s6, -(t_5 * c6 + t_7 * s6), -t_10],
-                    [-(t_8 * c6 - s23s4 * s6), s23s4 * c6 + t_8 * s6, -t_11],
+                    [-t_9, -(t_4 * c6 - t_6 * s6), t_6 * c6 + t_4 * s6],
+                    [-t_10, t_5 * c6 + t_7 * s6, t_7 * c6 - t_5 * s6],
+                    [-t_11, -(s23s4 * c6 + t_8 * s6), -(t_8 * c6 - s23s4 * s6)],
                 ],
                 [-t_21, -t_22, t_19 + 373.0],
             ),
@@ -352,11 +359,14 @@ impl CupArm {
     ) -> ::dh_robot::inverse::Attempt {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
-        let t_2 = t[0][3] - t[0][2] * 0.2159329140461216;
-        let t_3 = t[1][3] - t[1][2] * 0.2159329140461216;
-        let t_4 = t[2][3] - t[2][2] * 0.2159329140461216 - 0.39098532494758914;
-        let t_5 = t_4 * t_4;
-        let r0 = ::dh_robot::ik::solve_sincos(-t_3, t_2, 0.0, 1e-11);
+        let t_2 = t[2][3] - 0.39098532494758914 - t[2][0] * 0.2159329140461216;
+        let t_3 = t_2 * t_2;
+        let r0 = ::dh_robot::ik::solve_sincos(
+            -(t[1][3] - t[1][0] * 0.2159329140461216),
+            t[0][3] - t[0][0] * 0.2159329140461216,
+            0.0,
+            1e-11,
+        );
         if r0.roots.is_empty() {
             attempt.note(r0.outcome, free, "shoulder q1", 954.0, "mm");
         }
@@ -368,20 +378,21 @@ impl CupArm {
         };
         for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
             let a0 = ::dh_robot::math::atan2(s1, c1);
-            let t_6 = t_2 * c1 + t_3 * s1;
-            let t_7 = t_2 * s1 - t_3 * c1;
+            let t_4 = t[0][2] * c1 + t[1][2] * s1;
+            let t_5 = t[0][2] * s1 - t[1][2] * c1;
+            let t_6 = t[0][1] * c1 + t[1][1] * s1;
+            let t_7 = t[0][1] * s1 - t[1][1] * c1;
             let t_8 = t[0][0] * c1 + t[1][0] * s1;
             let t_9 = t[0][0] * s1 - t[1][0] * c1;
-            let t_10 = t[0][1] * c1 + t[1][1] * s1;
-            let t_11 = t[0][1] * s1 - t[1][1] * c1;
-            let t_12 = t[0][2] * c1 + t[1][2] * s1;
-            let t_13 = t[0][2] * s1 - t[1][2] * c1;
-            let t_14 = 0.031446540880503145 * (0.031446540880503145 + t_6 * 2.0);
-            let t_15 = t_6 + 0.031446540880503145;
+            let t_10 = t[0][3] * c1 + t[1][3] * s1 - 0.2159329140461216 * t_8;
+            let t_11 = t[0][3] * s1 - t[1][3] * c1 - 0.2159329140461216 * t_9;
+            let t_12 = 0.031446540880503145 * (0.031446540880503145 + t_10 * 2.0);
+            let t_13 = t_12 + t_3 + t_10 * t_10 + t_11 * t_11 - 0.25430164946006883;
+            let t_14 = t_10 + 0.031446540880503145;
             let r1 = ::dh_robot::ik::solve_sincos(
                 -0.02988630020788559,
                 -0.2525392367566332,
-                t_14 + t_5 + t_6 * t_6 + t_7 * t_7 - 0.25430164946006883,
+                t_13,
                 1e-11,
             );
             if r1.roots.is_empty() {
@@ -390,8 +401,8 @@ impl CupArm {
                         r1.outcome,
                         free,
                         "elbow q3",
-                        t_5 + t_6 * t_6 + t_7 * t_7,
-                        t_14 + t_5 + t_6 * t_6 + t_7 * t_7 - 0.25430164946006883,
+                        t_3 + t_10 * t_10 + t_11 * t_11,
+                        t_13,
                         954.0,
                         "mm",
                     );
@@ -404,14 +415,14 @@ impl CupArm {
             };
             for (i1, &[c3, s3]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s3, c3);
-                let t_16 = 0.35639412997903563 - 0.041928721174004195 * c3
+                let t_15 = 0.35639412997903563 - 0.041928721174004195 * c3
                     - 0.35429769392033544 * s3;
                 let r2 = ::dh_robot::ik::solve_pair(
+                    -t_14,
+                    t_2,
                     -t_15,
-                    t_4,
-                    -t_16,
-                    t_4,
-                    t_15,
+                    t_2,
+                    t_14,
                     -(c3 * 0.35429769392033544 - 0.041928721174004195 * s3),
                     1e-11,
                 );
@@ -426,14 +437,14 @@ impl CupArm {
                 };
                 for (i2, &[c2, s2]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s2, c2);
-                    let t_17 = c3 * c2 - s3 * s2;
-                    let t_18 = c3 * s2 + s3 * c2;
-                    let t_19 = t_8 * t_17 - t[2][0] * t_18;
-                    let t_20 = t_8 * t_18 + t[2][0] * t_17;
-                    let t_21 = t_10 * t_17 - t[2][1] * t_18;
-                    let t_22 = t_10 * t_18 + t[2][1] * t_17;
-                    let t_23 = t_12 * t_17 - t[2][2] * t_18;
-                    let r3 = ::dh_robot::ik::solve_sincos(-t_13, t_23, 0.0, 1e-11);
+                    let t_16 = c3 * c2 - s3 * s2;
+                    let t_17 = c3 * s2 + s3 * c2;
+                    let t_18 = t_4 * t_16 - t[2][2] * t_17;
+                    let t_19 = t_4 * t_17 + t[2][2] * t_16;
+                    let t_20 = t_6 * t_16 - t[2][1] * t_17;
+                    let t_21 = t_6 * t_17 + t[2][1] * t_16;
+                    let t_22 = t_8 * t_16 - t[2][0] * t_17;
+                    let r3 = ::dh_robot::ik::solve_sincos(-t_9, t_22, 0.0, 1e-11);
                     if r3.roots.is_empty() {
                         attempt.note(r3.outcome, free, "wrist q4", 1.0, "");
                     }
@@ -449,15 +460,15 @@ impl CupArm {
                         .enumerate()
                     {
                         let a3 = ::dh_robot::math::atan2(s4, c4);
-                        let t_24 = t_19 * c4 + t_9 * s4;
-                        let t_25 = t_21 * c4 + t_11 * s4;
+                        let t_23 = t_18 * c4 + t_5 * s4;
+                        let t_24 = t_20 * c4 + t_7 * s4;
                         let r4 = ::dh_robot::ik::solve_pair(
                             0.0,
                             -1.0,
-                            t_23 * c4 + t_13 * s4,
+                            t_22 * c4 + t_9 * s4,
                             1.0,
                             0.0,
-                            -(t_12 * t_18 + t[2][2] * t_17),
+                            -(t_8 * t_17 + t[2][0] * t_16),
                             1e-11,
                         );
                         if r4.roots.is_empty() {
@@ -478,10 +489,10 @@ impl CupArm {
                             let r5 = ::dh_robot::ik::solve_pair(
                                 1.0,
                                 0.0,
-                                t_24 * c5 - t_20 * s5,
+                                t_23 * c5 - t_19 * s5,
                                 0.0,
                                 -1.0,
-                                t_25 * c5 - t_22 * s5,
+                                -(t_24 * c5 - t_21 * s5),
                                 1e-11,
                             );
                             if r5.roots.is_empty() {
@@ -540,14 +551,15 @@ impl CupArm {
         t: &::dh_robot::ik::Pose,
         solutions: &mut ::dh_robot::Solutions<f64, 6, 8>,
     ) -> bool {
-        let t_2 = t[0][3] - t[0][2] * 0.2159329140461216;
-        let t_3 = t[1][3] - t[1][2] * 0.2159329140461216;
-        let t_4 = t[2][3] - t[2][2] * 0.2159329140461216 - 0.39098532494758914;
-        let t_5 = t_4 * t_4;
+        let t_2 = t[2][3] - 0.39098532494758914 - t[2][0] * 0.2159329140461216;
+        let t_3 = t_2 * t_2;
         let mut f0 = [[0.0; 2]; 2];
         let mut m0 = [0.0; 1];
         for l in 0..1 {
-            let ([x, y], m) = ::dh_robot::lanes::half_turn(-t_3, t_2);
+            let ([x, y], m) = ::dh_robot::lanes::half_turn(
+                -(t[1][3] - t[1][0] * 0.2159329140461216),
+                t[0][3] - t[0][0] * 0.2159329140461216,
+            );
             f0[0][l] = x;
             f0[1][l] = y;
             f0[0][l + 1] = -x;
@@ -575,39 +587,40 @@ impl CupArm {
         let mut v62_ = [0.0; 2];
         let mut v65_ = [0.0; 2];
         let mut v68_ = [0.0; 2];
-        let mut v94_ = [0.0; 2];
-        let mut v95_ = [0.0; 2];
+        let mut v98_ = [0.0; 2];
+        let mut v99_ = [0.0; 2];
         for l in 0..2 {
             let c1 = c1_[l];
             let s1 = s1_[l];
-            let t_6 = t_2 * c1 + t_3 * s1;
-            let t_7 = t_2 * s1 - t_3 * c1;
+            let t_4 = t[0][2] * c1 + t[1][2] * s1;
+            let t_5 = t[0][2] * s1 - t[1][2] * c1;
+            let t_6 = t[0][1] * c1 + t[1][1] * s1;
+            let t_7 = t[0][1] * s1 - t[1][1] * c1;
             let t_8 = t[0][0] * c1 + t[1][0] * s1;
             let t_9 = t[0][0] * s1 - t[1][0] * c1;
-            let t_10 = t[0][1] * c1 + t[1][1] * s1;
-            let t_11 = t[0][1] * s1 - t[1][1] * c1;
-            let t_12 = t[0][2] * c1 + t[1][2] * s1;
-            let t_13 = t[0][2] * s1 - t[1][2] * c1;
-            let t_14 = 0.031446540880503145 * (0.031446540880503145 + t_6 * 2.0);
-            let t_15 = t_6 + 0.031446540880503145;
-            v53_[l] = t_8;
-            v56_[l] = t_9;
-            v59_[l] = t_10;
-            v62_[l] = t_11;
-            v65_[l] = t_12;
-            v68_[l] = t_13;
-            v94_[l] = t_14 + t_5 + t_6 * t_6 + t_7 * t_7 - 0.25430164946006883;
-            v95_[l] = t_15;
+            let t_10 = t[0][3] * c1 + t[1][3] * s1 - 0.2159329140461216 * t_8;
+            let t_11 = t[0][3] * s1 - t[1][3] * c1 - 0.2159329140461216 * t_9;
+            let t_12 = 0.031446540880503145 * (0.031446540880503145 + t_10 * 2.0);
+            let t_13 = t_12 + t_3 + t_10 * t_10 + t_11 * t_11 - 0.25430164946006883;
+            let t_14 = t_10 + 0.031446540880503145;
+            v53_[l] = t_4;
+            v56_[l] = t_5;
+            v59_[l] = t_6;
+            v62_[l] = t_7;
+            v65_[l] = t_8;
+            v68_[l] = t_9;
+            v98_[l] = t_13;
+            v99_[l] = t_14;
         }
         let mut f1 = [[0.0; 4]; 2];
         let mut m1 = [0.0; 2];
         let mut e1 = [0.0; 2];
         for l in 0..2 {
-            let v94 = v94_[l];
+            let v98 = v98_[l];
             let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
                 -0.02988630020788559,
                 -0.2525392367566332,
-                v94,
+                v98,
             );
             f1[0][l] = x;
             f1[1][l] = y;
@@ -619,23 +632,23 @@ impl CupArm {
         let c3_ = f1[0];
         let s3_ = f1[1];
         let g1: [f64; 4] = ::dh_robot::atan2_batch(&f1[1], &f1[0]);
-        let mut v104_ = [0.0; 4];
-        let mut v107_ = [0.0; 4];
+        let mut v108_ = [0.0; 4];
+        let mut v111_ = [0.0; 4];
         for l in 0..4 {
             let c3 = c3_[l];
             let s3 = s3_[l];
-            let t_16 = 0.35639412997903563 - 0.041928721174004195 * c3
+            let t_15 = 0.35639412997903563 - 0.041928721174004195 * c3
                 - 0.35429769392033544 * s3;
-            v104_[l] = t_16;
-            v107_[l] = c3 * 0.35429769392033544 - 0.041928721174004195 * s3;
+            v108_[l] = t_15;
+            v111_[l] = c3 * 0.35429769392033544 - 0.041928721174004195 * s3;
         }
         let mut f2 = [[0.0; 4]; 2];
         let mut m2 = [0.0; 4];
         for l in 0..4 {
-            let v95 = v95_[l % 2];
-            let v104 = v104_[l];
-            let v107 = v107_[l];
-            let ([x, y], m) = ::dh_robot::lanes::pair(-v95, t_4, -v104, t_4, v95, -v107);
+            let v99 = v99_[l % 2];
+            let v108 = v108_[l];
+            let v111 = v111_[l];
+            let ([x, y], m) = ::dh_robot::lanes::pair(-v99, t_2, -v108, t_2, v99, -v111);
             f2[0][l] = x;
             f2[1][l] = y;
             m2[l] = m;
@@ -643,20 +656,17 @@ impl CupArm {
         let c2_ = f2[0];
         let s2_ = f2[1];
         let g2: [f64; 4] = ::dh_robot::atan2_batch(&f2[1], &f2[0]);
-        let mut v125_ = [0.0; 4];
-        let mut v128_ = [0.0; 4];
-        let mut v131_ = [0.0; 4];
-        let mut v134_ = [0.0; 4];
-        let mut v137_ = [0.0; 4];
-        let mut v140_ = [0.0; 4];
-        let mut v143_ = [0.0; 4];
-        let mut v146_ = [0.0; 4];
-        let mut v305_ = [0.0; 4];
-        let mut v306_ = [0.0; 4];
-        let mut v307_ = [0.0; 4];
+        let mut v130_ = [0.0; 4];
+        let mut v133_ = [0.0; 4];
+        let mut v136_ = [0.0; 4];
+        let mut v139_ = [0.0; 4];
+        let mut v142_ = [0.0; 4];
+        let mut v145_ = [0.0; 4];
+        let mut v148_ = [0.0; 4];
+        let mut v151_ = [0.0; 4];
+        let mut v323_ = [0.0; 4];
+        let mut v324_ = [0.0; 4];
         for l in 0..4 {
-            let c1 = c1_[l % 2];
-            let s1 = s1_[l % 2];
             let v53 = v53_[l % 2];
             let v59 = v59_[l % 2];
             let v65 = v65_[l % 2];
@@ -664,39 +674,32 @@ impl CupArm {
             let s3 = s3_[l];
             let c2 = c2_[l];
             let s2 = s2_[l];
-            let t_17 = c3 * c2 - s3 * s2;
-            let t_18 = c3 * s2 + s3 * c2;
-            let t_19 = v53 * t_17 - t[2][0] * t_18;
-            let t_20 = v53 * t_18 + t[2][0] * t_17;
-            let t_21 = v59 * t_17 - t[2][1] * t_18;
-            let t_22 = v59 * t_18 + t[2][1] * t_17;
-            let t_23 = v65 * t_17 - t[2][2] * t_18;
-            let t_24 = 0.041928721174004195 * t_17 + 0.35429769392033544 * t_18
-                - 0.35639412997903563 * c2;
-            let t_25 = 0.041928721174004195 * t_18 - 0.35429769392033544 * t_17
-                - 0.35639412997903563 * s2;
-            let t_26 = 0.031446540880503145 + t_24;
-            let t_27 = c1 * t_26;
-            let t_28 = s1 * t_26;
-            let t_29 = 0.39098532494758914 + t_25;
-            v125_[l] = t_17;
-            v128_[l] = t_18;
-            v131_[l] = t_19;
-            v134_[l] = t_20;
-            v137_[l] = t_21;
-            v140_[l] = t_22;
-            v143_[l] = t_23;
-            v146_[l] = v65 * t_18 + t[2][2] * t_17;
-            v305_[l] = t_27;
-            v306_[l] = t_28;
-            v307_[l] = t_29;
+            let t_16 = c3 * c2 - s3 * s2;
+            let t_17 = c3 * s2 + s3 * c2;
+            let t_18 = v53 * t_16 - t[2][2] * t_17;
+            let t_19 = v53 * t_17 + t[2][2] * t_16;
+            let t_20 = v59 * t_16 - t[2][1] * t_17;
+            let t_21 = v59 * t_17 + t[2][1] * t_16;
+            let t_22 = v65 * t_16 - t[2][0] * t_17;
+            let t_23 = 0.35639412997903563 * c2;
+            let t_24 = 0.35639412997903563 * s2;
+            v130_[l] = t_16;
+            v133_[l] = t_17;
+            v136_[l] = t_18;
+            v139_[l] = t_19;
+            v142_[l] = t_20;
+            v145_[l] = t_21;
+            v148_[l] = t_22;
+            v151_[l] = v65 * t_17 + t[2][0] * t_16;
+            v323_[l] = t_23;
+            v324_[l] = t_24;
         }
         let mut f3 = [[0.0; 8]; 2];
         let mut m3 = [0.0; 4];
         for l in 0..4 {
             let v68 = v68_[l % 2];
-            let v143 = v143_[l];
-            let ([x, y], m) = ::dh_robot::lanes::half_turn(-v68, v143);
+            let v148 = v148_[l];
+            let ([x, y], m) = ::dh_robot::lanes::half_turn(-v68, v148);
             f3[0][l] = x;
             f3[1][l] = y;
             f3[0][l + 4] = -x;
@@ -718,93 +721,94 @@ impl CupArm {
                 half[k - 4] + ::core::f64::consts::PI
             }
         });
-        let mut v174_ = [0.0; 8];
-        let mut v180_ = [0.0; 8];
-        let mut v186_ = [0.0; 8];
+        let mut v183_ = [0.0; 8];
+        let mut v189_ = [0.0; 8];
+        let mut v195_ = [0.0; 8];
         for l in 0..8 {
             let v56 = v56_[l % 2];
             let v62 = v62_[l % 2];
             let v68 = v68_[l % 2];
-            let v131 = v131_[l % 4];
-            let v137 = v137_[l % 4];
-            let v143 = v143_[l % 4];
+            let v136 = v136_[l % 4];
+            let v142 = v142_[l % 4];
+            let v148 = v148_[l % 4];
             let c4 = c4_[l];
             let s4 = s4_[l];
-            let t_30 = v131 * c4 + v56 * s4;
-            let t_31 = v137 * c4 + v62 * s4;
-            v174_[l] = t_30;
-            v180_[l] = t_31;
-            v186_[l] = v143 * c4 + v68 * s4;
+            let t_25 = v136 * c4 + v56 * s4;
+            let t_26 = v142 * c4 + v62 * s4;
+            v183_[l] = t_25;
+            v189_[l] = t_26;
+            v195_[l] = v148 * c4 + v68 * s4;
         }
         let mut f4 = [[0.0; 8]; 2];
         for l in 0..8 {
-            let v186 = v186_[l];
-            let v146 = v146_[l % 4];
-            let [x, y] = ::dh_robot::lanes::unit(-v146, -v186);
+            let v195 = v195_[l];
+            let v151 = v151_[l % 4];
+            let [x, y] = ::dh_robot::lanes::unit(-v151, -v195);
             f4[0][l] = x;
             f4[1][l] = y;
         }
         let c5_ = f4[0];
         let s5_ = f4[1];
         let g4: [f64; 8] = ::dh_robot::atan2_batch(&f4[1], &f4[0]);
-        let mut v217_ = [0.0; 8];
-        let mut v223_ = [0.0; 8];
+        let mut v230_ = [0.0; 8];
+        let mut v236_ = [0.0; 8];
+        let mut v275_ = [0.0; 8];
         let mut v278_ = [0.0; 8];
         let mut v281_ = [0.0; 8];
-        let mut v284_ = [0.0; 8];
-        let mut v311_ = [0.0; 8];
-        let mut v312_ = [0.0; 8];
-        let mut v313_ = [0.0; 8];
+        let mut v330_ = [0.0; 8];
+        let mut v333_ = [0.0; 8];
+        let mut v334_ = [0.0; 8];
         for l in 0..8 {
             let c1 = c1_[l % 2];
             let s1 = s1_[l % 2];
-            let v125 = v125_[l % 4];
-            let v128 = v128_[l % 4];
-            let v134 = v134_[l % 4];
-            let v140 = v140_[l % 4];
+            let v130 = v130_[l % 4];
+            let v133 = v133_[l % 4];
+            let v139 = v139_[l % 4];
+            let v145 = v145_[l % 4];
             let c4 = c4_[l];
             let s4 = s4_[l];
-            let v174 = v174_[l];
-            let v180 = v180_[l];
-            let v305 = v305_[l % 4];
-            let v306 = v306_[l % 4];
-            let v307 = v307_[l % 4];
+            let v183 = v183_[l];
+            let v189 = v189_[l];
+            let v323 = v323_[l % 4];
+            let v324 = v324_[l % 4];
             let c5 = c5_[l];
             let s5 = s5_[l];
             let c4s5 = c4 * s5;
             let s4s5 = s4 * s5;
-            let t_32 = v125 * c4s5 + v128 * c5;
-            let t_33 = v128 * c4s5 - v125 * c5;
-            let t_34 = c1 * t_32 + s1 * s4s5;
-            let t_35 = s1 * t_32 - c1 * s4s5;
-            v217_[l] = v174 * c5 - v134 * s5;
-            v223_[l] = v180 * c5 - v140 * s5;
-            v278_[l] = t_33;
-            v281_[l] = t_34;
-            v284_[l] = t_35;
-            v311_[l] = v305 + 0.2159329140461216 * t_34;
-            v312_[l] = v306 + 0.2159329140461216 * t_35;
-            v313_[l] = v307 + 0.2159329140461216 * t_33;
+            let t_27 = v130 * c4s5 + v133 * c5;
+            let t_28 = 0.2159329140461216 * s5;
+            let t_29 = 0.35429769392033544 + 0.2159329140461216 * c5;
+            let t_30 = s4 * t_28;
+            let t_31 = 0.041928721174004195 + c4 * t_28;
+            let t_32 = 0.031446540880503145 + v130 * t_31 + v133 * t_29 - v323;
+            v230_[l] = v183 * c5 - v139 * s5;
+            v236_[l] = v189 * c5 - v145 * s5;
+            v275_[l] = v133 * c4s5 - v130 * c5;
+            v278_[l] = c1 * t_27 + s1 * s4s5;
+            v281_[l] = s1 * t_27 - c1 * s4s5;
+            v330_[l] = c1 * t_32 + s1 * t_30;
+            v333_[l] = s1 * t_32 - c1 * t_30;
+            v334_[l] = 0.39098532494758914 + v133 * t_31 - v130 * t_29 - v324;
         }
         let mut f5 = [[0.0; 8]; 2];
         for l in 0..8 {
-            let v217 = v217_[l];
-            let v223 = v223_[l];
-            let [x, y] = ::dh_robot::lanes::unit(v217, -v223);
+            let v230 = v230_[l];
+            let v236 = v236_[l];
+            let [x, y] = ::dh_robot::lanes::unit(v230, v236);
             f5[0][l] = x;
             f5[1][l] = y;
         }
         let c6_ = f5[0];
         let s6_ = f5[1];
         let g5: [f64; 8] = ::dh_robot::atan2_batch(&f5[1], &f5[0]);
-        let mut v264_ = [0.0; 8];
-        let mut v267_ = [0.0; 8];
-        let mut v270_ = [0.0; 8];
+        let mut v295_ = [0.0; 8];
+        let mut v298_ = [0.0; 8];
+        let mut v301_ = [0.0; 8];
         for l in 0..8 {
             let c1 = c1_[l % 2];
             let s1 = s1_[l % 2];
-            let v125 = v125_[l % 4];
-            let v128 = v128_[l % 4];
+            let v130 = v130_[l % 4];
+            let v133 = v133_[l % 4];
             let c4 = c4_[l];
             let s4 = s4_[l];
             let c5 = c5_[l];
@@ -813,29 +817,29 @@ impl CupArm {
             let s6 = s6_[l];
             let c5c6 = c5 * c6;
             let s5c6 = s5 * c6;
-            let t_36 = c4 * c5c6 - s4 * s6;
-            let t_37 = s4 * c5c6 + c4 * s6;
-            let t_38 = v125 * t_36 - v128 * s5c6;
-            v264_[l] = v128 * t_36 + v125 * s5c6;
-            v267_[l] = c1 * t_38 + s1 * t_37;
-            v270_[l] = s1 * t_38 - c1 * t_37;
+            let t_33 = c4 * c5c6 - s4 * s6;
+            let t_34 = s4 * c5c6 + c4 * s6;
+            let t_35 = v130 * t_33 - v133 * s5c6;
+            v295_[l] = v133 * t_33 + v130 * s5c6;
+            v298_[l] = c1 * t_35 + s1 * t_34;
+            v301_[l] = s1 * t_35 - c1 * t_34;
         }
         let mut error = [0.0; 8];
         for l in 0..8 {
-            let v267 = v267_[l];
-            let v270 = v270_[l];
-            let v264 = v264_[l];
-            let v281 = v281_[l];
-            let v284 = v284_[l];
             let v278 = v278_[l];
-            let v311 = v311_[l];
-            let v312 = v312_[l];
-            let v313 = v313_[l];
-            error[l] = (v267 - t[0][0]).abs() + (v270 - t[1][0]).abs()
-                + (-v264 - t[2][0]).abs() + (-v281 - t[0][2]).abs()
-                + (-v284 - t[1][2]).abs() + (v278 - t[2][2]).abs()
-                + (-v311 - t[0][3]).abs() + (-v312 - t[1][3]).abs()
-                + (v313 - t[2][3]).abs();
+            let v281 = v281_[l];
+            let v275 = v275_[l];
+            let v298 = v298_[l];
+            let v301 = v301_[l];
+            let v295 = v295_[l];
+            let v330 = v330_[l];
+            let v333 = v333_[l];
+            let v334 = v334_[l];
+            error[l] = (-v278 - t[0][0]).abs() + (-v281 - t[1][0]).abs()
+                + (v275 - t[2][0]).abs() + (v298 - t[0][2]).abs()
+                + (v301 - t[1][2]).abs() + (-v295 - t[2][2]).abs()
+                + (-v330 - t[0][3]).abs() + (-v333 - t[1][3]).abs()
+                + (v334 - t[2][3]).abs();
         }
         let valid: [f64; 8] = ::core::array::from_fn(|l| 1.0 * e1[l % 2 % 2]);
         let margin: [f64; 8] = ::core::array::from_fn(|l| {
@@ -900,26 +904,34 @@ impl ::dh_robot::ik::Kinematics<6> for CupArm {
         let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(
             &angles,
         );
-        let c6c5 = c6 * c5;
-        let c6s5 = c6 * s5;
-        let t_2 = c6c5 * c4 - s6 * s4;
-        let t_3 = c6c5 * s4 + s6 * c4;
-        let t_4 = t_2 * c23 - c6s5 * s23;
-        let t_5 = t_2 * s23 + c6s5 * c23;
-        let t_6 = t_4 * c1 + t_3 * s1;
-        let t_7 = t_4 * s1 - t_3 * c1;
         let s5c4 = s5 * c4;
         let s5s4 = s5 * s4;
-        let t_8 = c23 * s5c4 + c5 * s23;
-        let t_9 = s23 * s5c4 - c5 * c23;
-        let t_10 = c1 * t_8 + s1 * s5s4;
-        let t_11 = s1 * t_8 - c1 * s5s4;
-        let t_12 = 30.0 + c23 * 40.0 + s23 * 338.0 - 340.0 * c2;
-        let t_13 = s23 * 40.0 - c23 * 338.0 - 340.0 * s2 + 373.0 + t_9 * 206.0;
+        let t_2 = s5c4 * c23 + c5 * s23;
+        let t_3 = s5c4 * s23 - c5 * c23;
+        let t_4 = t_2 * c1 + s5s4 * s1;
+        let t_5 = t_2 * s1 - s5s4 * c1;
+        let c6c5 = c6 * c5;
+        let c6s5 = c6 * s5;
+        let t_6 = c4 * c6c5 - s6 * s4;
+        let t_7 = s4 * c6c5 + s6 * c4;
+        let t_8 = c23 * t_6 - s23 * c6s5;
+        let t_9 = s23 * t_6 + c23 * c6s5;
+        let t_10 = c1 * t_8 + s1 * t_7;
+        let t_11 = s1 * t_8 - c1 * t_7;
+        let t_12 = s5 * 206.0;
+        let t_13 = c5 * 206.0 + 338.0;
+        let t_14 = s4 * t_12;
+        let t_15 = 40.0 + c4 * t_12;
+        let t_16 = 30.0 + c23 * t_15 + s23 * t_13 - 340.0 * c2;
         [
-            [t_6, t_5 * t_11 - t_7 * t_9, -t_10, -(c1 * t_12 + t_10 * 206.0)],
-            [t_7, t_6 * t_9 - t_5 * t_10, -t_11, -(s1 * t_12 + t_11 * 206.0)],
-            [-t_5, -(t_7 * t_10 - t_6 * t_11), t_9, t_13],
+            [-t_4, t_3 * t_11 - t_5 * t_9, t_10, -(c1 * t_16 + s1 * t_14)],
+            [-t_5, t_4 * t_9 - t_3 * t_10, t_11, -(s1 * t_16 - c1 * t_14)],
+            [
+                t_3,
+                -(t_5 * t_10 - t_4 * t_11),
+                -t_9,
+                s23 * t_15 - c23 * t_13 - 340.0 * s2 + 373.0,
+            ],
         ]
     }
     fn forward_and_jacobian(
@@ -959,9 +971,9 @@ impl ::dh_robot::ik::Kinematics<6> for CupArm {
         let t_22 = s1 * t_20 - c1 * t_14;
         (
             [
-                [t_6 * c6 + t_4 * s6, t_4 * c6 - t_6 * s6, -t_9, -t_21],
-                [t_7 * c6 - t_5 * s6, -(t_5 * c6 + t_7 * s6), -t_10, -t_22],
-                [-(t_8 * c6 - s23s4 * s6), s23s4 * c6 + t_8 * s6, -t_11, t_19 + 373.0],
+                [-t_9, -(t_4 * c6 - t_6 * s6), t_6 * c6 + t_4 * s6, -t_21],
+                [-t_10, t_5 * c6 + t_7 * s6, t_7 * c6 - t_5 * s6, -t_22],
+                [-t_11, -(s23s4 * c6 + t_8 * s6), -(t_8 * c6 - s23s4 * s6), t_19 + 373.0],
             ],
             [
                 [t_22, c1 * t_19, c1 * t_17, -t_4 * t_12, -t_6 * 206.0, 0.0],
