@@ -6,9 +6,11 @@
 
 #![allow(clippy::neg_cmp_op_on_partial_ord)] // `!(x <= y)` is how NaN ends on the safe side
 
-#[cfg(test)]
-use crate::Joint;
-use crate::{Branch, Real, Solution, Solutions};
+mod angles;
+
+pub use angles::{angle, angles};
+
+use crate::{Branch, Joint, Real, Solution, Solutions};
 
 /// Largest difference between an entry of the target and of a branch's forward kinematics (rotation, or position over reach) that the
 /// fast way accepts: some hundred times the rounding of a regular pose.
@@ -91,20 +93,39 @@ pub fn into_range(x: f64, least: f64, greatest: f64) -> f64 {
     x + if up { turn } else { 0.0 } - if down { turn } else { 0.0 }
 }
 
-/// Collects the confirmed branches into `out`, which is empty; false, and nothing collected, where a lane that counts is near a
-/// degenerate one or is not confirmed, or where no lane counts.
-///
-/// `valid` is 1 for lanes that exist, `margin` and `error` as above, `q` joint by joint, for `f64` in its range if it can be.
+/// The same angle with its vector turned round.
 #[inline(always)]
 #[must_use]
-pub fn collect<T: Real, const N: usize, const M: usize, const L: usize>(
-    valid: &[f64; L],
-    margin: &[f64; L],
-    error: &[f64; L],
-    q: &[[f64; L]; N],
-    branches: &[Branch; L],
-    out: &mut Solutions<T, N, M>,
-) -> bool {
+pub fn opposite(x: f64) -> f64 {
+    // Up to EPSILON the sum is rounded to pi; beyond, the difference is rounded to more than -pi.
+    x + if x > f64::EPSILON { -core::f64::consts::PI } else { core::f64::consts::PI }
+}
+
+/// The negative of an angle in (-pi, pi]; pi stays.
+#[inline(always)]
+#[must_use]
+pub fn negative(x: f64) -> f64 {
+    if x < core::f64::consts::PI { -x } else { x }
+}
+
+/// pi less an angle in (-pi, pi].
+#[inline(always)]
+#[must_use]
+pub fn supplement(x: f64) -> f64 {
+    wrap(core::f64::consts::PI - x)
+}
+
+/// The lesser of two margins.
+#[inline(always)]
+#[must_use]
+pub fn lesser(a: f64, b: f64) -> f64 {
+    if a < b { a } else { b }
+}
+
+/// Whether there is a lane that counts (`valid` is 1), and each such lane is clear of degenerate ones and confirmed.
+#[inline(always)]
+#[must_use]
+pub fn confirmed<const L: usize>(valid: &[f64; L], margin: &[f64; L], error: &[f64; L]) -> bool {
     // The sum is NaN if anything is, and the comparison then fails.
     let (mut doubt, mut any) = (0.0, 0.0);
     for l in 0..L {
@@ -112,23 +133,43 @@ pub fn collect<T: Real, const N: usize, const M: usize, const L: usize>(
         doubt += if fine { 0.0 } else { valid[l] };
         any += valid[l];
     }
-    if !(doubt == 0.0 && any > 0.0) {
-        return false;
-    }
-    let joints = out.joints();
-    for l in 0..L {
-        if valid[l] > 0.0 {
-            let mut solution = Solution::new(core::array::from_fn(|k| T::of(q[k][l])), branches[l]);
-            // A narrower scalar rounds, which can lead across an end of the range.
-            if size_of::<T>() < size_of::<f64>() {
-                for (joint, x) in joints.iter().zip(&mut solution.q) {
-                    *x = joint.normalize(*x);
-                }
-            }
-            out.push(solution);
+    doubt == 0.0 && any > 0.0
+}
+
+/// The solution of a lane. `q` goes joint by joint, for `f64` in its range if it can be.
+#[inline(always)]
+#[must_use]
+pub fn solution<T: Real, const N: usize, const L: usize>(
+    joints: &[Joint<T>; N],
+    q: &[[f64; L]; N],
+    branches: &[Branch; L],
+    lane: usize,
+) -> Solution<T, N> {
+    let mut solution = Solution::new(core::array::from_fn(|k| T::of(q[k][lane])), branches[lane]);
+    // A narrower scalar rounds, which can lead across an end of the range.
+    if size_of::<T>() < size_of::<f64>() {
+        for (joint, x) in joints.iter().zip(&mut solution.q) {
+            *x = joint.normalize(*x);
         }
     }
-    true
+    solution
+}
+
+/// The solutions of the lanes that count.
+#[must_use]
+pub fn collect<T: Real, const N: usize, const M: usize, const L: usize>(
+    joints: &'static [Joint<T>; N],
+    valid: &[f64; L],
+    q: &[[f64; L]; N],
+    branches: &[Branch; L],
+) -> Solutions<T, N, M> {
+    let mut out = Solutions::new(joints);
+    for l in 0..L {
+        if valid[l] > 0.0 {
+            out.push(solution(joints, q, branches, l));
+        }
+    }
+    out
 }
 
 #[cfg(test)]
@@ -158,17 +199,31 @@ mod tests {
 
     #[test]
     fn doubt_leaves_everything_to_the_robust_way() {
+        let sure = |valid, margin, error| confirmed(&valid, &margin, &error);
+        assert!(sure([1.0, 1.0], [0.1, 0.1], [0.0, 0.0]));
+        assert!(sure([1.0, 0.0], [0.1, 0.1], [0.0, f64::NAN]));
+        assert!(!sure([1.0, 1.0], [0.1, -0.1], [0.0, 0.0]));
+        assert!(!sure([1.0, 1.0], [0.1, 0.1], [0.0, f64::NAN]));
+        assert!(!sure([1.0, 1.0], [0.1, f64::NAN], [0.0, 0.0]));
+        assert!(!sure([1.0, 1.0], [0.1, 0.1], [0.0, 1e-9]));
+        assert!(!sure([0.0, 0.0], [0.1, 0.1], [0.0, 0.0]));
+    }
+
+    #[test]
+    fn lanes_that_count_are_collected_in_their_order() {
         static JOINTS: [Joint; 1] = [Joint::revolute("q1")];
-        let count = |valid, margin, error| {
-            let mut out = Solutions::<f64, 1, 2>::new(&JOINTS);
-            let done = collect(&valid, &margin, &error, &[[0.1, 0.2]], &[Branch::ANY; 2], &mut out);
-            done.then_some(out.len())
-        };
-        assert_eq!(count([1.0, 1.0], [0.1, 0.1], [0.0, 0.0]), Some(2));
-        assert_eq!(count([1.0, 0.0], [0.1, 0.1], [0.0, f64::NAN]), Some(1));
-        assert_eq!(count([1.0, 1.0], [0.1, -0.1], [0.0, 0.0]), None);
-        assert_eq!(count([1.0, 1.0], [0.1, 0.1], [0.0, f64::NAN]), None);
-        assert_eq!(count([1.0, 1.0], [0.1, f64::NAN], [0.0, 0.0]), None);
-        assert_eq!(count([0.0, 0.0], [0.1, 0.1], [0.0, 0.0]), None);
+        let q = [[0.1, 0.2, 0.3]];
+        let out: Solutions<f64, 1, 3> = collect(&JOINTS, &[1.0, 0.0, 1.0], &q, &[Branch::ANY; 3]);
+        assert_eq!(out.iter().map(|s| s.q[0]).collect::<Vec<_>>(), [0.1, 0.3]);
+    }
+
+    #[test]
+    fn changes_of_an_angle_stay_between_half_turns() {
+        for x in [-3.0, -1.5, -0.0, 0.0, 1e-17, f64::EPSILON, f64::EPSILON.next_up(), 1.5, 3.0, PI] {
+            for (got, cosine, sine) in [(opposite(x), -1.0, -1.0), (negative(x), 1.0, -1.0), (supplement(x), -1.0, 1.0)] {
+                assert!(got > -PI && got <= PI, "{x}: {got}");
+                assert!((got.cos() - cosine * x.cos()).abs() < 1e-15 && (got.sin() - sine * x.sin()).abs() < 1e-15);
+            }
+        }
     }
 }

@@ -44,6 +44,12 @@ impl<T: Real, const N: usize, const M: usize> Solutions<T, N, M> {
         Self::none(joints, Why::NoSolution)
     }
 
+    /// As many solutions as there can be, with their joint values as they are.
+    #[inline(always)]
+    pub fn full(joints: &'static [Joint<T>; N], list: [Solution<T, N>; M]) -> Self {
+        Self { list, len: M, why: Why::NoSolution, joints }
+    }
+
     /// No solutions, and why.
     #[inline]
     pub fn none(joints: &'static [Joint<T>; N], why: Why<T>) -> Self {

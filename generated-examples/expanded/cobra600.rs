@@ -191,26 +191,21 @@ impl Cobra600 {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
-        if self.lanes(&frame, &mut solutions) {
-            return solutions;
+        let mut q = [[0.0; 2]; 4];
+        let mut valid = [0.0; 2];
+        if !self.lanes(&frame, &mut q, &mut valid) {
+            return self.robust(target);
         }
-        let setting = ::dh_robot::inverse::Setting {
-            joints: &Self::JOINTS,
-            reach: 0.987,
-            few: true,
-            given: None,
-        };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 0.987),
-        );
-        ::dh_robot::inverse::solve(
-            self,
-            setting,
-            &task,
-            &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
-        )
+        if valid == [1.0; 2] {
+            let at = |l: usize| ::dh_robot::lanes::solution(
+                &Self::JOINTS,
+                &q,
+                &Self::BRANCHES,
+                l,
+            );
+            return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0), at(1)]);
+        }
+        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
@@ -329,148 +324,112 @@ impl Cobra600 {
         }
         attempt
     }
-    /// The plan for all branches at once; false where the robust way has to decide.
+    /// The plan root by root, with everything that special poses need.
+    #[cold]
+    #[inline(never)]
+    fn robust(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 4, 2> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 0.987) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 0.987,
+            few: true,
+            given: None,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 0.987),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, pick, found| self.candidates(frame, pick, found),
+        )
+    }
+    const BRANCHES: [::dh_robot::Branch; 2] = {
+        let mut all = [::dh_robot::Branch::ANY; 2];
+        let mut l = 0;
+        while l < 2 {
+            let i2 = l / 1 % 2;
+            all[l] = ::dh_robot::Branch::ANY
+                .with_step(0, i2)
+                .with_elbow(
+                    if i2 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                );
+            l += 1;
+        }
+        all
+    };
+    /// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-        solutions: &mut ::dh_robot::Solutions<f64, 4, 2>,
+        q: &mut [[f64; 2]; 4],
+        valid: &mut [f64; 2],
     ) -> bool {
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
         let t_3 = t_2 - 0.3397962776479236;
-        let mut f0 = [[0.0; 1]; 2];
-        let mut m0 = [0.0; 1];
-        for l in 0..1 {
-            let (x, m) = ::dh_robot::lanes::linear(-1.0, -(t[2][3] - 0.39209726443769));
-            f0[0][l] = x;
-            f0[1][l] = x;
-            m0[l] = m;
-        }
-        let q3_ = f0[0];
-        let g0: [f64; 1] = f0[0].map(|d| d * 0.987);
-        let mut v43_ = [0.0; 1];
-        let mut v67_ = [0.0; 1];
-        for l in 0..1 {
-            let q3 = q3_[l];
-            v43_[l] = q3 * (0.78419452887538 - q3) + t_3;
-            v67_[l] = 0.39209726443769 - q3;
-        }
-        let mut f1 = [[0.0; 1]; 2];
-        for l in 0..1 {
-            let [x, y] = ::dh_robot::lanes::unit(t[0][0], t[0][1]);
-            f1[0][l] = x;
-            f1[1][l] = y;
-        }
-        let c12m4_ = f1[0];
-        let s12m4_ = f1[1];
-        let g1: [f64; 1] = ::dh_robot::atan2_batch(&f1[1], &f1[0]);
-        let mut f2 = [[0.0; 2]; 2];
-        let mut m2 = [0.0; 1];
-        let mut e2 = [0.0; 1];
-        for l in 0..1 {
-            let v43 = v43_[l];
-            let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
-                0.18348972303573616,
-                0.0,
-                v43,
-            );
-            f2[0][l] = x;
-            f2[1][l] = y;
-            f2[0][l + 1] = z;
-            f2[1][l + 1] = w;
-            m2[l] = m;
-            e2[l] = e;
-        }
-        let c2_ = f2[0];
-        let s2_ = f2[1];
-        let g2: [f64; 2] = ::dh_robot::atan2_batch(&f2[1], &f2[0]);
-        let mut v48_ = [0.0; 2];
-        let mut v50_ = [0.0; 2];
+        let r0 = (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs()
+            + (-1.0 - t[2][2]).abs();
+        let (q3, m0) = ::dh_robot::lanes::linear(-1.0, -(t[2][3] - 0.39209726443769));
+        let q3 = q3;
+        let g0 = q3 * 0.987;
+        let r1 = (0.39209726443769 - q3 - t[2][3]).abs();
+        let [c12m4, s12m4] = ::dh_robot::lanes::unit(t[0][0], t[0][1]);
+        let g1 = ::dh_robot::lanes::angle(s12m4, c12m4);
+        let r2 = (s12m4 - t[0][1]).abs() + (-c12m4 - t[1][1]).abs();
+        let ([x2, y2, z2, w2], e2, m2) = ::dh_robot::lanes::sincos(
+            0.18348972303573616,
+            0.0,
+            q3 * (0.78419452887538 - q3) + t_3,
+        );
+        let c2_ = [x2, z2];
+        let s2_ = [y2, w2];
+        let g2_ = ::dh_robot::lanes::angles(&[y2, w2], &[x2, z2]);
+        let g2_: [f64; 2] = ::core::array::from_fn(|l| g2_[l / 1 % 2]);
+        let mut margin_ = [0.0; 2];
+        let mut valid_ = [0.0; 2];
+        let mut error_ = [0.0; 2];
         for l in 0..2 {
             let c2 = c2_[l];
             let s2 = s2_[l];
             let t_4 = 0.32928064842958465 + 0.27862208713272546 * c2;
             let t_5 = 0.27862208713272546 * s2;
-            v48_[l] = t_4;
-            v50_[l] = t_5;
-        }
-        let mut f3 = [[0.0; 2]; 2];
-        let mut m3 = [0.0; 2];
-        for l in 0..2 {
-            let v48 = v48_[l];
-            let v50 = v50_[l];
-            let ([x, y], m) = ::dh_robot::lanes::pair(
-                v48,
-                -v50,
+            let ([c1, s1], m3) = ::dh_robot::lanes::pair(
+                t_4,
+                -t_5,
                 t[0][3],
-                v50,
-                v48,
+                t_5,
+                t_4,
                 t[1][3],
             );
-            f3[0][l] = x;
-            f3[1][l] = y;
-            m3[l] = m;
-        }
-        let c1_ = f3[0];
-        let s1_ = f3[1];
-        let g3: [f64; 2] = ::dh_robot::atan2_batch(&f3[1], &f3[0]);
-        let mut v65_ = [0.0; 2];
-        let mut v66_ = [0.0; 2];
-        for l in 0..2 {
-            let c2 = c2_[l];
-            let s2 = s2_[l];
-            let c1 = c1_[l];
-            let s1 = s1_[l];
+            let g3 = ::dh_robot::lanes::angle(s1, c1);
             let t_6 = 0.27862208713272546 * (c2 * c1 - s2 * s1)
                 + 0.32928064842958465 * c1;
             let t_7 = 0.27862208713272546 * (c2 * s1 + s2 * c1)
                 + 0.32928064842958465 * s1;
-            v65_[l] = t_6;
-            v66_[l] = t_7;
+            let r4 = (t_6 - t[0][3]).abs() + (t_7 - t[1][3]).abs();
+            let g2 = g2_[l];
+            margin_[l] = ::dh_robot::lanes::lesser(
+                ::dh_robot::lanes::lesser(m0, m2),
+                m3,
+            );
+            valid_[l] = e2;
+            error_[l] = r0 + r1 + r2 + r4;
+            q[0][l] = g3;
+            q[1][l] = g2;
+            q[2][l] = g0;
+            q[3][l] = ::dh_robot::lanes::wrap(-g1 + g2 + g3);
         }
-        let mut error = [0.0; 2];
-        for l in 0..2 {
-            let s12m4 = s12m4_[l % 1];
-            let c12m4 = c12m4_[l % 1];
-            let v65 = v65_[l];
-            let v66 = v66_[l];
-            let v67 = v67_[l % 1];
-            error[l] = (s12m4 - t[0][1]).abs() + (-c12m4 - t[1][1]).abs()
-                + (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs()
-                + (-1.0 - t[2][2]).abs() + (v65 - t[0][3]).abs() + (v66 - t[1][3]).abs()
-                + (v67 - t[2][3]).abs();
-        }
-        let valid: [f64; 2] = ::core::array::from_fn(|l| 1.0 * e2[l % 1 % 1]);
-        let margin: [f64; 2] = ::core::array::from_fn(|l| {
-            1.0_f64.min(m0[l % 1 % 1]).min(m2[l % 1 % 1]).min(m3[l % 2 % 2])
-        });
-        let q: [[f64; 2]; 4] = [
-            ::core::array::from_fn(|l| g3[l % 2]),
-            ::core::array::from_fn(|l| g2[l / 1 % 2 * 1 + l % 1]),
-            ::core::array::from_fn(|l| g0[l % 1]),
-            ::core::array::from_fn(|l| ::dh_robot::lanes::wrap(
-                -g1[l % 1] + g2[l / 1 % 2 * 1 + l % 1] + g3[l % 2],
-            )),
-        ];
-        const BRANCHES: [::dh_robot::Branch; 2] = {
-            let mut all = [::dh_robot::Branch::ANY; 2];
-            let mut l = 0;
-            while l < 2 {
-                let i2 = l / 1 % 2;
-                all[l] = ::dh_robot::Branch::ANY
-                    .with_step(0, i2)
-                    .with_elbow(
-                        if i2 == 0 {
-                            ::dh_robot::Elbow::Up
-                        } else {
-                            ::dh_robot::Elbow::Down
-                        },
-                    );
-                l += 1;
-            }
-            all
-        };
-        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
+        *valid = valid_;
+        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

@@ -329,26 +329,24 @@ impl CupArm {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
-        if self.lanes(&frame, &mut solutions) {
-            return solutions;
+        let mut q = [[0.0; 8]; 6];
+        let mut valid = [0.0; 8];
+        if !self.lanes(&frame, &mut q, &mut valid) {
+            return self.robust(target);
         }
-        let setting = ::dh_robot::inverse::Setting {
-            joints: &Self::JOINTS,
-            reach: 954.0,
-            few: false,
-            given: None,
-        };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 954.0),
-        );
-        ::dh_robot::inverse::solve(
-            self,
-            setting,
-            &task,
-            &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
-        )
+        if valid == [1.0; 8] {
+            let at = |l: usize| ::dh_robot::lanes::solution(
+                &Self::JOINTS,
+                &q,
+                &Self::BRANCHES,
+                l,
+            );
+            return ::dh_robot::Solutions::full(
+                &Self::JOINTS,
+                [at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)],
+            );
+        }
+        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
@@ -544,51 +542,93 @@ impl CupArm {
         }
         attempt
     }
-    /// The plan for all branches at once; false where the robust way has to decide.
+    /// The plan root by root, with everything that special poses need.
+    #[cold]
+    #[inline(never)]
+    fn robust(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 6, 8> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 954.0) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 954.0,
+            few: false,
+            given: None,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 954.0),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, pick, found| self.candidates(frame, pick, found),
+        )
+    }
+    const BRANCHES: [::dh_robot::Branch; 8] = {
+        let mut all = [::dh_robot::Branch::ANY; 8];
+        let mut l = 0;
+        while l < 8 {
+            let i0 = l / 1 % 2;
+            let i1 = l / 2 % 2;
+            let i3 = l / 4 % 2;
+            all[l] = ::dh_robot::Branch::ANY
+                .with_step(0, i0)
+                .with_shoulder(
+                    if i0 == 0 {
+                        ::dh_robot::Shoulder::Left
+                    } else {
+                        ::dh_robot::Shoulder::Right
+                    },
+                )
+                .with_step(1, i1)
+                .with_elbow(
+                    if i1 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                )
+                .with_step(2, i3)
+                .with_wrist(
+                    if i3 == 0 {
+                        ::dh_robot::Wrist::NoFlip
+                    } else {
+                        ::dh_robot::Wrist::Flip
+                    },
+                );
+            l += 1;
+        }
+        all
+    };
+    /// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-        solutions: &mut ::dh_robot::Solutions<f64, 6, 8>,
+        q: &mut [[f64; 8]; 6],
+        valid: &mut [f64; 8],
     ) -> bool {
         let t_2 = t[2][3] - 0.39098532494758914 - t[2][0] * 0.2159329140461216;
         let t_3 = t_2 * t_2;
-        let mut f0 = [[0.0; 2]; 2];
-        let mut m0 = [0.0; 1];
-        for l in 0..1 {
-            let ([x, y], m) = ::dh_robot::lanes::half_turn(
-                -(t[1][3] - t[1][0] * 0.2159329140461216),
-                t[0][3] - t[0][0] * 0.2159329140461216,
-            );
-            f0[0][l] = x;
-            f0[1][l] = y;
-            f0[0][l + 1] = -x;
-            f0[1][l + 1] = -y;
-            m0[l] = m;
-        }
-        let c1_ = f0[0];
-        let s1_ = f0[1];
-        let half: [f64; 1] = ::dh_robot::atan2_batch(
-            &::core::array::from_fn(|l| f0[1][l]),
-            &::core::array::from_fn(|l| f0[0][l]),
+        let ([x0, y0], m0) = ::dh_robot::lanes::half_turn(
+            -(t[1][3] - t[1][0] * 0.2159329140461216),
+            t[0][3] - t[0][0] * 0.2159329140461216,
         );
-        let g0: [f64; 2] = ::core::array::from_fn(|k| {
-            if k < 1 {
-                half[k]
-            } else if half[k - 1] > 0.0 {
-                half[k - 1] - ::core::f64::consts::PI
-            } else {
-                half[k - 1] + ::core::f64::consts::PI
-            }
-        });
+        let c1_ = [x0, -x0];
+        let s1_ = [y0, -y0];
+        let g0_ = ::dh_robot::lanes::angles(&[y0, -y0], &[x0, -x0]);
         let mut v53_ = [0.0; 2];
         let mut v56_ = [0.0; 2];
         let mut v59_ = [0.0; 2];
         let mut v62_ = [0.0; 2];
         let mut v65_ = [0.0; 2];
         let mut v68_ = [0.0; 2];
-        let mut v98_ = [0.0; 2];
         let mut v99_ = [0.0; 2];
+        let mut f1 = [[0.0; 4]; 2];
+        let mut margin1_ = [0.0; 2];
+        let mut valid1_ = [0.0; 2];
         for l in 0..2 {
             let c1 = c1_[l];
             let s1 = s1_[l];
@@ -609,71 +649,56 @@ impl CupArm {
             v62_[l] = t_7;
             v65_[l] = t_8;
             v68_[l] = t_9;
-            v98_[l] = t_13;
             v99_[l] = t_14;
-        }
-        let mut f1 = [[0.0; 4]; 2];
-        let mut m1 = [0.0; 2];
-        let mut e1 = [0.0; 2];
-        for l in 0..2 {
-            let v98 = v98_[l];
-            let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
+            let ([x1, y1, z1, w1], e1, m1) = ::dh_robot::lanes::sincos(
                 -0.02988630020788559,
                 -0.2525392367566332,
-                v98,
+                t_13,
             );
-            f1[0][l] = x;
-            f1[1][l] = y;
-            f1[0][l + 2] = z;
-            f1[1][l + 2] = w;
-            m1[l] = m;
-            e1[l] = e;
+            f1[0][l] = x1;
+            f1[1][l] = y1;
+            f1[0][l + 2] = z1;
+            f1[1][l + 2] = w1;
+            margin1_[l] = m1;
+            valid1_[l] = e1;
         }
+        let g1_ = ::dh_robot::lanes::angles(&f1[1], &f1[0]);
+        q[2] = ::core::array::from_fn(|l| g1_[l / 2 % 2 * 2 + l % 2]);
         let c3_ = f1[0];
         let s3_ = f1[1];
-        let g1: [f64; 4] = ::dh_robot::atan2_batch(&f1[1], &f1[0]);
-        let mut v108_ = [0.0; 4];
-        let mut v111_ = [0.0; 4];
+        let v99_: [f64; 4] = ::core::array::from_fn(|l| v99_[l % 2]);
+        let v53_: [f64; 4] = ::core::array::from_fn(|l| v53_[l % 2]);
+        let v59_: [f64; 4] = ::core::array::from_fn(|l| v59_[l % 2]);
+        let v65_: [f64; 4] = ::core::array::from_fn(|l| v65_[l % 2]);
+        let v68_: [f64; 4] = ::core::array::from_fn(|l| v68_[l % 2]);
+        let v56_: [f64; 4] = ::core::array::from_fn(|l| v56_[l % 2]);
+        let v62_: [f64; 4] = ::core::array::from_fn(|l| v62_[l % 2]);
+        let c1_: [f64; 4] = ::core::array::from_fn(|l| c1_[l % 2]);
+        let s1_: [f64; 4] = ::core::array::from_fn(|l| s1_[l % 2]);
+        let g0_: [f64; 4] = ::core::array::from_fn(|l| g0_[l / 1 % 2]);
+        let margin1_: [f64; 4] = ::core::array::from_fn(|l| margin1_[l % 2]);
+        let mut margin_ = [0.0; 4];
+        let valid1_: [f64; 4] = ::core::array::from_fn(|l| valid1_[l % 2]);
+        let mut valid_ = [0.0; 4];
+        let mut error_ = [0.0; 4];
         for l in 0..4 {
             let c3 = c3_[l];
             let s3 = s3_[l];
             let t_15 = 0.35639412997903563 - 0.041928721174004195 * c3
                 - 0.35429769392033544 * s3;
-            v108_[l] = t_15;
-            v111_[l] = c3 * 0.35429769392033544 - 0.041928721174004195 * s3;
-        }
-        let mut f2 = [[0.0; 4]; 2];
-        let mut m2 = [0.0; 4];
-        for l in 0..4 {
-            let v99 = v99_[l % 2];
-            let v108 = v108_[l];
-            let v111 = v111_[l];
-            let ([x, y], m) = ::dh_robot::lanes::pair(-v99, t_2, -v108, t_2, v99, -v111);
-            f2[0][l] = x;
-            f2[1][l] = y;
-            m2[l] = m;
-        }
-        let c2_ = f2[0];
-        let s2_ = f2[1];
-        let g2: [f64; 4] = ::dh_robot::atan2_batch(&f2[1], &f2[0]);
-        let mut v130_ = [0.0; 4];
-        let mut v133_ = [0.0; 4];
-        let mut v136_ = [0.0; 4];
-        let mut v139_ = [0.0; 4];
-        let mut v142_ = [0.0; 4];
-        let mut v145_ = [0.0; 4];
-        let mut v148_ = [0.0; 4];
-        let mut v151_ = [0.0; 4];
-        let mut v323_ = [0.0; 4];
-        let mut v324_ = [0.0; 4];
-        for l in 0..4 {
-            let v53 = v53_[l % 2];
-            let v59 = v59_[l % 2];
-            let v65 = v65_[l % 2];
-            let c3 = c3_[l];
-            let s3 = s3_[l];
-            let c2 = c2_[l];
-            let s2 = s2_[l];
+            let v99 = v99_[l];
+            let ([c2, s2], m2) = ::dh_robot::lanes::pair(
+                -v99,
+                t_2,
+                -t_15,
+                t_2,
+                v99,
+                -(c3 * 0.35429769392033544 - 0.041928721174004195 * s3),
+            );
+            let g2 = ::dh_robot::lanes::angle(s2, c2);
+            let v53 = v53_[l];
+            let v59 = v59_[l];
+            let v65 = v65_[l];
             let t_16 = c3 * c2 - s3 * s2;
             let t_17 = c3 * s2 + s3 * c2;
             let t_18 = v53 * t_16 - t[2][2] * t_17;
@@ -683,217 +708,73 @@ impl CupArm {
             let t_22 = v65 * t_16 - t[2][0] * t_17;
             let t_23 = 0.35639412997903563 * c2;
             let t_24 = 0.35639412997903563 * s2;
-            v130_[l] = t_16;
-            v133_[l] = t_17;
-            v136_[l] = t_18;
-            v139_[l] = t_19;
-            v142_[l] = t_20;
-            v145_[l] = t_21;
-            v148_[l] = t_22;
-            v151_[l] = v65 * t_17 + t[2][0] * t_16;
-            v323_[l] = t_23;
-            v324_[l] = t_24;
-        }
-        let mut f3 = [[0.0; 8]; 2];
-        let mut m3 = [0.0; 4];
-        for l in 0..4 {
-            let v68 = v68_[l % 2];
-            let v148 = v148_[l];
-            let ([x, y], m) = ::dh_robot::lanes::half_turn(-v68, v148);
-            f3[0][l] = x;
-            f3[1][l] = y;
-            f3[0][l + 4] = -x;
-            f3[1][l + 4] = -y;
-            m3[l] = m;
-        }
-        let c4_ = f3[0];
-        let s4_ = f3[1];
-        let half: [f64; 4] = ::dh_robot::atan2_batch(
-            &::core::array::from_fn(|l| f3[1][l]),
-            &::core::array::from_fn(|l| f3[0][l]),
-        );
-        let g3: [f64; 8] = ::core::array::from_fn(|k| {
-            if k < 4 {
-                half[k]
-            } else if half[k - 4] > 0.0 {
-                half[k - 4] - ::core::f64::consts::PI
-            } else {
-                half[k - 4] + ::core::f64::consts::PI
-            }
-        });
-        let mut v183_ = [0.0; 8];
-        let mut v189_ = [0.0; 8];
-        let mut v195_ = [0.0; 8];
-        for l in 0..8 {
-            let v56 = v56_[l % 2];
-            let v62 = v62_[l % 2];
-            let v68 = v68_[l % 2];
-            let v136 = v136_[l % 4];
-            let v142 = v142_[l % 4];
-            let v148 = v148_[l % 4];
-            let c4 = c4_[l];
-            let s4 = s4_[l];
-            let t_25 = v136 * c4 + v56 * s4;
-            let t_26 = v142 * c4 + v62 * s4;
-            v183_[l] = t_25;
-            v189_[l] = t_26;
-            v195_[l] = v148 * c4 + v68 * s4;
-        }
-        let mut f4 = [[0.0; 8]; 2];
-        for l in 0..8 {
-            let v195 = v195_[l];
-            let v151 = v151_[l % 4];
-            let [x, y] = ::dh_robot::lanes::unit(-v151, -v195);
-            f4[0][l] = x;
-            f4[1][l] = y;
-        }
-        let c5_ = f4[0];
-        let s5_ = f4[1];
-        let g4: [f64; 8] = ::dh_robot::atan2_batch(&f4[1], &f4[0]);
-        let mut v230_ = [0.0; 8];
-        let mut v236_ = [0.0; 8];
-        let mut v275_ = [0.0; 8];
-        let mut v278_ = [0.0; 8];
-        let mut v281_ = [0.0; 8];
-        let mut v330_ = [0.0; 8];
-        let mut v333_ = [0.0; 8];
-        let mut v334_ = [0.0; 8];
-        for l in 0..8 {
-            let c1 = c1_[l % 2];
-            let s1 = s1_[l % 2];
-            let v130 = v130_[l % 4];
-            let v133 = v133_[l % 4];
-            let v139 = v139_[l % 4];
-            let v145 = v145_[l % 4];
-            let c4 = c4_[l];
-            let s4 = s4_[l];
-            let v183 = v183_[l];
-            let v189 = v189_[l];
-            let v323 = v323_[l % 4];
-            let v324 = v324_[l % 4];
-            let c5 = c5_[l];
-            let s5 = s5_[l];
+            let v68 = v68_[l];
+            let ([c4, s4], m3) = ::dh_robot::lanes::half_turn(-v68, t_22);
+            let g3 = ::dh_robot::lanes::angle(s4, c4);
+            let v56 = v56_[l];
+            let v62 = v62_[l];
+            let t_25 = t_18 * c4 + v56 * s4;
+            let t_26 = t_20 * c4 + v62 * s4;
+            let [c5, s5] = ::dh_robot::lanes::unit(
+                -(v65 * t_17 + t[2][0] * t_16),
+                -(t_22 * c4 + v68 * s4),
+            );
+            let g4 = ::dh_robot::lanes::angle(s5, c5);
+            let c1 = c1_[l];
+            let s1 = s1_[l];
             let c4s5 = c4 * s5;
             let s4s5 = s4 * s5;
-            let t_27 = v130 * c4s5 + v133 * c5;
+            let t_27 = t_16 * c4s5 + t_17 * c5;
             let t_28 = 0.2159329140461216 * s5;
             let t_29 = 0.35429769392033544 + 0.2159329140461216 * c5;
             let t_30 = s4 * t_28;
             let t_31 = 0.041928721174004195 + c4 * t_28;
-            let t_32 = 0.031446540880503145 + v130 * t_31 + v133 * t_29 - v323;
-            v230_[l] = v183 * c5 - v139 * s5;
-            v236_[l] = v189 * c5 - v145 * s5;
-            v275_[l] = v133 * c4s5 - v130 * c5;
-            v278_[l] = c1 * t_27 + s1 * s4s5;
-            v281_[l] = s1 * t_27 - c1 * s4s5;
-            v330_[l] = c1 * t_32 + s1 * t_30;
-            v333_[l] = s1 * t_32 - c1 * t_30;
-            v334_[l] = 0.39098532494758914 + v133 * t_31 - v130 * t_29 - v324;
-        }
-        let mut f5 = [[0.0; 8]; 2];
-        for l in 0..8 {
-            let v230 = v230_[l];
-            let v236 = v236_[l];
-            let [x, y] = ::dh_robot::lanes::unit(v230, v236);
-            f5[0][l] = x;
-            f5[1][l] = y;
-        }
-        let c6_ = f5[0];
-        let s6_ = f5[1];
-        let g5: [f64; 8] = ::dh_robot::atan2_batch(&f5[1], &f5[0]);
-        let mut v295_ = [0.0; 8];
-        let mut v298_ = [0.0; 8];
-        let mut v301_ = [0.0; 8];
-        for l in 0..8 {
-            let c1 = c1_[l % 2];
-            let s1 = s1_[l % 2];
-            let v130 = v130_[l % 4];
-            let v133 = v133_[l % 4];
-            let c4 = c4_[l];
-            let s4 = s4_[l];
-            let c5 = c5_[l];
-            let s5 = s5_[l];
-            let c6 = c6_[l];
-            let s6 = s6_[l];
+            let t_32 = 0.031446540880503145 + t_16 * t_31 + t_17 * t_29 - t_23;
+            let r5 = (-(c1 * t_27 + s1 * s4s5) - t[0][0]).abs()
+                + (-(s1 * t_27 - c1 * s4s5) - t[1][0]).abs()
+                + (t_17 * c4s5 - t_16 * c5 - t[2][0]).abs()
+                + (-(c1 * t_32 + s1 * t_30) - t[0][3]).abs()
+                + (-(s1 * t_32 - c1 * t_30) - t[1][3]).abs()
+                + (0.39098532494758914 + t_17 * t_31 - t_16 * t_29 - t_24 - t[2][3])
+                    .abs();
+            let [c6, s6] = ::dh_robot::lanes::unit(
+                t_25 * c5 - t_19 * s5,
+                t_26 * c5 - t_21 * s5,
+            );
+            let g5 = ::dh_robot::lanes::angle(s6, c6);
             let c5c6 = c5 * c6;
             let s5c6 = s5 * c6;
             let t_33 = c4 * c5c6 - s4 * s6;
             let t_34 = s4 * c5c6 + c4 * s6;
-            let t_35 = v130 * t_33 - v133 * s5c6;
-            v295_[l] = v133 * t_33 + v130 * s5c6;
-            v298_[l] = c1 * t_35 + s1 * t_34;
-            v301_[l] = s1 * t_35 - c1 * t_34;
+            let t_35 = t_16 * t_33 - t_17 * s5c6;
+            let r6 = (c1 * t_35 + s1 * t_34 - t[0][2]).abs()
+                + (s1 * t_35 - c1 * t_34 - t[1][2]).abs()
+                + (-(t_17 * t_33 + t_16 * s5c6) - t[2][2]).abs();
+            let g0 = g0_[l];
+            let margin1 = margin1_[l];
+            let valid1 = valid1_[l];
+            margin_[l] = ::dh_robot::lanes::lesser(
+                ::dh_robot::lanes::lesser(::dh_robot::lanes::lesser(m0, margin1), m2),
+                m3,
+            );
+            valid_[l] = valid1;
+            error_[l] = r5 + r6;
+            let h3 = ::dh_robot::lanes::opposite(g3);
+            let h4 = ::dh_robot::lanes::negative(g4);
+            let h5 = ::dh_robot::lanes::opposite(g5);
+            q[0][l] = g0;
+            q[1][l] = g2;
+            q[3][l] = g3;
+            q[4][l] = g4;
+            q[5][l] = g5;
+            q[0][l + 4] = g0;
+            q[1][l + 4] = g2;
+            q[3][l + 4] = h3;
+            q[4][l + 4] = h4;
+            q[5][l + 4] = h5;
         }
-        let mut error = [0.0; 8];
-        for l in 0..8 {
-            let v278 = v278_[l];
-            let v281 = v281_[l];
-            let v275 = v275_[l];
-            let v298 = v298_[l];
-            let v301 = v301_[l];
-            let v295 = v295_[l];
-            let v330 = v330_[l];
-            let v333 = v333_[l];
-            let v334 = v334_[l];
-            error[l] = (-v278 - t[0][0]).abs() + (-v281 - t[1][0]).abs()
-                + (v275 - t[2][0]).abs() + (v298 - t[0][2]).abs()
-                + (v301 - t[1][2]).abs() + (-v295 - t[2][2]).abs()
-                + (-v330 - t[0][3]).abs() + (-v333 - t[1][3]).abs()
-                + (v334 - t[2][3]).abs();
-        }
-        let valid: [f64; 8] = ::core::array::from_fn(|l| 1.0 * e1[l % 2 % 2]);
-        let margin: [f64; 8] = ::core::array::from_fn(|l| {
-            1.0_f64
-                .min(m0[l % 1 % 1])
-                .min(m1[l % 2 % 2])
-                .min(m2[l % 4 % 4])
-                .min(m3[l % 4 % 4])
-        });
-        let q: [[f64; 8]; 6] = [
-            ::core::array::from_fn(|l| g0[l / 1 % 2 * 1 + l % 1]),
-            ::core::array::from_fn(|l| g2[l % 4]),
-            ::core::array::from_fn(|l| g1[l / 2 % 2 * 2 + l % 2]),
-            ::core::array::from_fn(|l| g3[l / 4 % 2 * 4 + l % 4]),
-            ::core::array::from_fn(|l| g4[l % 8]),
-            ::core::array::from_fn(|l| g5[l % 8]),
-        ];
-        const BRANCHES: [::dh_robot::Branch; 8] = {
-            let mut all = [::dh_robot::Branch::ANY; 8];
-            let mut l = 0;
-            while l < 8 {
-                let i0 = l / 1 % 2;
-                let i1 = l / 2 % 2;
-                let i3 = l / 4 % 2;
-                all[l] = ::dh_robot::Branch::ANY
-                    .with_step(0, i0)
-                    .with_shoulder(
-                        if i0 == 0 {
-                            ::dh_robot::Shoulder::Left
-                        } else {
-                            ::dh_robot::Shoulder::Right
-                        },
-                    )
-                    .with_step(1, i1)
-                    .with_elbow(
-                        if i1 == 0 {
-                            ::dh_robot::Elbow::Up
-                        } else {
-                            ::dh_robot::Elbow::Down
-                        },
-                    )
-                    .with_step(2, i3)
-                    .with_wrist(
-                        if i3 == 0 {
-                            ::dh_robot::Wrist::NoFlip
-                        } else {
-                            ::dh_robot::Wrist::Flip
-                        },
-                    );
-                l += 1;
-            }
-            all
-        };
-        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
+        *valid = ::core::array::from_fn(|l| valid_[l % 4]);
+        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

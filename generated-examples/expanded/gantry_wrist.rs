@@ -225,26 +225,21 @@ impl GantryWrist {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
-        if self.lanes(&frame, &mut solutions) {
-            return solutions;
+        let mut q = [[0.0; 2]; 6];
+        let mut valid = [0.0; 2];
+        if !self.lanes(&frame, &mut q, &mut valid) {
+            return self.robust(target);
         }
-        let setting = ::dh_robot::inverse::Setting {
-            joints: &Self::JOINTS,
-            reach: 0.30000000000000004,
-            few: false,
-            given: None,
-        };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 0.30000000000000004),
-        );
-        ::dh_robot::inverse::solve(
-            self,
-            setting,
-            &task,
-            &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
-        )
+        if valid == [1.0; 2] {
+            let at = |l: usize| ::dh_robot::lanes::solution(
+                &Self::JOINTS,
+                &q,
+                &Self::BRANCHES,
+                l,
+            );
+            return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0), at(1)]);
+        }
+        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
@@ -393,223 +388,136 @@ impl GantryWrist {
         }
         attempt
     }
-    /// The plan for all branches at once; false where the robust way has to decide.
+    /// The plan root by root, with everything that special poses need.
+    #[cold]
+    #[inline(never)]
+    fn robust(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 6, 2> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 0.30000000000000004) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 0.30000000000000004,
+            few: false,
+            given: None,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 0.30000000000000004),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, pick, found| self.candidates(frame, pick, found),
+        )
+    }
+    const BRANCHES: [::dh_robot::Branch; 2] = {
+        let mut all = [::dh_robot::Branch::ANY; 2];
+        let mut l = 0;
+        while l < 2 {
+            let i3 = l / 1 % 2;
+            all[l] = ::dh_robot::Branch::ANY
+                .with_step(0, i3)
+                .with_wrist(
+                    if i3 == 0 {
+                        ::dh_robot::Wrist::NoFlip
+                    } else {
+                        ::dh_robot::Wrist::Flip
+                    },
+                );
+            l += 1;
+        }
+        all
+    };
+    /// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-        solutions: &mut ::dh_robot::Solutions<f64, 6, 2>,
+        q: &mut [[f64; 2]; 6],
+        valid: &mut [f64; 2],
     ) -> bool {
         let t_2 = t[0][0] * 0.8660254037844386 - t[0][1] * 0.5;
         let t_3 = t[2][0] * 0.8660254037844386 - t[2][1] * 0.5;
         let t_4 = t[0][0] * 0.5 + t[0][1] * 0.8660254037844386;
         let t_5 = t[2][0] * 0.5 + t[2][1] * 0.8660254037844386;
         let t_6 = t[1][3] - t[1][2] * 0.6666666666666666 - 0.3333333333333333;
-        let mut f0 = [[0.0; 1]; 2];
-        let mut m0 = [0.0; 1];
-        for l in 0..1 {
-            let (x, m) = ::dh_robot::lanes::linear(
-                1.0,
-                -(t[2][3] - t[2][2] * 0.6666666666666666),
-            );
-            f0[0][l] = x;
-            f0[1][l] = x;
-            m0[l] = m;
-        }
-        let q1_ = f0[0];
-        let g0: [f64; 1] = f0[0].map(|d| d * 0.30000000000000004);
-        let mut f1 = [[0.0; 1]; 2];
-        let mut m1 = [0.0; 1];
-        for l in 0..1 {
-            let (x, m) = ::dh_robot::lanes::linear(
-                -1.0,
-                t[0][3] - t[0][2] * 0.6666666666666666,
-            );
-            f1[0][l] = x;
-            f1[1][l] = x;
-            m1[l] = m;
-        }
-        let q2_ = f1[0];
-        let g1: [f64; 1] = f1[0].map(|d| d * 0.30000000000000004);
-        let mut f2 = [[0.0; 1]; 2];
-        let mut m2 = [0.0; 1];
-        for l in 0..1 {
-            let (x, m) = ::dh_robot::lanes::linear(-1.0, t_6);
-            f2[0][l] = x;
-            f2[1][l] = x;
-            m2[l] = m;
-        }
-        let q3_ = f2[0];
-        let g2: [f64; 1] = f2[0].map(|d| d * 0.30000000000000004);
-        let mut v201_ = [0.0; 1];
-        for l in 0..1 {
-            let q3 = q3_[l];
-            let t_7 = 0.3333333333333333 + q3;
-            v201_[l] = t_7;
-        }
-        let mut f3 = [[0.0; 2]; 2];
-        let mut m3 = [0.0; 1];
-        for l in 0..1 {
-            let ([x, y], m) = ::dh_robot::lanes::half_turn(
-                -(t[1][0] * 0.5 + t[1][1] * 0.8660254037844386),
-                -(t[1][0] * 0.8660254037844386 - t[1][1] * 0.5),
-            );
-            f3[0][l] = x;
-            f3[1][l] = y;
-            f3[0][l + 1] = -x;
-            f3[1][l + 1] = -y;
-            m3[l] = m;
-        }
-        let c6_ = f3[0];
-        let s6_ = f3[1];
-        let half: [f64; 1] = ::dh_robot::atan2_batch(
-            &::core::array::from_fn(|l| f3[1][l]),
-            &::core::array::from_fn(|l| f3[0][l]),
+        let mut margin_ = [0.0; 1];
+        let mut valid_ = [0.0; 1];
+        let mut error_ = [0.0; 1];
+        let (q1, m0) = ::dh_robot::lanes::linear(
+            1.0,
+            -(t[2][3] - t[2][2] * 0.6666666666666666),
         );
-        let g3: [f64; 2] = ::core::array::from_fn(|k| {
-            if k < 1 {
-                half[k]
-            } else if half[k - 1] > 0.0 {
-                half[k - 1] - ::core::f64::consts::PI
-            } else {
-                half[k - 1] + ::core::f64::consts::PI
-            }
-        });
-        let mut v102_ = [0.0; 2];
-        let mut v103_ = [0.0; 2];
-        let mut v177_ = [0.0; 2];
-        let mut v180_ = [0.0; 2];
-        for l in 0..2 {
-            let c6 = c6_[l];
-            let s6 = s6_[l];
-            let t_8 = 0.8660254037844386 * c6 - 0.5 * s6;
-            let t_9 = 0.5 * c6 + 0.8660254037844386 * s6;
-            v102_[l] = t_3 * s6 + t_5 * c6;
-            v103_[l] = t_2 * s6 + t_4 * c6;
-            v177_[l] = t_8;
-            v180_[l] = t_9;
-        }
-        let mut f4 = [[0.0; 2]; 2];
-        for l in 0..2 {
-            let v102 = v102_[l];
-            let v103 = v103_[l];
-            let [x, y] = ::dh_robot::lanes::unit(v103, -v102);
-            f4[0][l] = x;
-            f4[1][l] = y;
-        }
-        let c4_ = f4[0];
-        let s4_ = f4[1];
-        let g4: [f64; 2] = ::dh_robot::atan2_batch(&f4[1], &f4[0]);
-        let mut v143_ = [0.0; 2];
-        let mut v151_ = [0.0; 2];
-        let mut v194_ = [0.0; 2];
-        let mut v197_ = [0.0; 2];
-        for l in 0..2 {
-            let c6 = c6_[l];
-            let s6 = s6_[l];
-            let v177 = v177_[l];
-            let c4 = c4_[l];
-            let s4 = s4_[l];
-            let t_10 = s4 * v177;
-            let t_11 = c4 * v177;
-            v143_[l] = t[2][2] * c4 + t[0][2] * s4;
-            v151_[l] = c6 * (t_3 * c4 + t_2 * s4) - s6 * (t_5 * c4 + t_4 * s4);
-            v194_[l] = t_10;
-            v197_[l] = t_11;
-        }
-        let mut f5 = [[0.0; 2]; 2];
-        for l in 0..2 {
-            let v151 = v151_[l];
-            let v143 = v143_[l];
-            let [x, y] = ::dh_robot::lanes::unit(v151, -v143);
-            f5[0][l] = x;
-            f5[1][l] = y;
-        }
-        let c5_ = f5[0];
-        let s5_ = f5[1];
-        let g5: [f64; 2] = ::dh_robot::atan2_batch(&f5[1], &f5[0]);
-        let mut v192_ = [0.0; 2];
-        let mut v195_ = [0.0; 2];
-        let mut v198_ = [0.0; 2];
-        let mut v199_ = [0.0; 2];
-        let mut v200_ = [0.0; 2];
-        let mut v205_ = [0.0; 2];
-        let mut v206_ = [0.0; 2];
-        let mut v207_ = [0.0; 2];
-        for l in 0..2 {
-            let q1 = q1_[l % 1];
-            let q2 = q2_[l % 1];
-            let c4 = c4_[l];
-            let s4 = s4_[l];
-            let v180 = v180_[l];
-            let v194 = v194_[l];
-            let v197 = v197_[l];
-            let v201 = v201_[l % 1];
-            let c5 = c5_[l];
-            let s5 = s5_[l];
-            let t_12 = v180 * c5;
-            let c4s5 = c4 * s5;
-            let s4s5 = s4 * s5;
-            v192_[l] = v180 * s5;
-            v195_[l] = c4 * t_12 + v194;
-            v198_[l] = s4 * t_12 - v197;
-            v199_[l] = c4s5;
-            v200_[l] = s4s5;
-            v205_[l] = q2 - 0.6666666666666666 * s4s5;
-            v206_[l] = v201 + 0.6666666666666666 * c5;
-            v207_[l] = q1 - 0.6666666666666666 * c4s5;
-        }
-        let mut error = [0.0; 2];
-        for l in 0..2 {
-            let v198 = v198_[l];
-            let v192 = v192_[l];
-            let v195 = v195_[l];
-            let v200 = v200_[l];
-            let c5 = c5_[l];
-            let v199 = v199_[l];
-            let v205 = v205_[l];
-            let v206 = v206_[l];
-            let v207 = v207_[l];
-            error[l] = (-v198 - t[0][1]).abs() + (-v192 - t[1][1]).abs()
-                + (-v195 - t[2][1]).abs() + (-v200 - t[0][2]).abs()
-                + (c5 - t[1][2]).abs() + (-v199 - t[2][2]).abs() + (v205 - t[0][3]).abs()
-                + (v206 - t[1][3]).abs() + (v207 - t[2][3]).abs();
-        }
-        let valid: [f64; 2] = ::core::array::from_fn(|l| 1.0);
-        let margin: [f64; 2] = ::core::array::from_fn(|l| {
-            1.0_f64
-                .min(m0[l % 1 % 1])
-                .min(m1[l % 1 % 1])
-                .min(m2[l % 1 % 1])
-                .min(m3[l % 1 % 1])
-        });
-        let q: [[f64; 2]; 6] = [
-            ::core::array::from_fn(|l| g0[l % 1]),
-            ::core::array::from_fn(|l| g1[l % 1]),
-            ::core::array::from_fn(|l| g2[l % 1]),
-            ::core::array::from_fn(|l| g4[l % 2]),
-            ::core::array::from_fn(|l| g5[l % 2]),
-            ::core::array::from_fn(|l| g3[l / 1 % 2 * 1 + l % 1]),
-        ];
-        const BRANCHES: [::dh_robot::Branch; 2] = {
-            let mut all = [::dh_robot::Branch::ANY; 2];
-            let mut l = 0;
-            while l < 2 {
-                let i3 = l / 1 % 2;
-                all[l] = ::dh_robot::Branch::ANY
-                    .with_step(0, i3)
-                    .with_wrist(
-                        if i3 == 0 {
-                            ::dh_robot::Wrist::NoFlip
-                        } else {
-                            ::dh_robot::Wrist::Flip
-                        },
-                    );
-                l += 1;
-            }
-            all
-        };
-        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
+        let q1 = q1;
+        let g0 = q1 * 0.30000000000000004;
+        let (q2, m1) = ::dh_robot::lanes::linear(
+            -1.0,
+            t[0][3] - t[0][2] * 0.6666666666666666,
+        );
+        let q2 = q2;
+        let g1 = q2 * 0.30000000000000004;
+        let (q3, m2) = ::dh_robot::lanes::linear(-1.0, t_6);
+        let q3 = q3;
+        let g2 = q3 * 0.30000000000000004;
+        let t_7 = 0.3333333333333333 + q3;
+        let ([c6, s6], m3) = ::dh_robot::lanes::half_turn(
+            -(t[1][0] * 0.5 + t[1][1] * 0.8660254037844386),
+            -(t[1][0] * 0.8660254037844386 - t[1][1] * 0.5),
+        );
+        let g3 = ::dh_robot::lanes::angle(s6, c6);
+        let t_8 = 0.8660254037844386 * c6 - 0.5 * s6;
+        let t_9 = 0.5 * c6 + 0.8660254037844386 * s6;
+        let [c4, s4] = ::dh_robot::lanes::unit(
+            t_2 * s6 + t_4 * c6,
+            -(t_3 * s6 + t_5 * c6),
+        );
+        let g4 = ::dh_robot::lanes::angle(s4, c4);
+        let t_10 = s4 * t_8;
+        let t_11 = c4 * t_8;
+        let [c5, s5] = ::dh_robot::lanes::unit(
+            c6 * (t_3 * c4 + t_2 * s4) - s6 * (t_5 * c4 + t_4 * s4),
+            -(t[2][2] * c4 + t[0][2] * s4),
+        );
+        let g5 = ::dh_robot::lanes::angle(s5, c5);
+        let t_12 = t_9 * c5;
+        let c4s5 = c4 * s5;
+        let s4s5 = s4 * s5;
+        let r6 = (-(s4 * t_12 - t_11) - t[0][1]).abs() + (-t_9 * s5 - t[1][1]).abs()
+            + (-(c4 * t_12 + t_10) - t[2][1]).abs() + (-s4s5 - t[0][2]).abs()
+            + (c5 - t[1][2]).abs() + (-c4s5 - t[2][2]).abs()
+            + (q2 - 0.6666666666666666 * s4s5 - t[0][3]).abs()
+            + (t_7 + 0.6666666666666666 * c5 - t[1][3]).abs()
+            + (q1 - 0.6666666666666666 * c4s5 - t[2][3]).abs();
+        let l = 0;
+        margin_[l] = ::dh_robot::lanes::lesser(
+            ::dh_robot::lanes::lesser(::dh_robot::lanes::lesser(m0, m1), m2),
+            m3,
+        );
+        valid_[l] = 1.0;
+        error_[l] = r6;
+        let h3 = ::dh_robot::lanes::opposite(g3);
+        let h4 = ::dh_robot::lanes::opposite(g4);
+        let h5 = ::dh_robot::lanes::negative(g5);
+        q[0][l] = g0;
+        q[1][l] = g1;
+        q[2][l] = g2;
+        q[3][l] = g4;
+        q[4][l] = g5;
+        q[5][l] = g3;
+        q[0][l + 1] = g0;
+        q[1][l + 1] = g1;
+        q[2][l + 1] = g2;
+        q[3][l + 1] = h4;
+        q[4][l + 1] = h5;
+        q[5][l + 1] = h3;
+        *valid = ::core::array::from_fn(|l| valid_[l % 1]);
+        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

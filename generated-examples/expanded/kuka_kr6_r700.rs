@@ -328,26 +328,24 @@ impl KukaKr6R700 {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
-        if self.lanes(&frame, &mut solutions) {
-            return solutions;
+        let mut q = [[0.0; 8]; 6];
+        let mut valid = [0.0; 8];
+        if !self.lanes(&frame, &mut q, &mut valid) {
+            return self.robust(target);
         }
-        let setting = ::dh_robot::inverse::Setting {
-            joints: &Self::JOINTS,
-            reach: 1.2200000000000002,
-            few: false,
-            given: None,
-        };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 1.2200000000000002),
-        );
-        ::dh_robot::inverse::solve(
-            self,
-            setting,
-            &task,
-            &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
-        )
+        if valid == [1.0; 8] {
+            let at = |l: usize| ::dh_robot::lanes::solution(
+                &Self::JOINTS,
+                &q,
+                &Self::BRANCHES,
+                l,
+            );
+            return ::dh_robot::Solutions::full(
+                &Self::JOINTS,
+                [at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)],
+            );
+        }
+        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
@@ -543,50 +541,92 @@ impl KukaKr6R700 {
         }
         attempt
     }
-    /// The plan for all branches at once; false where the robust way has to decide.
+    /// The plan root by root, with everything that special poses need.
+    #[cold]
+    #[inline(never)]
+    fn robust(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 6, 8> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 1.2200000000000002) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 1.2200000000000002,
+            few: false,
+            given: None,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 1.2200000000000002),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, pick, found| self.candidates(frame, pick, found),
+        )
+    }
+    const BRANCHES: [::dh_robot::Branch; 8] = {
+        let mut all = [::dh_robot::Branch::ANY; 8];
+        let mut l = 0;
+        while l < 8 {
+            let i0 = l / 1 % 2;
+            let i1 = l / 2 % 2;
+            let i3 = l / 4 % 2;
+            all[l] = ::dh_robot::Branch::ANY
+                .with_step(0, i0)
+                .with_shoulder(
+                    if i0 == 0 {
+                        ::dh_robot::Shoulder::Left
+                    } else {
+                        ::dh_robot::Shoulder::Right
+                    },
+                )
+                .with_step(1, i1)
+                .with_elbow(
+                    if i1 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                )
+                .with_step(2, i3)
+                .with_wrist(
+                    if i3 == 0 {
+                        ::dh_robot::Wrist::NoFlip
+                    } else {
+                        ::dh_robot::Wrist::Flip
+                    },
+                );
+            l += 1;
+        }
+        all
+    };
+    /// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-        solutions: &mut ::dh_robot::Solutions<f64, 6, 8>,
+        q: &mut [[f64; 8]; 6],
+        valid: &mut [f64; 8],
     ) -> bool {
         let t_2 = t[0][3] - t[0][2] * 0.06557377049180327;
         let t_3 = t[1][3] - t[1][2] * 0.06557377049180327;
         let t_4 = t[2][3] - t[2][2] * 0.06557377049180327 - 0.32786885245901637;
         let t_5 = t_4 * t_4;
-        let mut f0 = [[0.0; 2]; 2];
-        let mut m0 = [0.0; 1];
-        for l in 0..1 {
-            let ([x, y], m) = ::dh_robot::lanes::half_turn(-t_3, t_2);
-            f0[0][l] = x;
-            f0[1][l] = y;
-            f0[0][l + 1] = -x;
-            f0[1][l + 1] = -y;
-            m0[l] = m;
-        }
-        let c1_ = f0[0];
-        let s1_ = f0[1];
-        let half: [f64; 1] = ::dh_robot::atan2_batch(
-            &::core::array::from_fn(|l| f0[1][l]),
-            &::core::array::from_fn(|l| f0[0][l]),
-        );
-        let g0: [f64; 2] = ::core::array::from_fn(|k| {
-            if k < 1 {
-                half[k]
-            } else if half[k - 1] > 0.0 {
-                half[k - 1] - ::core::f64::consts::PI
-            } else {
-                half[k - 1] + ::core::f64::consts::PI
-            }
-        });
+        let ([x0, y0], m0) = ::dh_robot::lanes::half_turn(-t_3, t_2);
+        let c1_ = [x0, -x0];
+        let s1_ = [y0, -y0];
+        let g0_ = ::dh_robot::lanes::angles(&[y0, -y0], &[x0, -x0]);
         let mut v53_ = [0.0; 2];
         let mut v56_ = [0.0; 2];
         let mut v59_ = [0.0; 2];
         let mut v62_ = [0.0; 2];
         let mut v65_ = [0.0; 2];
         let mut v68_ = [0.0; 2];
-        let mut v98_ = [0.0; 2];
         let mut v99_ = [0.0; 2];
+        let mut f1 = [[0.0; 4]; 2];
+        let mut margin1_ = [0.0; 2];
+        let mut valid1_ = [0.0; 2];
         for l in 0..2 {
             let c1 = c1_[l];
             let s1 = s1_[l];
@@ -606,74 +646,58 @@ impl KukaKr6R700 {
             v62_[l] = t_11;
             v65_[l] = t_12;
             v68_[l] = t_13;
-            v98_[l] = t_14 + t_6 * t_6 + t_7 * t_7 + t_5 - 0.15699744692287015;
             v99_[l] = t_15;
-        }
-        let mut f1 = [[0.0; 4]; 2];
-        let mut m1 = [0.0; 2];
-        let mut e1 = [0.0; 2];
-        for l in 0..2 {
-            let v98 = v98_[l];
-            let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
+            let ([x1, y1, z1, w1], e1, m1) = ::dh_robot::lanes::sincos(
                 0.014814565976887932,
                 -0.15449475947325983,
-                v98,
+                t_14 + t_6 * t_6 + t_7 * t_7 + t_5 - 0.15699744692287015,
             );
-            f1[0][l] = x;
-            f1[1][l] = y;
-            f1[0][l + 2] = z;
-            f1[1][l + 2] = w;
-            m1[l] = m;
-            e1[l] = e;
+            f1[0][l] = x1;
+            f1[1][l] = y1;
+            f1[0][l + 2] = z1;
+            f1[1][l + 2] = w1;
+            margin1_[l] = m1;
+            valid1_[l] = e1;
         }
+        let g1_ = ::dh_robot::lanes::angles(&f1[1], &f1[0]);
+        q[2] = ::core::array::from_fn(|l| g1_[l / 2 % 2 * 2 + l % 2]);
         let c3_ = f1[0];
         let s3_ = f1[1];
-        let g1: [f64; 4] = ::dh_robot::atan2_batch(&f1[1], &f1[0]);
-        let mut v106_ = [0.0; 4];
-        let mut v111_ = [0.0; 4];
+        let v99_: [f64; 4] = ::core::array::from_fn(|l| v99_[l % 2]);
+        let c1_: [f64; 4] = ::core::array::from_fn(|l| c1_[l % 2]);
+        let s1_: [f64; 4] = ::core::array::from_fn(|l| s1_[l % 2]);
+        let v53_: [f64; 4] = ::core::array::from_fn(|l| v53_[l % 2]);
+        let v59_: [f64; 4] = ::core::array::from_fn(|l| v59_[l % 2]);
+        let v65_: [f64; 4] = ::core::array::from_fn(|l| v65_[l % 2]);
+        let v68_: [f64; 4] = ::core::array::from_fn(|l| v68_[l % 2]);
+        let v56_: [f64; 4] = ::core::array::from_fn(|l| v56_[l % 2]);
+        let v62_: [f64; 4] = ::core::array::from_fn(|l| v62_[l % 2]);
+        let g0_: [f64; 4] = ::core::array::from_fn(|l| g0_[l / 1 % 2]);
+        let margin1_: [f64; 4] = ::core::array::from_fn(|l| margin1_[l % 2]);
+        let mut margin_ = [0.0; 4];
+        let valid1_: [f64; 4] = ::core::array::from_fn(|l| valid1_[l % 2]);
+        let mut valid_ = [0.0; 4];
+        let mut error_ = [0.0; 4];
         for l in 0..4 {
             let c3 = c3_[l];
             let s3 = s3_[l];
             let t_16 = 0.25819672131147536 + c3 * 0.028688524590163935
                 - 0.2991803278688524 * s3;
-            v106_[l] = 0.2991803278688524 * c3 + 0.028688524590163935 * s3;
-            v111_[l] = t_16;
-        }
-        let mut f2 = [[0.0; 4]; 2];
-        let mut m2 = [0.0; 4];
-        for l in 0..4 {
-            let v99 = v99_[l % 2];
-            let v106 = v106_[l];
-            let v111 = v111_[l];
-            let ([x, y], m) = ::dh_robot::lanes::pair(-v99, t_4, -v106, t_4, v99, v111);
-            f2[0][l] = x;
-            f2[1][l] = y;
-            m2[l] = m;
-        }
-        let c2_ = f2[0];
-        let s2_ = f2[1];
-        let g2: [f64; 4] = ::dh_robot::atan2_batch(&f2[1], &f2[0]);
-        let mut v147_ = [0.0; 4];
-        let mut v150_ = [0.0; 4];
-        let mut v153_ = [0.0; 4];
-        let mut v156_ = [0.0; 4];
-        let mut v159_ = [0.0; 4];
-        let mut v162_ = [0.0; 4];
-        let mut v277_ = [0.0; 4];
-        let mut v280_ = [0.0; 4];
-        let mut v327_ = [0.0; 4];
-        let mut v328_ = [0.0; 4];
-        let mut v329_ = [0.0; 4];
-        for l in 0..4 {
-            let c1 = c1_[l % 2];
-            let s1 = s1_[l % 2];
-            let v53 = v53_[l % 2];
-            let v59 = v59_[l % 2];
-            let v65 = v65_[l % 2];
-            let c3 = c3_[l];
-            let s3 = s3_[l];
-            let c2 = c2_[l];
-            let s2 = s2_[l];
+            let v99 = v99_[l];
+            let ([c2, s2], m2) = ::dh_robot::lanes::pair(
+                -v99,
+                t_4,
+                -(0.2991803278688524 * c3 + 0.028688524590163935 * s3),
+                t_4,
+                v99,
+                t_16,
+            );
+            let g2 = ::dh_robot::lanes::angle(s2, c2);
+            let c1 = c1_[l];
+            let s1 = s1_[l];
+            let v53 = v53_[l];
+            let v59 = v59_[l];
+            let v65 = v65_[l];
             let t_17 = v53 * c2 - t[2][0] * s2;
             let t_18 = v53 * s2 + t[2][0] * c2;
             let t_19 = v59 * c2 - t[2][1] * s2;
@@ -695,221 +719,75 @@ impl KukaKr6R700 {
             let t_33 = 0.32786885245901637 + t_31;
             let t_34 = c1 * t_32;
             let t_35 = s1 * t_32;
-            v147_[l] = t_23;
-            v150_[l] = t_24;
-            v153_[l] = t_25;
-            v156_[l] = t_26;
-            v159_[l] = t_27;
-            v162_[l] = s3 * t_22 - c3 * t_21;
-            v277_[l] = t_28;
-            v280_[l] = t_29;
-            v327_[l] = t_33;
-            v328_[l] = t_34;
-            v329_[l] = t_35;
-        }
-        let mut f3 = [[0.0; 8]; 2];
-        let mut m3 = [0.0; 4];
-        for l in 0..4 {
-            let v68 = v68_[l % 2];
-            let v159 = v159_[l];
-            let ([x, y], m) = ::dh_robot::lanes::half_turn(-v68, v159);
-            f3[0][l] = x;
-            f3[1][l] = y;
-            f3[0][l + 4] = -x;
-            f3[1][l + 4] = -y;
-            m3[l] = m;
-        }
-        let c4_ = f3[0];
-        let s4_ = f3[1];
-        let half: [f64; 4] = ::dh_robot::atan2_batch(
-            &::core::array::from_fn(|l| f3[1][l]),
-            &::core::array::from_fn(|l| f3[0][l]),
-        );
-        let g3: [f64; 8] = ::core::array::from_fn(|k| {
-            if k < 4 {
-                half[k]
-            } else if half[k - 4] > 0.0 {
-                half[k - 4] - ::core::f64::consts::PI
-            } else {
-                half[k - 4] + ::core::f64::consts::PI
-            }
-        });
-        let mut v190_ = [0.0; 8];
-        let mut v196_ = [0.0; 8];
-        let mut v202_ = [0.0; 8];
-        for l in 0..8 {
-            let v56 = v56_[l % 2];
-            let v62 = v62_[l % 2];
-            let v68 = v68_[l % 2];
-            let v147 = v147_[l % 4];
-            let v153 = v153_[l % 4];
-            let v159 = v159_[l % 4];
-            let c4 = c4_[l];
-            let s4 = s4_[l];
-            let t_36 = v147 * c4 + v56 * s4;
-            let t_37 = v153 * c4 + v62 * s4;
-            v190_[l] = t_36;
-            v196_[l] = t_37;
-            v202_[l] = v159 * c4 + v68 * s4;
-        }
-        let mut f4 = [[0.0; 8]; 2];
-        for l in 0..8 {
-            let v202 = v202_[l];
-            let v162 = v162_[l % 4];
-            let [x, y] = ::dh_robot::lanes::unit(-v162, -v202);
-            f4[0][l] = x;
-            f4[1][l] = y;
-        }
-        let c5_ = f4[0];
-        let s5_ = f4[1];
-        let g4: [f64; 8] = ::dh_robot::atan2_batch(&f4[1], &f4[0]);
-        let mut v233_ = [0.0; 8];
-        let mut v239_ = [0.0; 8];
-        let mut v300_ = [0.0; 8];
-        let mut v303_ = [0.0; 8];
-        let mut v306_ = [0.0; 8];
-        let mut v333_ = [0.0; 8];
-        let mut v334_ = [0.0; 8];
-        let mut v335_ = [0.0; 8];
-        for l in 0..8 {
-            let c1 = c1_[l % 2];
-            let s1 = s1_[l % 2];
-            let v150 = v150_[l % 4];
-            let v156 = v156_[l % 4];
-            let c4 = c4_[l];
-            let s4 = s4_[l];
-            let v190 = v190_[l];
-            let v196 = v196_[l];
-            let v277 = v277_[l % 4];
-            let v280 = v280_[l % 4];
-            let v327 = v327_[l % 4];
-            let v328 = v328_[l % 4];
-            let v329 = v329_[l % 4];
-            let c5 = c5_[l];
-            let s5 = s5_[l];
+            let v68 = v68_[l];
+            let ([c4, s4], m3) = ::dh_robot::lanes::half_turn(-v68, t_27);
+            let g3 = ::dh_robot::lanes::angle(s4, c4);
+            let v56 = v56_[l];
+            let v62 = v62_[l];
+            let t_36 = t_23 * c4 + v56 * s4;
+            let t_37 = t_25 * c4 + v62 * s4;
+            let [c5, s5] = ::dh_robot::lanes::unit(
+                -(s3 * t_22 - c3 * t_21),
+                -(t_27 * c4 + v68 * s4),
+            );
+            let g4 = ::dh_robot::lanes::angle(s5, c5);
             let c4s5 = c4 * s5;
             let s4s5 = s4 * s5;
-            let t_38 = v280 * c4s5 - c5 * v277;
-            let t_39 = v277 * c4s5 + c5 * v280;
+            let t_38 = t_29 * c4s5 - c5 * t_28;
+            let t_39 = t_28 * c4s5 + c5 * t_29;
             let t_40 = c1 * t_38 + s1 * s4s5;
             let t_41 = s1 * t_38 - c1 * s4s5;
-            v233_[l] = v190 * c5 - v150 * s5;
-            v239_[l] = v196 * c5 - v156 * s5;
-            v300_[l] = t_39;
-            v303_[l] = t_40;
-            v306_[l] = t_41;
-            v333_[l] = v328 - 0.06557377049180327 * t_40;
-            v334_[l] = v329 - 0.06557377049180327 * t_41;
-            v335_[l] = v327 - 0.06557377049180327 * t_39;
-        }
-        let mut f5 = [[0.0; 8]; 2];
-        for l in 0..8 {
-            let v233 = v233_[l];
-            let v239 = v239_[l];
-            let [x, y] = ::dh_robot::lanes::unit(v233, -v239);
-            f5[0][l] = x;
-            f5[1][l] = y;
-        }
-        let c6_ = f5[0];
-        let s6_ = f5[1];
-        let g5: [f64; 8] = ::dh_robot::atan2_batch(&f5[1], &f5[0]);
-        let mut v286_ = [0.0; 8];
-        let mut v289_ = [0.0; 8];
-        let mut v292_ = [0.0; 8];
-        for l in 0..8 {
-            let c1 = c1_[l % 2];
-            let s1 = s1_[l % 2];
-            let c4 = c4_[l];
-            let s4 = s4_[l];
-            let c5 = c5_[l];
-            let s5 = s5_[l];
-            let v277 = v277_[l % 4];
-            let v280 = v280_[l % 4];
-            let c6 = c6_[l];
-            let s6 = s6_[l];
+            let r5 = (-t_40 - t[0][2]).abs() + (-t_41 - t[1][2]).abs()
+                + (-t_39 - t[2][2]).abs()
+                + (t_34 - 0.06557377049180327 * t_40 - t[0][3]).abs()
+                + (t_35 - 0.06557377049180327 * t_41 - t[1][3]).abs()
+                + (t_33 - 0.06557377049180327 * t_39 - t[2][3]).abs();
+            let [c6, s6] = ::dh_robot::lanes::unit(
+                t_36 * c5 - t_24 * s5,
+                -(t_37 * c5 - t_26 * s5),
+            );
+            let g5 = ::dh_robot::lanes::angle(s6, c6);
             let c5c6 = c5 * c6;
             let s5c6 = s5 * c6;
             let t_42 = c4 * c5c6 - s4 * s6;
             let t_43 = s4 * c5c6 + c4 * s6;
-            let t_44 = t_42 * v280 + s5c6 * v277;
-            v286_[l] = t_42 * v277 - s5c6 * v280;
-            v289_[l] = c1 * t_44 + s1 * t_43;
-            v292_[l] = s1 * t_44 - c1 * t_43;
-        }
-        let mut error = [0.0; 8];
-        for l in 0..8 {
-            let v289 = v289_[l];
-            let v292 = v292_[l];
-            let v286 = v286_[l];
-            let v303 = v303_[l];
-            let v306 = v306_[l];
-            let v300 = v300_[l];
-            let v333 = v333_[l];
-            let v334 = v334_[l];
-            let v335 = v335_[l];
-            error[l] = (v289 - t[0][0]).abs() + (v292 - t[1][0]).abs()
-                + (v286 - t[2][0]).abs() + (-v303 - t[0][2]).abs()
-                + (-v306 - t[1][2]).abs() + (-v300 - t[2][2]).abs()
-                + (v333 - t[0][3]).abs() + (v334 - t[1][3]).abs()
-                + (v335 - t[2][3]).abs();
-        }
-        let valid: [f64; 8] = ::core::array::from_fn(|l| 1.0 * e1[l % 2 % 2]);
-        let margin: [f64; 8] = ::core::array::from_fn(|l| {
-            1.0_f64
-                .min(m0[l % 1 % 1])
-                .min(m1[l % 2 % 2])
-                .min(m2[l % 4 % 4])
-                .min(m3[l % 4 % 4])
-        });
-        let q: [[f64; 8]; 6] = [
-            ::core::array::from_fn(|l| g0[l / 1 % 2 * 1 + l % 1]),
-            ::core::array::from_fn(|l| ::dh_robot::lanes::into_range(
-                g2[l % 4],
+            let t_44 = t_42 * t_29 + s5c6 * t_28;
+            let r6 = (c1 * t_44 + s1 * t_43 - t[0][0]).abs()
+                + (s1 * t_44 - c1 * t_43 - t[1][0]).abs()
+                + (t_42 * t_28 - s5c6 * t_29 - t[2][0]).abs();
+            let g0 = g0_[l];
+            let margin1 = margin1_[l];
+            let valid1 = valid1_[l];
+            margin_[l] = ::dh_robot::lanes::lesser(
+                ::dh_robot::lanes::lesser(::dh_robot::lanes::lesser(m0, margin1), m2),
+                m3,
+            );
+            valid_[l] = valid1;
+            error_[l] = r5 + r6;
+            let h3 = ::dh_robot::lanes::opposite(g3);
+            let h4 = ::dh_robot::lanes::negative(g4);
+            let h5 = ::dh_robot::lanes::opposite(g5);
+            q[0][l] = g0;
+            q[1][l] = ::dh_robot::lanes::into_range(
+                g2,
                 -3.316125578789226,
                 0.7853981633974483,
-            )),
-            ::core::array::from_fn(|l| g1[l / 2 % 2 * 2 + l % 2]),
-            ::core::array::from_fn(|l| g3[l / 4 % 2 * 4 + l % 4]),
-            ::core::array::from_fn(|l| g4[l % 8]),
-            ::core::array::from_fn(|l| g5[l % 8]),
-        ];
-        const BRANCHES: [::dh_robot::Branch; 8] = {
-            let mut all = [::dh_robot::Branch::ANY; 8];
-            let mut l = 0;
-            while l < 8 {
-                let i0 = l / 1 % 2;
-                let i1 = l / 2 % 2;
-                let i3 = l / 4 % 2;
-                all[l] = ::dh_robot::Branch::ANY
-                    .with_step(0, i0)
-                    .with_shoulder(
-                        if i0 == 0 {
-                            ::dh_robot::Shoulder::Left
-                        } else {
-                            ::dh_robot::Shoulder::Right
-                        },
-                    )
-                    .with_step(1, i1)
-                    .with_elbow(
-                        if i1 == 0 {
-                            ::dh_robot::Elbow::Up
-                        } else {
-                            ::dh_robot::Elbow::Down
-                        },
-                    )
-                    .with_step(2, i3)
-                    .with_wrist(
-                        if i3 == 0 {
-                            ::dh_robot::Wrist::NoFlip
-                        } else {
-                            ::dh_robot::Wrist::Flip
-                        },
-                    );
-                l += 1;
-            }
-            all
-        };
-        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
+            );
+            q[3][l] = g3;
+            q[4][l] = g4;
+            q[5][l] = g5;
+            q[0][l + 4] = g0;
+            q[1][l + 4] = ::dh_robot::lanes::into_range(
+                g2,
+                -3.316125578789226,
+                0.7853981633974483,
+            );
+            q[3][l + 4] = h3;
+            q[4][l + 4] = h4;
+            q[5][l + 4] = h5;
+        }
+        *valid = ::core::array::from_fn(|l| valid_[l % 4]);
+        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

@@ -319,26 +319,24 @@ impl Puma560 {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
-        if self.lanes(&frame, &mut solutions) {
-            return solutions;
+        let mut q = [[0.0; 8]; 6];
+        let mut valid = [0.0; 8];
+        if !self.lanes(&frame, &mut q, &mut valid) {
+            return self.robust(target);
         }
-        let setting = ::dh_robot::inverse::Setting {
-            joints: &Self::JOINTS,
-            reach: 1.0518492311766083,
-            few: false,
-            given: None,
-        };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 1.0518492311766083),
-        );
-        ::dh_robot::inverse::solve(
-            self,
-            setting,
-            &task,
-            &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
-        )
+        if valid == [1.0; 8] {
+            let at = |l: usize| ::dh_robot::lanes::solution(
+                &Self::JOINTS,
+                &q,
+                &Self::BRANCHES,
+                l,
+            );
+            return ::dh_robot::Solutions::full(
+                &Self::JOINTS,
+                [at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)],
+            );
+        }
+        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
@@ -527,12 +525,73 @@ impl Puma560 {
         }
         attempt
     }
-    /// The plan for all branches at once; false where the robust way has to decide.
+    /// The plan root by root, with everything that special poses need.
+    #[cold]
+    #[inline(never)]
+    fn robust(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 6, 8> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 1.0518492311766083) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 1.0518492311766083,
+            few: false,
+            given: None,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 1.0518492311766083),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, pick, found| self.candidates(frame, pick, found),
+        )
+    }
+    const BRANCHES: [::dh_robot::Branch; 8] = {
+        let mut all = [::dh_robot::Branch::ANY; 8];
+        let mut l = 0;
+        while l < 8 {
+            let i0 = l / 1 % 2;
+            let i1 = l / 2 % 2;
+            let i3 = l / 4 % 2;
+            all[l] = ::dh_robot::Branch::ANY
+                .with_step(0, i0)
+                .with_shoulder(
+                    if i0 == 0 {
+                        ::dh_robot::Shoulder::Left
+                    } else {
+                        ::dh_robot::Shoulder::Right
+                    },
+                )
+                .with_step(1, i1)
+                .with_elbow(
+                    if i1 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                )
+                .with_step(2, i3)
+                .with_wrist(
+                    if i3 == 0 {
+                        ::dh_robot::Wrist::NoFlip
+                    } else {
+                        ::dh_robot::Wrist::Flip
+                    },
+                );
+            l += 1;
+        }
+        all
+    };
+    /// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-        solutions: &mut ::dh_robot::Solutions<f64, 6, 8>,
+        q: &mut [[f64; 8]; 6],
+        valid: &mut [f64; 8],
     ) -> bool {
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
         let t_3 = self.d3 * 0.9507065940252585;
@@ -540,25 +599,14 @@ impl Puma560 {
         let t_5 = 2.0 * t_4;
         let t_6 = self.a3 * 0.9507065940252585;
         let t_7 = self.d4 * 0.9507065940252585;
-        let mut f0 = [[0.0; 2]; 2];
-        let mut m0 = [0.0; 1];
-        let mut e0 = [0.0; 1];
-        for l in 0..1 {
-            let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
-                -t[1][3],
-                t[0][3],
-                -t_3,
-            );
-            f0[0][l] = x;
-            f0[1][l] = y;
-            f0[0][l + 1] = z;
-            f0[1][l + 1] = w;
-            m0[l] = m;
-            e0[l] = e;
-        }
-        let c1_ = f0[0];
-        let s1_ = f0[1];
-        let g0: [f64; 2] = ::dh_robot::atan2_batch(&f0[1], &f0[0]);
+        let ([x0, y0, z0, w0], e0, m0) = ::dh_robot::lanes::sincos(
+            -t[1][3],
+            t[0][3],
+            -t_3,
+        );
+        let c1_ = [x0, z0];
+        let s1_ = [y0, w0];
+        let g0_ = ::dh_robot::lanes::angles(&[y0, w0], &[x0, z0]);
         let mut v54_ = [0.0; 2];
         let mut v60_ = [0.0; 2];
         let mut v63_ = [0.0; 2];
@@ -590,77 +638,50 @@ impl Puma560 {
             v303_[l] = t_15;
             v306_[l] = t_16;
         }
-        let mut f1 = [[0.0; 2]; 2];
-        let mut m1 = [0.0; 1];
-        let mut e1 = [0.0; 1];
-        for l in 0..1 {
-            let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
-                t_5 * t_6,
-                -t_5 * t_7,
-                t_2 - (t_4 * t_4 + t_6 * t_6 + t_3 * t_3 + t_7 * t_7),
-            );
-            f1[0][l] = x;
-            f1[1][l] = y;
-            f1[0][l + 1] = z;
-            f1[1][l + 1] = w;
-            m1[l] = m;
-            e1[l] = e;
-        }
-        let c3_ = ::core::array::from_fn::<f64, 4, _>(|k| f1[0][k / 2 * 1 + k % 1]);
-        let s3_ = ::core::array::from_fn::<f64, 4, _>(|k| f1[1][k / 2 * 1 + k % 1]);
-        let g1: [f64; 2] = ::dh_robot::atan2_batch(&f1[1], &f1[0]);
-        let mut v97_ = [0.0; 4];
-        let mut v100_ = [0.0; 4];
+        let ([x1, y1, z1, w1], e1, m1) = ::dh_robot::lanes::sincos(
+            t_5 * t_6,
+            -t_5 * t_7,
+            t_2 - (t_4 * t_4 + t_6 * t_6 + t_3 * t_3 + t_7 * t_7),
+        );
+        let c3_ = [x1, x1, z1, z1];
+        let s3_ = [y1, y1, w1, w1];
+        let g1_ = ::dh_robot::lanes::angles(&[y1, w1], &[x1, z1]);
+        let v54_: [f64; 4] = ::core::array::from_fn(|l| v54_[l % 2]);
+        let c1_: [f64; 4] = ::core::array::from_fn(|l| c1_[l % 2]);
+        let s1_: [f64; 4] = ::core::array::from_fn(|l| s1_[l % 2]);
+        let v60_: [f64; 4] = ::core::array::from_fn(|l| v60_[l % 2]);
+        let v66_: [f64; 4] = ::core::array::from_fn(|l| v66_[l % 2]);
+        let v72_: [f64; 4] = ::core::array::from_fn(|l| v72_[l % 2]);
+        let v303_: [f64; 4] = ::core::array::from_fn(|l| v303_[l % 2]);
+        let v306_: [f64; 4] = ::core::array::from_fn(|l| v306_[l % 2]);
+        let v75_: [f64; 4] = ::core::array::from_fn(|l| v75_[l % 2]);
+        let v63_: [f64; 4] = ::core::array::from_fn(|l| v63_[l % 2]);
+        let v69_: [f64; 4] = ::core::array::from_fn(|l| v69_[l % 2]);
+        let g0_: [f64; 4] = ::core::array::from_fn(|l| g0_[l / 1 % 2]);
+        let g1_: [f64; 4] = ::core::array::from_fn(|l| g1_[l / 2 % 2]);
+        let mut margin_ = [0.0; 4];
+        let mut valid_ = [0.0; 4];
+        let mut error_ = [0.0; 4];
         for l in 0..4 {
             let c3 = c3_[l];
             let s3 = s3_[l];
-            v97_[l] = t_4 + t_6 * c3 - t_7 * s3;
-            v100_[l] = t_6 * s3 + t_7 * c3;
-        }
-        let mut f2 = [[0.0; 4]; 2];
-        let mut m2 = [0.0; 4];
-        for l in 0..4 {
-            let v54 = v54_[l % 2];
-            let v97 = v97_[l];
-            let v100 = v100_[l];
-            let ([x, y], m) = ::dh_robot::lanes::pair(
+            let v54 = v54_[l];
+            let ([c2, s2], m2) = ::dh_robot::lanes::pair(
                 -v54,
                 t[2][3],
-                -v97,
+                -(t_4 + t_6 * c3 - t_7 * s3),
                 t[2][3],
                 v54,
-                -v100,
+                -(t_6 * s3 + t_7 * c3),
             );
-            f2[0][l] = x;
-            f2[1][l] = y;
-            m2[l] = m;
-        }
-        let c2_ = f2[0];
-        let s2_ = f2[1];
-        let g2: [f64; 4] = ::dh_robot::atan2_batch(&f2[1], &f2[0]);
-        let mut v119_ = [0.0; 4];
-        let mut v122_ = [0.0; 4];
-        let mut v125_ = [0.0; 4];
-        let mut v128_ = [0.0; 4];
-        let mut v131_ = [0.0; 4];
-        let mut v134_ = [0.0; 4];
-        let mut v137_ = [0.0; 4];
-        let mut v140_ = [0.0; 4];
-        let mut v301_ = [0.0; 4];
-        let mut v304_ = [0.0; 4];
-        let mut v307_ = [0.0; 4];
-        for l in 0..4 {
-            let c1 = c1_[l % 2];
-            let s1 = s1_[l % 2];
-            let v60 = v60_[l % 2];
-            let v66 = v66_[l % 2];
-            let v72 = v72_[l % 2];
-            let c3 = c3_[l];
-            let s3 = s3_[l];
-            let v303 = v303_[l % 2];
-            let v306 = v306_[l % 2];
-            let c2 = c2_[l];
-            let s2 = s2_[l];
+            let g2 = ::dh_robot::lanes::angle(s2, c2);
+            let c1 = c1_[l];
+            let s1 = s1_[l];
+            let v60 = v60_[l];
+            let v66 = v66_[l];
+            let v72 = v72_[l];
+            let v303 = v303_[l];
+            let v306 = v306_[l];
             let t_17 = c3 * c2 - s3 * s2;
             let t_18 = c3 * s2 + s3 * c2;
             let t_19 = v60 * t_17 - t[2][0] * t_18;
@@ -669,215 +690,82 @@ impl Puma560 {
             let t_22 = v66 * t_18 + t[2][1] * t_17;
             let t_23 = v72 * t_17 - t[2][2] * t_18;
             let t_24 = t_6 * t_17 - t_7 * t_18 + t_4 * c2;
-            v119_[l] = t_17;
-            v122_[l] = t_18;
-            v125_[l] = t_19;
-            v128_[l] = t_20;
-            v131_[l] = t_21;
-            v134_[l] = t_22;
-            v137_[l] = t_23;
-            v140_[l] = v72 * t_18 + t[2][2] * t_17;
-            v301_[l] = t_6 * t_18 + t_7 * t_17 + t_4 * s2;
-            v304_[l] = c1 * t_24 - v303;
-            v307_[l] = s1 * t_24 + v306;
-        }
-        let mut f3 = [[0.0; 8]; 2];
-        let mut m3 = [0.0; 4];
-        for l in 0..4 {
-            let v75 = v75_[l % 2];
-            let v137 = v137_[l];
-            let ([x, y], m) = ::dh_robot::lanes::half_turn(-v75, v137);
-            f3[0][l] = x;
-            f3[1][l] = y;
-            f3[0][l + 4] = -x;
-            f3[1][l + 4] = -y;
-            m3[l] = m;
-        }
-        let c4_ = f3[0];
-        let s4_ = f3[1];
-        let half: [f64; 4] = ::dh_robot::atan2_batch(
-            &::core::array::from_fn(|l| f3[1][l]),
-            &::core::array::from_fn(|l| f3[0][l]),
-        );
-        let g3: [f64; 8] = ::core::array::from_fn(|k| {
-            if k < 4 {
-                half[k]
-            } else if half[k - 4] > 0.0 {
-                half[k - 4] - ::core::f64::consts::PI
-            } else {
-                half[k - 4] + ::core::f64::consts::PI
-            }
-        });
-        let mut v172_ = [0.0; 8];
-        let mut v178_ = [0.0; 8];
-        let mut v184_ = [0.0; 8];
-        for l in 0..8 {
-            let v63 = v63_[l % 2];
-            let v69 = v69_[l % 2];
-            let v75 = v75_[l % 2];
-            let v125 = v125_[l % 4];
-            let v131 = v131_[l % 4];
-            let v137 = v137_[l % 4];
-            let c4 = c4_[l];
-            let s4 = s4_[l];
-            let t_25 = v125 * c4 + v63 * s4;
-            let t_26 = v131 * c4 + v69 * s4;
-            v172_[l] = t_25;
-            v178_[l] = t_26;
-            v184_[l] = v137 * c4 + v75 * s4;
-        }
-        let mut f4 = [[0.0; 8]; 2];
-        for l in 0..8 {
-            let v184 = v184_[l];
-            let v140 = v140_[l % 4];
-            let [x, y] = ::dh_robot::lanes::unit(-v140, -v184);
-            f4[0][l] = x;
-            f4[1][l] = y;
-        }
-        let c5_ = f4[0];
-        let s5_ = f4[1];
-        let g4: [f64; 8] = ::dh_robot::atan2_batch(&f4[1], &f4[0]);
-        let mut v215_ = [0.0; 8];
-        let mut v221_ = [0.0; 8];
-        let mut v276_ = [0.0; 8];
-        let mut v279_ = [0.0; 8];
-        let mut v282_ = [0.0; 8];
-        for l in 0..8 {
-            let c1 = c1_[l % 2];
-            let s1 = s1_[l % 2];
-            let v119 = v119_[l % 4];
-            let v122 = v122_[l % 4];
-            let v128 = v128_[l % 4];
-            let v134 = v134_[l % 4];
-            let c4 = c4_[l];
-            let s4 = s4_[l];
-            let v172 = v172_[l];
-            let v178 = v178_[l];
-            let c5 = c5_[l];
-            let s5 = s5_[l];
+            let r3 = (c1 * t_24 - v303 - t[0][3]).abs()
+                + (s1 * t_24 + v306 - t[1][3]).abs()
+                + (-(t_6 * t_18 + t_7 * t_17 + t_4 * s2) - t[2][3]).abs();
+            let v75 = v75_[l];
+            let ([c4, s4], m3) = ::dh_robot::lanes::half_turn(-v75, t_23);
+            let g3 = ::dh_robot::lanes::angle(s4, c4);
+            let v63 = v63_[l];
+            let v69 = v69_[l];
+            let t_25 = t_19 * c4 + v63 * s4;
+            let t_26 = t_21 * c4 + v69 * s4;
+            let [c5, s5] = ::dh_robot::lanes::unit(
+                -(v72 * t_18 + t[2][2] * t_17),
+                -(t_23 * c4 + v75 * s4),
+            );
+            let g4 = ::dh_robot::lanes::angle(s5, c5);
             let c4s5 = c4 * s5;
             let s4s5 = s4 * s5;
-            let t_27 = v119 * c4s5 + v122 * c5;
-            v215_[l] = v172 * c5 - v128 * s5;
-            v221_[l] = v178 * c5 - v134 * s5;
-            v276_[l] = v122 * c4s5 - v119 * c5;
-            v279_[l] = c1 * t_27 + s1 * s4s5;
-            v282_[l] = s1 * t_27 - c1 * s4s5;
-        }
-        let mut f5 = [[0.0; 8]; 2];
-        for l in 0..8 {
-            let v215 = v215_[l];
-            let v221 = v221_[l];
-            let [x, y] = ::dh_robot::lanes::unit(v215, -v221);
-            f5[0][l] = x;
-            f5[1][l] = y;
-        }
-        let c6_ = f5[0];
-        let s6_ = f5[1];
-        let g5: [f64; 8] = ::dh_robot::atan2_batch(&f5[1], &f5[0]);
-        let mut v262_ = [0.0; 8];
-        let mut v265_ = [0.0; 8];
-        let mut v268_ = [0.0; 8];
-        for l in 0..8 {
-            let c1 = c1_[l % 2];
-            let s1 = s1_[l % 2];
-            let v119 = v119_[l % 4];
-            let v122 = v122_[l % 4];
-            let c4 = c4_[l];
-            let s4 = s4_[l];
-            let c5 = c5_[l];
-            let s5 = s5_[l];
-            let c6 = c6_[l];
-            let s6 = s6_[l];
+            let t_27 = t_17 * c4s5 + t_18 * c5;
+            let r5 = (-(c1 * t_27 + s1 * s4s5) - t[0][2]).abs()
+                + (-(s1 * t_27 - c1 * s4s5) - t[1][2]).abs()
+                + (t_18 * c4s5 - t_17 * c5 - t[2][2]).abs();
+            let [c6, s6] = ::dh_robot::lanes::unit(
+                t_25 * c5 - t_20 * s5,
+                -(t_26 * c5 - t_22 * s5),
+            );
+            let g5 = ::dh_robot::lanes::angle(s6, c6);
             let c5c6 = c5 * c6;
             let s5c6 = s5 * c6;
             let t_28 = c4 * c5c6 - s4 * s6;
             let t_29 = s4 * c5c6 + c4 * s6;
-            let t_30 = v119 * t_28 - v122 * s5c6;
-            v262_[l] = v122 * t_28 + v119 * s5c6;
-            v265_[l] = c1 * t_30 + s1 * t_29;
-            v268_[l] = s1 * t_30 - c1 * t_29;
-        }
-        let mut error = [0.0; 8];
-        for l in 0..8 {
-            let v265 = v265_[l];
-            let v268 = v268_[l];
-            let v262 = v262_[l];
-            let v279 = v279_[l];
-            let v282 = v282_[l];
-            let v276 = v276_[l];
-            let v304 = v304_[l % 4];
-            let v307 = v307_[l % 4];
-            let v301 = v301_[l % 4];
-            error[l] = (v265 - t[0][0]).abs() + (v268 - t[1][0]).abs()
-                + (-v262 - t[2][0]).abs() + (-v279 - t[0][2]).abs()
-                + (-v282 - t[1][2]).abs() + (v276 - t[2][2]).abs()
-                + (v304 - t[0][3]).abs() + (v307 - t[1][3]).abs()
-                + (-v301 - t[2][3]).abs();
-        }
-        let valid: [f64; 8] = ::core::array::from_fn(|l| {
-            1.0 * e0[l % 1 % 1] * e1[l % 2 % 1]
-        });
-        let margin: [f64; 8] = ::core::array::from_fn(|l| {
-            1.0_f64
-                .min(m0[l % 1 % 1])
-                .min(m1[l % 2 % 1])
-                .min(m2[l % 4 % 4])
-                .min(m3[l % 4 % 4])
-        });
-        let q: [[f64; 8]; 6] = [
-            ::core::array::from_fn(|l| g0[l / 1 % 2 * 1 + l % 1]),
-            ::core::array::from_fn(|l| ::dh_robot::lanes::into_range(
-                g2[l % 4],
+            let t_30 = t_17 * t_28 - t_18 * s5c6;
+            let r6 = (c1 * t_30 + s1 * t_29 - t[0][0]).abs()
+                + (s1 * t_30 - c1 * t_29 - t[1][0]).abs()
+                + (-(t_18 * t_28 + t_17 * s5c6) - t[2][0]).abs();
+            let g0 = g0_[l];
+            let g1 = g1_[l];
+            margin_[l] = ::dh_robot::lanes::lesser(
+                ::dh_robot::lanes::lesser(::dh_robot::lanes::lesser(m0, m1), m2),
+                m3,
+            );
+            valid_[l] = e0 * e1;
+            error_[l] = r3 + r5 + r6;
+            let h3 = ::dh_robot::lanes::opposite(g3);
+            let h4 = ::dh_robot::lanes::negative(g4);
+            let h5 = ::dh_robot::lanes::opposite(g5);
+            q[0][l] = g0;
+            q[1][l] = ::dh_robot::lanes::into_range(
+                g2,
                 -3.9269908169872414,
                 0.7853981633974483,
-            )),
-            ::core::array::from_fn(|l| ::dh_robot::lanes::into_range(
-                g1[l / 2 % 2 * 1 + l % 1],
+            );
+            q[2][l] = ::dh_robot::lanes::into_range(
+                g1,
                 -0.7853981633974483,
                 3.9269908169872414,
-            )),
-            ::core::array::from_fn(|l| g3[l / 4 % 2 * 4 + l % 4]),
-            ::core::array::from_fn(|l| g4[l % 8]),
-            ::core::array::from_fn(|l| g5[l % 8]),
-        ];
-        const BRANCHES: [::dh_robot::Branch; 8] = {
-            let mut all = [::dh_robot::Branch::ANY; 8];
-            let mut l = 0;
-            while l < 8 {
-                let i0 = l / 1 % 2;
-                let i1 = l / 2 % 2;
-                let i3 = l / 4 % 2;
-                all[l] = ::dh_robot::Branch::ANY
-                    .with_step(0, i0)
-                    .with_shoulder(
-                        if i0 == 0 {
-                            ::dh_robot::Shoulder::Left
-                        } else {
-                            ::dh_robot::Shoulder::Right
-                        },
-                    )
-                    .with_step(1, i1)
-                    .with_elbow(
-                        if i1 == 0 {
-                            ::dh_robot::Elbow::Up
-                        } else {
-                            ::dh_robot::Elbow::Down
-                        },
-                    )
-                    .with_step(2, i3)
-                    .with_wrist(
-                        if i3 == 0 {
-                            ::dh_robot::Wrist::NoFlip
-                        } else {
-                            ::dh_robot::Wrist::Flip
-                        },
-                    );
-                l += 1;
-            }
-            all
-        };
-        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
+            );
+            q[3][l] = g3;
+            q[4][l] = g4;
+            q[5][l] = g5;
+            q[0][l + 4] = g0;
+            q[1][l + 4] = ::dh_robot::lanes::into_range(
+                g2,
+                -3.9269908169872414,
+                0.7853981633974483,
+            );
+            q[2][l + 4] = ::dh_robot::lanes::into_range(
+                g1,
+                -0.7853981633974483,
+                3.9269908169872414,
+            );
+            q[3][l + 4] = h3;
+            q[4][l + 4] = h4;
+            q[5][l + 4] = h5;
+        }
+        *valid = ::core::array::from_fn(|l| valid_[l % 4]);
+        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

@@ -156,26 +156,21 @@ impl RpParallel {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
-        if self.lanes(&frame, &mut solutions) {
-            return solutions;
+        let mut q = [[0.0; 1]; 2];
+        let mut valid = [0.0; 1];
+        if !self.lanes(&frame, &mut q, &mut valid) {
+            return self.robust(target);
         }
-        let setting = ::dh_robot::inverse::Setting {
-            joints: &Self::JOINTS,
-            reach: 0.50565,
-            few: true,
-            given: None,
-        };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 0.50565),
-        );
-        ::dh_robot::inverse::solve(
-            self,
-            setting,
-            &task,
-            &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
-        )
+        if valid == [1.0; 1] {
+            let at = |l: usize| ::dh_robot::lanes::solution(
+                &Self::JOINTS,
+                &q,
+                &Self::BRANCHES,
+                l,
+            );
+            return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0)]);
+        }
+        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
@@ -224,69 +219,73 @@ impl RpParallel {
         }
         attempt
     }
-    /// The plan for all branches at once; false where the robust way has to decide.
+    /// The plan root by root, with everything that special poses need.
+    #[cold]
+    #[inline(never)]
+    fn robust(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 2, 1> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 0.50565) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 0.50565,
+            few: true,
+            given: None,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 0.50565),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, pick, found| self.candidates(frame, pick, found),
+        )
+    }
+    const BRANCHES: [::dh_robot::Branch; 1] = {
+        let mut all = [::dh_robot::Branch::ANY; 1];
+        let mut l = 0;
+        while l < 1 {
+            all[l] = ::dh_robot::Branch::ANY;
+            l += 1;
+        }
+        all
+    };
+    /// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-        solutions: &mut ::dh_robot::Solutions<f64, 2, 1>,
+        q: &mut [[f64; 1]; 2],
+        valid: &mut [f64; 1],
     ) -> bool {
         let t_2 = self.a1 * 1.9776525264511025;
-        let mut f0 = [[0.0; 1]; 2];
-        let mut m0 = [0.0; 1];
-        for l in 0..1 {
-            let (x, m) = ::dh_robot::lanes::linear(1.0, -t[2][3]);
-            f0[0][l] = x;
-            f0[1][l] = x;
-            m0[l] = m;
-        }
-        let q2_ = f0[0];
-        let g0: [f64; 1] = f0[0].map(|d| d * 0.50565);
-        let mut f1 = [[0.0; 1]; 2];
-        for l in 0..1 {
-            let [x, y] = ::dh_robot::lanes::unit(t[0][0], -t[0][1]);
-            f1[0][l] = x;
-            f1[1][l] = y;
-        }
-        let c1_ = f1[0];
-        let s1_ = f1[1];
-        let g1: [f64; 1] = ::dh_robot::atan2_batch(&f1[1], &f1[0]);
-        let mut v70_ = [0.0; 1];
-        let mut v71_ = [0.0; 1];
-        for l in 0..1 {
-            let c1 = c1_[l];
-            let s1 = s1_[l];
-            v70_[l] = t_2 * c1;
-            v71_[l] = t_2 * s1;
-        }
-        let mut error = [0.0; 1];
-        for l in 0..1 {
-            let s1 = s1_[l];
-            let c1 = c1_[l];
-            let v70 = v70_[l];
-            let v71 = v71_[l];
-            let q2 = q2_[l];
-            error[l] = (-s1 - t[0][1]).abs() + (c1 - t[1][1]).abs()
-                + (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs()
-                + (1.0 - t[2][2]).abs() + (v70 - t[0][3]).abs() + (v71 - t[1][3]).abs()
-                + (q2 - t[2][3]).abs();
-        }
-        let valid: [f64; 1] = ::core::array::from_fn(|l| 1.0);
-        let margin: [f64; 1] = ::core::array::from_fn(|l| 1.0_f64.min(m0[l % 1 % 1]));
-        let q: [[f64; 1]; 2] = [
-            ::core::array::from_fn(|l| g1[l % 1]),
-            ::core::array::from_fn(|l| g0[l % 1]),
-        ];
-        const BRANCHES: [::dh_robot::Branch; 1] = {
-            let mut all = [::dh_robot::Branch::ANY; 1];
-            let mut l = 0;
-            while l < 1 {
-                all[l] = ::dh_robot::Branch::ANY;
-                l += 1;
-            }
-            all
-        };
-        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
+        let mut margin_ = [0.0; 1];
+        let mut valid_ = [0.0; 1];
+        let mut error_ = [0.0; 1];
+        let r0 = (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs()
+            + (1.0 - t[2][2]).abs();
+        let (q2, m0) = ::dh_robot::lanes::linear(1.0, -t[2][3]);
+        let q2 = q2;
+        let g0 = q2 * 0.50565;
+        let r1 = (q2 - t[2][3]).abs();
+        let [c1, s1] = ::dh_robot::lanes::unit(t[0][0], -t[0][1]);
+        let g1 = ::dh_robot::lanes::angle(s1, c1);
+        let r2 = (-s1 - t[0][1]).abs() + (c1 - t[1][1]).abs()
+            + (t_2 * c1 - t[0][3]).abs() + (t_2 * s1 - t[1][3]).abs();
+        let l = 0;
+        margin_[l] = m0;
+        valid_[l] = 1.0;
+        error_[l] = r0 + r1 + r2;
+        q[0][l] = g1;
+        q[1][l] = g0;
+        *valid = valid_;
+        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

@@ -170,26 +170,21 @@ impl Rpr {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
-        if self.lanes(&frame, &mut solutions) {
-            return solutions;
+        let mut q = [[0.0; 1]; 3];
+        let mut valid = [0.0; 1];
+        if !self.lanes(&frame, &mut q, &mut valid) {
+            return self.robust(target);
         }
-        let setting = ::dh_robot::inverse::Setting {
-            joints: &Self::JOINTS,
-            reach: 0.40452000000000005,
-            few: true,
-            given: None,
-        };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 0.40452000000000005),
-        );
-        ::dh_robot::inverse::solve(
-            self,
-            setting,
-            &task,
-            &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
-        )
+        if valid == [1.0; 1] {
+            let at = |l: usize| ::dh_robot::lanes::solution(
+                &Self::JOINTS,
+                &q,
+                &Self::BRANCHES,
+                l,
+            );
+            return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0)]);
+        }
+        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
@@ -267,109 +262,85 @@ impl Rpr {
         }
         attempt
     }
-    /// The plan for all branches at once; false where the robust way has to decide.
+    /// The plan root by root, with everything that special poses need.
+    #[cold]
+    #[inline(never)]
+    fn robust(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 3, 1> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 0.40452000000000005) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 0.40452000000000005,
+            few: true,
+            given: None,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 0.40452000000000005),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, pick, found| self.candidates(frame, pick, found),
+        )
+    }
+    const BRANCHES: [::dh_robot::Branch; 1] = {
+        let mut all = [::dh_robot::Branch::ANY; 1];
+        let mut l = 0;
+        while l < 1 {
+            all[l] = ::dh_robot::Branch::ANY;
+            l += 1;
+        }
+        all
+    };
+    /// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-        solutions: &mut ::dh_robot::Solutions<f64, 3, 1>,
+        q: &mut [[f64; 1]; 3],
+        valid: &mut [f64; 1],
     ) -> bool {
         let t_2 = self.l2 * 2.472065658063878;
         let t_3 = t[0][2] * (t[0][3] - t[0][2] * t_2)
             + t[1][2] * (t[1][3] - t[1][2] * t_2);
-        let mut f0 = [[0.0; 1]; 2];
-        let mut m0 = [0.0; 1];
-        for l in 0..1 {
-            let (x, m) = ::dh_robot::lanes::linear(
-                -1.0,
-                t_3 + t[2][2] * (t[2][3] - t[2][2] * t_2),
-            );
-            f0[0][l] = x;
-            f0[1][l] = x;
-            m0[l] = m;
-        }
-        let q2_ = f0[0];
-        let g0: [f64; 1] = f0[0].map(|d| d * 0.40452000000000005);
-        let mut v91_ = [0.0; 1];
-        for l in 0..1 {
-            let q2 = q2_[l];
-            let t_4 = t_2 + q2;
-            v91_[l] = t_4;
-        }
-        let mut f1 = [[0.0; 1]; 2];
-        for l in 0..1 {
-            let [x, y] = ::dh_robot::lanes::unit(-t[1][2], t[0][2]);
-            f1[0][l] = x;
-            f1[1][l] = y;
-        }
-        let c1_ = f1[0];
-        let s1_ = f1[1];
-        let g1: [f64; 1] = ::dh_robot::atan2_batch(&f1[1], &f1[0]);
-        let mut v51_ = [0.0; 1];
-        let mut v57_ = [0.0; 1];
-        let mut v92_ = [0.0; 1];
-        let mut v93_ = [0.0; 1];
-        for l in 0..1 {
-            let v91 = v91_[l];
-            let c1 = c1_[l];
-            let s1 = s1_[l];
-            v51_[l] = t[0][0] * c1 + t[1][0] * s1;
-            v57_[l] = t[0][1] * c1 + t[1][1] * s1;
-            v92_[l] = s1 * v91;
-            v93_[l] = c1 * v91;
-        }
-        let mut f2 = [[0.0; 1]; 2];
-        for l in 0..1 {
-            let v51 = v51_[l];
-            let v57 = v57_[l];
-            let [x, y] = ::dh_robot::lanes::unit(v51, -v57);
-            f2[0][l] = x;
-            f2[1][l] = y;
-        }
-        let c3_ = f2[0];
-        let s3_ = f2[1];
-        let g2: [f64; 1] = ::dh_robot::atan2_batch(&f2[1], &f2[0]);
-        let mut v89_ = [0.0; 1];
-        let mut v90_ = [0.0; 1];
-        for l in 0..1 {
-            let c1 = c1_[l];
-            let s1 = s1_[l];
-            let c3 = c3_[l];
-            let s3 = s3_[l];
-            v89_[l] = c1 * s3;
-            v90_[l] = s1 * s3;
-        }
-        let mut error = [0.0; 1];
-        for l in 0..1 {
-            let v89 = v89_[l];
-            let v90 = v90_[l];
-            let c3 = c3_[l];
-            let s1 = s1_[l];
-            let c1 = c1_[l];
-            let v92 = v92_[l];
-            let v93 = v93_[l];
-            error[l] = (-v89 - t[0][1]).abs() + (-v90 - t[1][1]).abs()
-                + (c3 - t[2][1]).abs() + (s1 - t[0][2]).abs() + (-c1 - t[1][2]).abs()
-                + (0.0 - t[2][2]).abs() + (v92 - t[0][3]).abs() + (-v93 - t[1][3]).abs()
-                + (0.0 - t[2][3]).abs();
-        }
-        let valid: [f64; 1] = ::core::array::from_fn(|l| 1.0);
-        let margin: [f64; 1] = ::core::array::from_fn(|l| 1.0_f64.min(m0[l % 1 % 1]));
-        let q: [[f64; 1]; 3] = [
-            ::core::array::from_fn(|l| g1[l % 1]),
-            ::core::array::from_fn(|l| g0[l % 1]),
-            ::core::array::from_fn(|l| g2[l % 1]),
-        ];
-        const BRANCHES: [::dh_robot::Branch; 1] = {
-            let mut all = [::dh_robot::Branch::ANY; 1];
-            let mut l = 0;
-            while l < 1 {
-                all[l] = ::dh_robot::Branch::ANY;
-                l += 1;
-            }
-            all
-        };
-        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
+        let mut margin_ = [0.0; 1];
+        let mut valid_ = [0.0; 1];
+        let mut error_ = [0.0; 1];
+        let r0 = (0.0 - t[2][2]).abs() + (0.0 - t[2][3]).abs();
+        let (q2, m0) = ::dh_robot::lanes::linear(
+            -1.0,
+            t_3 + t[2][2] * (t[2][3] - t[2][2] * t_2),
+        );
+        let q2 = q2;
+        let g0 = q2 * 0.40452000000000005;
+        let t_4 = t_2 + q2;
+        let [c1, s1] = ::dh_robot::lanes::unit(-t[1][2], t[0][2]);
+        let g1 = ::dh_robot::lanes::angle(s1, c1);
+        let r2 = (s1 - t[0][2]).abs() + (-c1 - t[1][2]).abs()
+            + (s1 * t_4 - t[0][3]).abs() + (-c1 * t_4 - t[1][3]).abs();
+        let [c3, s3] = ::dh_robot::lanes::unit(
+            t[0][0] * c1 + t[1][0] * s1,
+            -(t[0][1] * c1 + t[1][1] * s1),
+        );
+        let g2 = ::dh_robot::lanes::angle(s3, c3);
+        let r3 = (-c1 * s3 - t[0][1]).abs() + (-s1 * s3 - t[1][1]).abs()
+            + (c3 - t[2][1]).abs();
+        let l = 0;
+        margin_[l] = m0;
+        valid_[l] = 1.0;
+        error_[l] = r0 + r2 + r3;
+        q[0][l] = g1;
+        q[1][l] = g0;
+        q[2][l] = g2;
+        *valid = valid_;
+        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

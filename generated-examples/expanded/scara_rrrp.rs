@@ -205,26 +205,21 @@ impl ScaraRrrp {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
-        if self.lanes(&frame, &mut solutions) {
-            return solutions;
+        let mut q = [[0.0; 2]; 4];
+        let mut valid = [0.0; 2];
+        if !self.lanes(&frame, &mut q, &mut valid) {
+            return self.robust(target);
         }
-        let setting = ::dh_robot::inverse::Setting {
-            joints: &Self::JOINTS,
-            reach: 1.321360271039209,
-            few: true,
-            given: None,
-        };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 1.321360271039209),
-        );
-        ::dh_robot::inverse::solve(
-            self,
-            setting,
-            &task,
-            &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
-        )
+        if valid == [1.0; 2] {
+            let at = |l: usize| ::dh_robot::lanes::solution(
+                &Self::JOINTS,
+                &q,
+                &Self::BRANCHES,
+                l,
+            );
+            return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0), at(1)]);
+        }
+        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
@@ -349,12 +344,55 @@ impl ScaraRrrp {
         }
         attempt
     }
-    /// The plan for all branches at once; false where the robust way has to decide.
+    /// The plan root by root, with everything that special poses need.
+    #[cold]
+    #[inline(never)]
+    fn robust(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 4, 2> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 1.321360271039209) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 1.321360271039209,
+            few: true,
+            given: None,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 1.321360271039209),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, pick, found| self.candidates(frame, pick, found),
+        )
+    }
+    const BRANCHES: [::dh_robot::Branch; 2] = {
+        let mut all = [::dh_robot::Branch::ANY; 2];
+        let mut l = 0;
+        while l < 2 {
+            let i2 = l / 1 % 2;
+            all[l] = ::dh_robot::Branch::ANY
+                .with_step(0, i2)
+                .with_elbow(
+                    if i2 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                );
+            l += 1;
+        }
+        all
+    };
+    /// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-        solutions: &mut ::dh_robot::Solutions<f64, 4, 2>,
+        q: &mut [[f64; 2]; 4],
+        valid: &mut [f64; 2],
     ) -> bool {
         let t_2 = self.d1 * 0.7567958730994166;
         let t_3 = self.d2 * 0.7567958730994166;
@@ -363,137 +401,60 @@ impl ScaraRrrp {
         let t_6 = self.a2 * 0.7567958730994166;
         let t_7 = t_3 * (t_3 + t_2 * 2.0);
         let t_8 = t_5 * t_5 + t_6 * t_6 + t_2 * t_2;
-        let mut f0 = [[0.0; 1]; 2];
-        let mut m0 = [0.0; 1];
-        for l in 0..1 {
-            let (x, m) = ::dh_robot::lanes::linear(1.0, -(t[2][3] - t_4));
-            f0[0][l] = x;
-            f0[1][l] = x;
-            m0[l] = m;
-        }
-        let q4_ = f0[0];
-        let g0: [f64; 1] = f0[0].map(|d| d * 1.321360271039209);
-        let mut v42_ = [0.0; 1];
-        let mut v43_ = [0.0; 1];
-        let mut v79_ = [0.0; 1];
-        let mut v101_ = [0.0; 1];
-        for l in 0..1 {
-            let q4 = q4_[l];
-            let t_9 = t[0][3] - t[0][2] * q4;
-            let t_10 = t[1][3] - t[1][2] * q4;
-            let t_11 = t[2][3] - t[2][2] * q4;
-            v42_[l] = t_9;
-            v43_[l] = t_10;
-            v79_[l] = t_7 - (t_9 * t_9 + t_10 * t_10 + t_11 * t_11 - t_8);
-            v101_[l] = t_4 + q4;
-        }
-        let mut f1 = [[0.0; 1]; 2];
-        for l in 0..1 {
-            let [x, y] = ::dh_robot::lanes::unit(t[0][0], -t[0][1]);
-            f1[0][l] = x;
-            f1[1][l] = y;
-        }
-        let c123_ = f1[0];
-        let s123_ = f1[1];
-        let g1: [f64; 1] = ::dh_robot::atan2_batch(&f1[1], &f1[0]);
-        let mut f2 = [[0.0; 2]; 2];
-        let mut m2 = [0.0; 1];
-        let mut e2 = [0.0; 1];
-        for l in 0..1 {
-            let v79 = v79_[l];
-            let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
-                2.0 * t_5 * t_6,
-                0.0,
-                -v79,
-            );
-            f2[0][l] = x;
-            f2[1][l] = y;
-            f2[0][l + 1] = z;
-            f2[1][l + 1] = w;
-            m2[l] = m;
-            e2[l] = e;
-        }
-        let c2_ = f2[0];
-        let s2_ = f2[1];
-        let g2: [f64; 2] = ::dh_robot::atan2_batch(&f2[1], &f2[0]);
-        let mut v82_ = [0.0; 2];
-        let mut v84_ = [0.0; 2];
+        let r0 = (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs()
+            + (1.0 - t[2][2]).abs();
+        let (q4, m0) = ::dh_robot::lanes::linear(1.0, -(t[2][3] - t_4));
+        let q4 = q4;
+        let g0 = q4 * 1.321360271039209;
+        let t_9 = t[0][3] - t[0][2] * q4;
+        let t_10 = t[1][3] - t[1][2] * q4;
+        let t_11 = t[2][3] - t[2][2] * q4;
+        let r1 = (t_4 + q4 - t[2][3]).abs();
+        let [c123, s123] = ::dh_robot::lanes::unit(t[0][0], -t[0][1]);
+        let g1 = ::dh_robot::lanes::angle(s123, c123);
+        let r2 = (-s123 - t[0][1]).abs() + (c123 - t[1][1]).abs();
+        let ([x2, y2, z2, w2], e2, m2) = ::dh_robot::lanes::sincos(
+            2.0 * t_5 * t_6,
+            0.0,
+            -(t_7 - (t_9 * t_9 + t_10 * t_10 + t_11 * t_11 - t_8)),
+        );
+        let c2_ = [x2, z2];
+        let s2_ = [y2, w2];
+        let g2_ = ::dh_robot::lanes::angles(&[y2, w2], &[x2, z2]);
+        let g2_: [f64; 2] = ::core::array::from_fn(|l| g2_[l / 1 % 2]);
+        let mut margin_ = [0.0; 2];
+        let mut valid_ = [0.0; 2];
+        let mut error_ = [0.0; 2];
         for l in 0..2 {
             let c2 = c2_[l];
             let s2 = s2_[l];
             let t_12 = t_5 + t_6 * c2;
             let t_13 = t_6 * s2;
-            v82_[l] = t_12;
-            v84_[l] = t_13;
+            let ([c1, s1], m3) = ::dh_robot::lanes::pair(
+                t_12,
+                -t_13,
+                t_9,
+                t_13,
+                t_12,
+                t_10,
+            );
+            let g3 = ::dh_robot::lanes::angle(s1, c1);
+            let r4 = (t_6 * (c2 * c1 - s2 * s1) + t_5 * c1 - t[0][3]).abs()
+                + (t_6 * (c2 * s1 + s2 * c1) + t_5 * s1 - t[1][3]).abs();
+            let g2 = g2_[l];
+            margin_[l] = ::dh_robot::lanes::lesser(
+                ::dh_robot::lanes::lesser(m0, m2),
+                m3,
+            );
+            valid_[l] = e2;
+            error_[l] = r0 + r1 + r2 + r4;
+            q[0][l] = g3;
+            q[1][l] = g2;
+            q[2][l] = ::dh_robot::lanes::wrap(g1 - g2 - g3);
+            q[3][l] = g0;
         }
-        let mut f3 = [[0.0; 2]; 2];
-        let mut m3 = [0.0; 2];
-        for l in 0..2 {
-            let v82 = v82_[l];
-            let v84 = v84_[l];
-            let v42 = v42_[l % 1];
-            let v43 = v43_[l % 1];
-            let ([x, y], m) = ::dh_robot::lanes::pair(v82, -v84, v42, v84, v82, v43);
-            f3[0][l] = x;
-            f3[1][l] = y;
-            m3[l] = m;
-        }
-        let c1_ = f3[0];
-        let s1_ = f3[1];
-        let g3: [f64; 2] = ::dh_robot::atan2_batch(&f3[1], &f3[0]);
-        let mut v99_ = [0.0; 2];
-        let mut v100_ = [0.0; 2];
-        for l in 0..2 {
-            let c2 = c2_[l];
-            let s2 = s2_[l];
-            let c1 = c1_[l];
-            let s1 = s1_[l];
-            v99_[l] = t_6 * (c2 * c1 - s2 * s1) + t_5 * c1;
-            v100_[l] = t_6 * (c2 * s1 + s2 * c1) + t_5 * s1;
-        }
-        let mut error = [0.0; 2];
-        for l in 0..2 {
-            let s123 = s123_[l % 1];
-            let c123 = c123_[l % 1];
-            let v99 = v99_[l];
-            let v100 = v100_[l];
-            let v101 = v101_[l % 1];
-            error[l] = (-s123 - t[0][1]).abs() + (c123 - t[1][1]).abs()
-                + (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs()
-                + (1.0 - t[2][2]).abs() + (v99 - t[0][3]).abs() + (v100 - t[1][3]).abs()
-                + (v101 - t[2][3]).abs();
-        }
-        let valid: [f64; 2] = ::core::array::from_fn(|l| 1.0 * e2[l % 1 % 1]);
-        let margin: [f64; 2] = ::core::array::from_fn(|l| {
-            1.0_f64.min(m0[l % 1 % 1]).min(m2[l % 1 % 1]).min(m3[l % 2 % 2])
-        });
-        let q: [[f64; 2]; 4] = [
-            ::core::array::from_fn(|l| g3[l % 2]),
-            ::core::array::from_fn(|l| g2[l / 1 % 2 * 1 + l % 1]),
-            ::core::array::from_fn(|l| ::dh_robot::lanes::wrap(
-                g1[l % 1] - g2[l / 1 % 2 * 1 + l % 1] - g3[l % 2],
-            )),
-            ::core::array::from_fn(|l| g0[l % 1]),
-        ];
-        const BRANCHES: [::dh_robot::Branch; 2] = {
-            let mut all = [::dh_robot::Branch::ANY; 2];
-            let mut l = 0;
-            while l < 2 {
-                let i2 = l / 1 % 2;
-                all[l] = ::dh_robot::Branch::ANY
-                    .with_step(0, i2)
-                    .with_elbow(
-                        if i2 == 0 {
-                            ::dh_robot::Elbow::Up
-                        } else {
-                            ::dh_robot::Elbow::Down
-                        },
-                    );
-                l += 1;
-            }
-            all
-        };
-        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
+        *valid = valid_;
+        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

@@ -286,26 +286,24 @@ impl SixAxisChain {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
-        if self.lanes(&frame, &mut solutions) {
-            return solutions;
+        let mut q = [[0.0; 8]; 6];
+        let mut valid = [0.0; 8];
+        if !self.lanes(&frame, &mut q, &mut valid) {
+            return self.robust(target);
         }
-        let setting = ::dh_robot::inverse::Setting {
-            joints: &Self::JOINTS,
-            reach: 1.1159566801270322,
-            few: false,
-            given: None,
-        };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 1.1159566801270322),
-        );
-        ::dh_robot::inverse::solve(
-            self,
-            setting,
-            &task,
-            &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
-        )
+        if valid == [1.0; 8] {
+            let at = |l: usize| ::dh_robot::lanes::solution(
+                &Self::JOINTS,
+                &q,
+                &Self::BRANCHES,
+                l,
+            );
+            return ::dh_robot::Solutions::full(
+                &Self::JOINTS,
+                [at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)],
+            );
+        }
+        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
@@ -487,47 +485,82 @@ impl SixAxisChain {
         }
         attempt
     }
-    /// The plan for all branches at once; false where the robust way has to decide.
+    /// The plan root by root, with everything that special poses need.
+    #[cold]
+    #[inline(never)]
+    fn robust(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 6, 8> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 1.1159566801270322) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 1.1159566801270322,
+            few: false,
+            given: None,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 1.1159566801270322),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, pick, found| self.candidates(frame, pick, found),
+        )
+    }
+    const BRANCHES: [::dh_robot::Branch; 8] = {
+        let mut all = [::dh_robot::Branch::ANY; 8];
+        let mut l = 0;
+        while l < 8 {
+            let i0 = l / 1 % 2;
+            let i1 = l / 2 % 2;
+            let i4 = l / 4 % 2;
+            all[l] = ::dh_robot::Branch::ANY
+                .with_step(0, i0)
+                .with_shoulder(
+                    if i0 == 0 {
+                        ::dh_robot::Shoulder::Left
+                    } else {
+                        ::dh_robot::Shoulder::Right
+                    },
+                )
+                .with_step(1, i1)
+                .with_elbow(
+                    if i1 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                )
+                .with_step(2, i4);
+            l += 1;
+        }
+        all
+    };
+    /// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-        solutions: &mut ::dh_robot::Solutions<f64, 6, 8>,
+        q: &mut [[f64; 8]; 6],
+        valid: &mut [f64; 8],
     ) -> bool {
         let t_2 = self.a4 * 0.896092131359586;
         let t_3 = self.a2 * 0.896092131359586;
         let t_4 = self.a3 * 0.896092131359586;
         let t_5 = t_3 * t_3 + t_4 * t_4;
-        let mut f0 = [[0.0; 2]; 2];
-        let mut m0 = [0.0; 1];
-        for l in 0..1 {
-            let ([x, y], m) = ::dh_robot::lanes::half_turn(-t[1][3], t[0][3]);
-            f0[0][l] = x;
-            f0[1][l] = y;
-            f0[0][l + 1] = -x;
-            f0[1][l + 1] = -y;
-            m0[l] = m;
-        }
-        let c1_ = f0[0];
-        let s1_ = f0[1];
-        let half: [f64; 1] = ::dh_robot::atan2_batch(
-            &::core::array::from_fn(|l| f0[1][l]),
-            &::core::array::from_fn(|l| f0[0][l]),
-        );
-        let g0: [f64; 2] = ::core::array::from_fn(|k| {
-            if k < 1 {
-                half[k]
-            } else if half[k - 1] > 0.0 {
-                half[k - 1] - ::core::f64::consts::PI
-            } else {
-                half[k - 1] + ::core::f64::consts::PI
-            }
-        });
+        let ([x0, y0], m0) = ::dh_robot::lanes::half_turn(-t[1][3], t[0][3]);
+        let c1_ = [x0, -x0];
+        let s1_ = [y0, -y0];
+        let g0_ = ::dh_robot::lanes::angles(&[y0, -y0], &[x0, -x0]);
         let mut v38_ = [0.0; 2];
         let mut v44_ = [0.0; 2];
         let mut v50_ = [0.0; 2];
         let mut v56_ = [0.0; 2];
         let mut v59_ = [0.0; 2];
+        let mut f1 = [[0.0; 4]; 2];
+        let mut margin1_ = [0.0; 2];
         for l in 0..2 {
             let c1 = c1_[l];
             let s1 = s1_[l];
@@ -540,273 +573,170 @@ impl SixAxisChain {
             v50_[l] = t_8;
             v56_[l] = t_9;
             v59_[l] = t[0][2] * s1 - t[1][2] * c1;
+            let ([x1, y1], m1) = ::dh_robot::lanes::half_turn(-t[2][2], t_9);
+            f1[0][l] = x1;
+            f1[1][l] = y1;
+            f1[0][l + 2] = -x1;
+            f1[1][l + 2] = -y1;
+            margin1_[l] = m1;
         }
-        let mut f1 = [[0.0; 4]; 2];
-        let mut m1 = [0.0; 2];
-        for l in 0..2 {
-            let v56 = v56_[l];
-            let ([x, y], m) = ::dh_robot::lanes::half_turn(-t[2][2], v56);
-            f1[0][l] = x;
-            f1[1][l] = y;
-            f1[0][l + 2] = -x;
-            f1[1][l + 2] = -y;
-            m1[l] = m;
-        }
+        let g1_ = ::dh_robot::lanes::angles(&f1[1], &f1[0]);
         let c234_ = f1[0];
         let s234_ = f1[1];
-        let half: [f64; 2] = ::dh_robot::atan2_batch(
-            &::core::array::from_fn(|l| f1[1][l]),
-            &::core::array::from_fn(|l| f1[0][l]),
-        );
-        let g1: [f64; 4] = ::core::array::from_fn(|k| {
-            if k < 2 {
-                half[k]
-            } else if half[k - 2] > 0.0 {
-                half[k - 2] - ::core::f64::consts::PI
-            } else {
-                half[k - 2] + ::core::f64::consts::PI
-            }
-        });
-        let mut v80_ = [0.0; 4];
+        let v56_: [f64; 4] = ::core::array::from_fn(|l| v56_[l % 2]);
         let mut v238_ = [0.0; 4];
         let mut v239_ = [0.0; 4];
+        let v59_: [f64; 4] = ::core::array::from_fn(|l| v59_[l % 2]);
+        let mut g2_ = [0.0; 4];
+        let c1_: [f64; 4] = ::core::array::from_fn(|l| c1_[l % 2]);
+        let s1_: [f64; 4] = ::core::array::from_fn(|l| s1_[l % 2]);
+        let v44_: [f64; 4] = ::core::array::from_fn(|l| v44_[l % 2]);
+        let v50_: [f64; 4] = ::core::array::from_fn(|l| v50_[l % 2]);
+        let mut g3_ = [0.0; 4];
+        let v38_: [f64; 4] = ::core::array::from_fn(|l| v38_[l % 2]);
+        let mut v128_ = [0.0; 4];
+        let mut v184_ = [0.0; 4];
+        let mut f4 = [[0.0; 8]; 2];
+        let mut g4_ = [0.0; 8];
+        let mut margin2_ = [0.0; 4];
+        let mut valid2_ = [0.0; 4];
+        let mut error2_ = [0.0; 4];
         for l in 0..4 {
-            let v56 = v56_[l % 2];
+            let v56 = v56_[l];
             let c234 = c234_[l];
             let s234 = s234_[l];
             let t_10 = c234 * t_2;
             let t_11 = s234 * t_2;
-            v80_[l] = v56 * c234 + t[2][2] * s234;
             v238_[l] = t_10;
             v239_[l] = t_11;
-        }
-        let mut f2 = [[0.0; 4]; 2];
-        for l in 0..4 {
-            let v59 = v59_[l % 2];
-            let v80 = v80_[l];
-            let [x, y] = ::dh_robot::lanes::unit(v59, v80);
-            f2[0][l] = x;
-            f2[1][l] = y;
-        }
-        let c5_ = f2[0];
-        let s5_ = f2[1];
-        let g2: [f64; 4] = ::dh_robot::atan2_batch(&f2[1], &f2[0]);
-        let mut v82_ = [0.0; 4];
-        let mut v107_ = [0.0; 4];
-        let mut v108_ = [0.0; 4];
-        let mut v109_ = [0.0; 4];
-        let mut v172_ = [0.0; 4];
-        let mut v222_ = [0.0; 4];
-        let mut v225_ = [0.0; 4];
-        let mut v228_ = [0.0; 4];
-        for l in 0..4 {
-            let c1 = c1_[l % 2];
-            let s1 = s1_[l % 2];
-            let v56 = v56_[l % 2];
-            let c234 = c234_[l];
-            let s234 = s234_[l];
-            let c5 = c5_[l];
-            let s5 = s5_[l];
+            let v59 = v59_[l];
+            let [c5, s5] = ::dh_robot::lanes::unit(v59, v56 * c234 + t[2][2] * s234);
+            let g2 = ::dh_robot::lanes::angle(s5, c5);
+            g2_[l] = g2;
+            let j4a = g2;
+            q[4][l] = j4a;
+            q[4][l + 4] = j4a;
+            let c1 = c1_[l];
+            let s1 = s1_[l];
             let c234c5 = c234 * c5;
             let t_12 = t[0][2] * s5;
             let t_13 = t[1][2] * s5;
             let t_14 = t[2][2] * s5;
             let t_15 = v56 * s5;
             let c234s5 = c234 * s5;
-            v82_[l] = c234c5;
-            v107_[l] = t_12;
-            v108_[l] = t_13;
-            v109_[l] = t_14;
-            v172_[l] = t_15;
-            v222_[l] = s234 * s5;
-            v225_[l] = c1 * c234s5 + s1 * c5;
-            v228_[l] = s1 * c234s5 - c1 * c5;
-        }
-        let mut f3 = [[0.0; 4]; 2];
-        let mut m3 = [0.0; 4];
-        for l in 0..4 {
-            let v82 = v82_[l];
-            let s234 = s234_[l];
-            let v44 = v44_[l % 2];
-            let v50 = v50_[l % 2];
-            let ([x, y], m) = ::dh_robot::lanes::pair(v82, -s234, v44, -s234, -v82, v50);
-            f3[0][l] = x;
-            f3[1][l] = y;
-            m3[l] = m;
-        }
-        let c6_ = f3[0];
-        let s6_ = f3[1];
-        let g3: [f64; 4] = ::dh_robot::atan2_batch(&f3[1], &f3[0]);
-        let mut v128_ = [0.0; 4];
-        let mut v157_ = [0.0; 4];
-        let mut v184_ = [0.0; 4];
-        let mut v214_ = [0.0; 4];
-        let mut v217_ = [0.0; 4];
-        let mut v220_ = [0.0; 4];
-        for l in 0..4 {
-            let c1 = c1_[l % 2];
-            let s1 = s1_[l % 2];
-            let v38 = v38_[l % 2];
-            let v44 = v44_[l % 2];
-            let v50 = v50_[l % 2];
-            let c234 = c234_[l];
-            let s234 = s234_[l];
-            let c5 = c5_[l];
-            let s5 = s5_[l];
-            let v107 = v107_[l];
-            let v108 = v108_[l];
-            let v109 = v109_[l];
-            let v172 = v172_[l];
-            let c6 = c6_[l];
-            let s6 = s6_[l];
-            let t_16 = t[0][3] - (c5 * (t[0][0] * c6 - t[0][1] * s6) + v107) * t_2;
-            let t_17 = t[1][3] - (c5 * (t[1][0] * c6 - t[1][1] * s6) + v108) * t_2;
-            let t_18 = t[2][3] - (c5 * (t[2][0] * c6 - t[2][1] * s6) + v109) * t_2;
+            let r3 = (c1 * c234s5 + s1 * c5 - t[0][2]).abs()
+                + (s1 * c234s5 - c1 * c5 - t[1][2]).abs() + (s234 * s5 - t[2][2]).abs();
+            let v44 = v44_[l];
+            let v50 = v50_[l];
+            let ([c6, s6], m3) = ::dh_robot::lanes::pair(
+                c234c5,
+                -s234,
+                v44,
+                -s234,
+                -c234c5,
+                v50,
+            );
+            let g3 = ::dh_robot::lanes::angle(s6, c6);
+            g3_[l] = g3;
+            let j5a = g3;
+            q[5][l] = j5a;
+            q[5][l + 4] = j5a;
+            let v38 = v38_[l];
+            let t_16 = t[0][3] - (c5 * (t[0][0] * c6 - t[0][1] * s6) + t_12) * t_2;
+            let t_17 = t[1][3] - (c5 * (t[1][0] * c6 - t[1][1] * s6) + t_13) * t_2;
+            let t_18 = t[2][3] - (c5 * (t[2][0] * c6 - t[2][1] * s6) + t_14) * t_2;
             let c5c6 = c5 * c6;
             let c6s5 = c6 * s5;
             let t_19 = c234 * c5c6 - s234 * s6;
             v128_[l] = t_18;
-            v157_[l] = t_16 * t_16 + t_17 * t_17 + t_18 * t_18 - t_5;
-            v184_[l] = v38 - t_2 * (c5 * (v44 * c6 - v50 * s6) + v172);
-            v214_[l] = s234 * c5c6 + c234 * s6;
-            v217_[l] = c1 * t_19 - s1 * c6s5;
-            v220_[l] = s1 * t_19 + c1 * c6s5;
-        }
-        let mut f4 = [[0.0; 8]; 2];
-        let mut m4 = [0.0; 4];
-        let mut e4 = [0.0; 4];
-        for l in 0..4 {
-            let v157 = v157_[l];
-            let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
+            v184_[l] = v38 - t_2 * (c5 * (v44 * c6 - v50 * s6) + t_15);
+            let r4 = (c1 * t_19 - s1 * c6s5 - t[0][0]).abs()
+                + (s1 * t_19 + c1 * c6s5 - t[1][0]).abs()
+                + (s234 * c5c6 + c234 * s6 - t[2][0]).abs();
+            let ([x4, y4, z4, w4], e4, m4) = ::dh_robot::lanes::sincos(
                 2.0 * t_3 * t_4,
                 0.0,
-                v157,
+                t_16 * t_16 + t_17 * t_17 + t_18 * t_18 - t_5,
             );
-            f4[0][l] = x;
-            f4[1][l] = y;
-            f4[0][l + 4] = z;
-            f4[1][l + 4] = w;
-            m4[l] = m;
-            e4[l] = e;
+            f4[0][l] = x4;
+            f4[1][l] = y4;
+            f4[0][l + 4] = z4;
+            f4[1][l + 4] = w4;
+            let g4 = ::dh_robot::lanes::angle(y4, x4);
+            g4_[l] = g4;
+            let h4 = ::dh_robot::lanes::angle(w4, z4);
+            g4_[l + 4] = h4;
+            let j2a = g4;
+            q[2][l] = j2a;
+            let j2b = h4;
+            q[2][l + 4] = j2b;
+            margin2_[l] = ::dh_robot::lanes::lesser(m3, m4);
+            valid2_[l] = e4;
+            error2_[l] = r3 + r4;
         }
         let c3_ = f4[0];
         let s3_ = f4[1];
-        let g4: [f64; 8] = ::dh_robot::atan2_batch(&f4[1], &f4[0]);
-        let mut v204_ = [0.0; 8];
-        let mut v206_ = [0.0; 8];
+        let v128_: [f64; 8] = ::core::array::from_fn(|l| v128_[l % 4]);
+        let v184_: [f64; 8] = ::core::array::from_fn(|l| v184_[l % 4]);
+        let c1_: [f64; 8] = ::core::array::from_fn(|l| c1_[l % 4]);
+        let s1_: [f64; 8] = ::core::array::from_fn(|l| s1_[l % 4]);
+        let v238_: [f64; 8] = ::core::array::from_fn(|l| v238_[l % 4]);
+        let v239_: [f64; 8] = ::core::array::from_fn(|l| v239_[l % 4]);
+        let g0_: [f64; 8] = ::core::array::from_fn(|l| g0_[l / 1 % 2]);
+        let g1_: [f64; 8] = ::core::array::from_fn(|l| g1_[l / 2 % 2 * 2 + l % 2]);
+        let g4_: [f64; 8] = ::core::array::from_fn(|l| g4_[l / 4 % 2 * 4 + l % 4]);
+        let margin1_: [f64; 8] = ::core::array::from_fn(|l| margin1_[l % 2]);
+        let margin2_: [f64; 8] = ::core::array::from_fn(|l| margin2_[l % 4]);
+        let mut margin_ = [0.0; 8];
+        let valid2_: [f64; 8] = ::core::array::from_fn(|l| valid2_[l % 4]);
+        let mut valid_ = [0.0; 8];
+        let error2_: [f64; 8] = ::core::array::from_fn(|l| error2_[l % 4]);
+        let mut error_ = [0.0; 8];
         for l in 0..8 {
             let c3 = c3_[l];
             let s3 = s3_[l];
             let t_20 = t_3 + t_4 * c3;
             let t_21 = t_4 * s3;
-            v204_[l] = t_20;
-            v206_[l] = t_21;
-        }
-        let mut f5 = [[0.0; 8]; 2];
-        let mut m5 = [0.0; 8];
-        for l in 0..8 {
-            let v204 = v204_[l];
-            let v206 = v206_[l];
-            let v184 = v184_[l % 4];
-            let v128 = v128_[l % 4];
-            let ([x, y], m) = ::dh_robot::lanes::pair(
-                v204,
-                -v206,
+            let v128 = v128_[l];
+            let v184 = v184_[l];
+            let ([c2, s2], m5) = ::dh_robot::lanes::pair(
+                t_20,
+                -t_21,
                 v184,
-                v206,
-                v204,
+                t_21,
+                t_20,
                 v128,
             );
-            f5[0][l] = x;
-            f5[1][l] = y;
-            m5[l] = m;
-        }
-        let c2_ = f5[0];
-        let s2_ = f5[1];
-        let g5: [f64; 8] = ::dh_robot::atan2_batch(&f5[1], &f5[0]);
-        let mut v255_ = [0.0; 8];
-        let mut v256_ = [0.0; 8];
-        let mut v257_ = [0.0; 8];
-        for l in 0..8 {
-            let c1 = c1_[l % 2];
-            let s1 = s1_[l % 2];
-            let c3 = c3_[l];
-            let s3 = s3_[l];
-            let v238 = v238_[l % 4];
-            let v239 = v239_[l % 4];
-            let c2 = c2_[l];
-            let s2 = s2_[l];
+            let g5 = ::dh_robot::lanes::angle(s2, c2);
+            let c1 = c1_[l];
+            let s1 = s1_[l];
+            let v238 = v238_[l];
+            let v239 = v239_[l];
             let t_22 = v238 + t_4 * (c3 * c2 - s3 * s2) + t_3 * c2;
-            v255_[l] = v239 + t_4 * (c3 * s2 + s3 * c2) + t_3 * s2;
-            v256_[l] = c1 * t_22;
-            v257_[l] = s1 * t_22;
+            let r6 = (c1 * t_22 - t[0][3]).abs() + (s1 * t_22 - t[1][3]).abs()
+                + (v239 + t_4 * (c3 * s2 + s3 * c2) + t_3 * s2 - t[2][3]).abs();
+            let g0 = g0_[l];
+            let g1 = g1_[l];
+            let g4 = g4_[l];
+            let margin1 = margin1_[l];
+            let margin2 = margin2_[l];
+            let valid2 = valid2_[l];
+            let error2 = error2_[l];
+            margin_[l] = ::dh_robot::lanes::lesser(
+                ::dh_robot::lanes::lesser(
+                    ::dh_robot::lanes::lesser(m0, margin1),
+                    margin2,
+                ),
+                m5,
+            );
+            valid_[l] = valid2;
+            error_[l] = error2 + r6;
+            q[0][l] = g0;
+            q[1][l] = g5;
+            q[3][l] = ::dh_robot::lanes::wrap(g1 - g4 - g5);
         }
-        let mut error = [0.0; 8];
-        for l in 0..8 {
-            let v217 = v217_[l % 4];
-            let v220 = v220_[l % 4];
-            let v214 = v214_[l % 4];
-            let v225 = v225_[l % 4];
-            let v228 = v228_[l % 4];
-            let v222 = v222_[l % 4];
-            let v256 = v256_[l];
-            let v257 = v257_[l];
-            let v255 = v255_[l];
-            error[l] = (v217 - t[0][0]).abs() + (v220 - t[1][0]).abs()
-                + (v214 - t[2][0]).abs() + (v225 - t[0][2]).abs()
-                + (v228 - t[1][2]).abs() + (v222 - t[2][2]).abs()
-                + (v256 - t[0][3]).abs() + (v257 - t[1][3]).abs()
-                + (v255 - t[2][3]).abs();
-        }
-        let valid: [f64; 8] = ::core::array::from_fn(|l| 1.0 * e4[l % 4 % 4]);
-        let margin: [f64; 8] = ::core::array::from_fn(|l| {
-            1.0_f64
-                .min(m0[l % 1 % 1])
-                .min(m1[l % 2 % 2])
-                .min(m3[l % 4 % 4])
-                .min(m4[l % 4 % 4])
-                .min(m5[l % 8 % 8])
-        });
-        let q: [[f64; 8]; 6] = [
-            ::core::array::from_fn(|l| g0[l / 1 % 2 * 1 + l % 1]),
-            ::core::array::from_fn(|l| g5[l % 8]),
-            ::core::array::from_fn(|l| g4[l / 4 % 2 * 4 + l % 4]),
-            ::core::array::from_fn(|l| ::dh_robot::lanes::wrap(
-                g1[l / 2 % 2 * 2 + l % 2] - g4[l / 4 % 2 * 4 + l % 4] - g5[l % 8],
-            )),
-            ::core::array::from_fn(|l| g2[l % 4]),
-            ::core::array::from_fn(|l| g3[l % 4]),
-        ];
-        const BRANCHES: [::dh_robot::Branch; 8] = {
-            let mut all = [::dh_robot::Branch::ANY; 8];
-            let mut l = 0;
-            while l < 8 {
-                let i0 = l / 1 % 2;
-                let i1 = l / 2 % 2;
-                let i4 = l / 4 % 2;
-                all[l] = ::dh_robot::Branch::ANY
-                    .with_step(0, i0)
-                    .with_shoulder(
-                        if i0 == 0 {
-                            ::dh_robot::Shoulder::Left
-                        } else {
-                            ::dh_robot::Shoulder::Right
-                        },
-                    )
-                    .with_step(1, i1)
-                    .with_elbow(
-                        if i1 == 0 {
-                            ::dh_robot::Elbow::Up
-                        } else {
-                            ::dh_robot::Elbow::Down
-                        },
-                    )
-                    .with_step(2, i4);
-                l += 1;
-            }
-            all
-        };
-        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
+        *valid = valid_;
+        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

@@ -302,26 +302,24 @@ impl Stanford {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
-        if self.lanes(&frame, &mut solutions) {
-            return solutions;
+        let mut q = [[0.0; 8]; 6];
+        let mut valid = [0.0; 8];
+        if !self.lanes(&frame, &mut q, &mut valid) {
+            return self.robust(target);
         }
-        let setting = ::dh_robot::inverse::Setting {
-            joints: &Self::JOINTS,
-            reach: 0.5862999999999999,
-            few: false,
-            given: None,
-        };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 0.5862999999999999),
-        );
-        ::dh_robot::inverse::solve(
-            self,
-            setting,
-            &task,
-            &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
-        )
+        if valid == [1.0; 8] {
+            let at = |l: usize| ::dh_robot::lanes::solution(
+                &Self::JOINTS,
+                &q,
+                &Self::BRANCHES,
+                l,
+            );
+            return ::dh_robot::Solutions::full(
+                &Self::JOINTS,
+                [at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)],
+            );
+        }
+        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
@@ -494,33 +492,83 @@ impl Stanford {
         }
         attempt
     }
-    /// The plan for all branches at once; false where the robust way has to decide.
+    /// The plan root by root, with everything that special poses need.
+    #[cold]
+    #[inline(never)]
+    fn robust(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 6, 8> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 0.5862999999999999) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 0.5862999999999999,
+            few: false,
+            given: None,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 0.5862999999999999),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, pick, found| self.candidates(frame, pick, found),
+        )
+    }
+    const BRANCHES: [::dh_robot::Branch; 8] = {
+        let mut all = [::dh_robot::Branch::ANY; 8];
+        let mut l = 0;
+        while l < 8 {
+            let i0 = l / 1 % 2;
+            let i1 = l / 2 % 2;
+            let i3 = l / 4 % 2;
+            all[l] = ::dh_robot::Branch::ANY
+                .with_step(0, i0)
+                .with_shoulder(
+                    if i0 == 0 {
+                        ::dh_robot::Shoulder::Left
+                    } else {
+                        ::dh_robot::Shoulder::Right
+                    },
+                )
+                .with_step(1, i1)
+                .with_elbow(
+                    if i1 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                )
+                .with_step(2, i3)
+                .with_wrist(
+                    if i3 == 0 {
+                        ::dh_robot::Wrist::NoFlip
+                    } else {
+                        ::dh_robot::Wrist::Flip
+                    },
+                );
+            l += 1;
+        }
+        all
+    };
+    /// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-        solutions: &mut ::dh_robot::Solutions<f64, 6, 8>,
+        q: &mut [[f64; 8]; 6],
+        valid: &mut [f64; 8],
     ) -> bool {
         let t_2 = t[2][3] - 0.7027119222241174;
-        let mut f0 = [[0.0; 2]; 2];
-        let mut m0 = [0.0; 1];
-        let mut e0 = [0.0; 1];
-        for l in 0..1 {
-            let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
-                -t[1][3],
-                t[0][3],
-                -0.22804025243049636,
-            );
-            f0[0][l] = x;
-            f0[1][l] = y;
-            f0[0][l + 1] = z;
-            f0[1][l + 1] = w;
-            m0[l] = m;
-            e0[l] = e;
-        }
-        let c1_ = f0[0];
-        let s1_ = f0[1];
-        let g0: [f64; 2] = ::dh_robot::atan2_batch(&f0[1], &f0[0]);
+        let ([x0, y0, z0, w0], e0, m0) = ::dh_robot::lanes::sincos(
+            -t[1][3],
+            t[0][3],
+            -0.22804025243049636,
+        );
+        let c1_ = [x0, z0];
+        let s1_ = [y0, w0];
+        let g0_ = ::dh_robot::lanes::angles(&[y0, w0], &[x0, z0]);
         let mut v39_ = [0.0; 2];
         let mut v47_ = [0.0; 2];
         let mut v50_ = [0.0; 2];
@@ -530,6 +578,8 @@ impl Stanford {
         let mut v62_ = [0.0; 2];
         let mut v272_ = [0.0; 2];
         let mut v275_ = [0.0; 2];
+        let mut f1 = [[0.0; 4]; 2];
+        let mut margin1_ = [0.0; 2];
         for l in 0..2 {
             let c1 = c1_[l];
             let s1 = s1_[l];
@@ -551,269 +601,110 @@ impl Stanford {
             v62_[l] = t_9;
             v272_[l] = t_10;
             v275_[l] = t_11;
+            let ([x1, y1], m1) = ::dh_robot::lanes::half_turn(-t_3, t_2);
+            f1[0][l] = x1;
+            f1[1][l] = y1;
+            f1[0][l + 2] = -x1;
+            f1[1][l + 2] = -y1;
+            margin1_[l] = m1;
         }
-        let mut f1 = [[0.0; 4]; 2];
-        let mut m1 = [0.0; 2];
-        for l in 0..2 {
-            let v39 = v39_[l];
-            let ([x, y], m) = ::dh_robot::lanes::half_turn(-v39, t_2);
-            f1[0][l] = x;
-            f1[1][l] = y;
-            f1[0][l + 2] = -x;
-            f1[1][l + 2] = -y;
-            m1[l] = m;
-        }
+        let g1_ = ::dh_robot::lanes::angles(&f1[1], &f1[0]);
+        q[1] = ::core::array::from_fn(|l| g1_[l / 2 % 2 * 2 + l % 2]);
         let c2_ = f1[0];
         let s2_ = f1[1];
-        let half: [f64; 2] = ::dh_robot::atan2_batch(
-            &::core::array::from_fn(|l| f1[1][l]),
-            &::core::array::from_fn(|l| f1[0][l]),
-        );
-        let g1: [f64; 4] = ::core::array::from_fn(|k| {
-            if k < 2 {
-                half[k]
-            } else if half[k - 2] > 0.0 {
-                half[k - 2] - ::core::f64::consts::PI
-            } else {
-                half[k - 2] + ::core::f64::consts::PI
-            }
-        });
-        let mut v90_ = [0.0; 4];
-        let mut v93_ = [0.0; 4];
-        let mut v96_ = [0.0; 4];
-        let mut v99_ = [0.0; 4];
-        let mut v102_ = [0.0; 4];
-        let mut v105_ = [0.0; 4];
+        let v39_: [f64; 4] = ::core::array::from_fn(|l| v39_[l % 2]);
+        let v47_: [f64; 4] = ::core::array::from_fn(|l| v47_[l % 2]);
+        let v53_: [f64; 4] = ::core::array::from_fn(|l| v53_[l % 2]);
+        let v59_: [f64; 4] = ::core::array::from_fn(|l| v59_[l % 2]);
+        let c1_: [f64; 4] = ::core::array::from_fn(|l| c1_[l % 2]);
+        let s1_: [f64; 4] = ::core::array::from_fn(|l| s1_[l % 2]);
+        let v272_: [f64; 4] = ::core::array::from_fn(|l| v272_[l % 2]);
+        let v275_: [f64; 4] = ::core::array::from_fn(|l| v275_[l % 2]);
+        let v50_: [f64; 4] = ::core::array::from_fn(|l| v50_[l % 2]);
+        let v56_: [f64; 4] = ::core::array::from_fn(|l| v56_[l % 2]);
+        let v62_: [f64; 4] = ::core::array::from_fn(|l| v62_[l % 2]);
+        let g0_: [f64; 4] = ::core::array::from_fn(|l| g0_[l / 1 % 2]);
+        let margin1_: [f64; 4] = ::core::array::from_fn(|l| margin1_[l % 2]);
+        let mut margin_ = [0.0; 4];
+        let mut valid_ = [0.0; 4];
+        let mut error_ = [0.0; 4];
         for l in 0..4 {
-            let v39 = v39_[l % 2];
-            let v47 = v47_[l % 2];
-            let v53 = v53_[l % 2];
-            let v59 = v59_[l % 2];
+            let v39 = v39_[l];
+            let v47 = v47_[l];
+            let v53 = v53_[l];
+            let v59 = v59_[l];
             let c2 = c2_[l];
             let s2 = s2_[l];
             let t_12 = v47 * c2 - t[2][0] * s2;
             let t_13 = v53 * c2 - t[2][1] * s2;
             let t_14 = v59 * c2 - t[2][2] * s2;
-            v90_[l] = v39 * s2 + t_2 * c2;
-            v93_[l] = t_12;
-            v96_[l] = v47 * s2 + t[2][0] * c2;
-            v99_[l] = t_13;
-            v102_[l] = v53 * s2 + t[2][1] * c2;
-            v105_[l] = t_14;
-        }
-        let mut f2 = [[0.0; 4]; 2];
-        let mut m2 = [0.0; 4];
-        for l in 0..4 {
-            let v90 = v90_[l];
-            let (x, m) = ::dh_robot::lanes::linear(-1.0, v90);
-            f2[0][l] = x;
-            f2[1][l] = x;
-            m2[l] = m;
-        }
-        let q3_ = f2[0];
-        let g2: [f64; 4] = f2[0].map(|d| d * 0.5862999999999999);
-        let mut v270_ = [0.0; 4];
-        let mut v273_ = [0.0; 4];
-        let mut v276_ = [0.0; 4];
-        for l in 0..4 {
-            let c1 = c1_[l % 2];
-            let s1 = s1_[l % 2];
-            let c2 = c2_[l];
-            let s2 = s2_[l];
-            let v272 = v272_[l % 2];
-            let v275 = v275_[l % 2];
-            let q3 = q3_[l];
+            let (q3, m2) = ::dh_robot::lanes::linear(-1.0, v39 * s2 + t_2 * c2);
+            let q3 = q3;
+            let g2 = q3 * 0.5862999999999999;
+            let c1 = c1_[l];
+            let s1 = s1_[l];
+            let v272 = v272_[l];
+            let v275 = v275_[l];
             let t_15 = s2 * q3;
-            v270_[l] = 0.7027119222241174 + c2 * q3;
-            v273_[l] = c1 * t_15 - v272;
-            v276_[l] = s1 * t_15 + v275;
-        }
-        let mut f3 = [[0.0; 8]; 2];
-        let mut m3 = [0.0; 4];
-        for l in 0..4 {
-            let v102 = v102_[l];
-            let v96 = v96_[l];
-            let ([x, y], m) = ::dh_robot::lanes::half_turn(v102, v96);
-            f3[0][l] = x;
-            f3[1][l] = y;
-            f3[0][l + 4] = -x;
-            f3[1][l + 4] = -y;
-            m3[l] = m;
-        }
-        let c6_ = f3[0];
-        let s6_ = f3[1];
-        let half: [f64; 4] = ::dh_robot::atan2_batch(
-            &::core::array::from_fn(|l| f3[1][l]),
-            &::core::array::from_fn(|l| f3[0][l]),
-        );
-        let g3: [f64; 8] = ::core::array::from_fn(|k| {
-            if k < 4 {
-                half[k]
-            } else if half[k - 4] > 0.0 {
-                half[k - 4] - ::core::f64::consts::PI
-            } else {
-                half[k - 4] + ::core::f64::consts::PI
-            }
-        });
-        let mut v146_ = [0.0; 8];
-        let mut v147_ = [0.0; 8];
-        for l in 0..8 {
-            let v50 = v50_[l % 2];
-            let v56 = v56_[l % 2];
-            let v93 = v93_[l % 4];
-            let v99 = v99_[l % 4];
-            let c6 = c6_[l];
-            let s6 = s6_[l];
-            v146_[l] = v50 * s6 + v56 * c6;
-            v147_[l] = v93 * s6 + v99 * c6;
-        }
-        let mut f4 = [[0.0; 8]; 2];
-        for l in 0..8 {
-            let v146 = v146_[l];
-            let v147 = v147_[l];
-            let [x, y] = ::dh_robot::lanes::unit(v147, -v146);
-            f4[0][l] = x;
-            f4[1][l] = y;
-        }
-        let c4_ = f4[0];
-        let s4_ = f4[1];
-        let g4: [f64; 8] = ::dh_robot::atan2_batch(&f4[1], &f4[0]);
-        let mut v191_ = [0.0; 8];
-        let mut v199_ = [0.0; 8];
-        let mut v228_ = [0.0; 8];
-        let mut v231_ = [0.0; 8];
-        for l in 0..8 {
-            let v50 = v50_[l % 2];
-            let v56 = v56_[l % 2];
-            let v62 = v62_[l % 2];
-            let v93 = v93_[l % 4];
-            let v99 = v99_[l % 4];
-            let v105 = v105_[l % 4];
-            let c6 = c6_[l];
-            let s6 = s6_[l];
-            let c4 = c4_[l];
-            let s4 = s4_[l];
+            let r3 = (c1 * t_15 - v272 - t[0][3]).abs()
+                + (s1 * t_15 + v275 - t[1][3]).abs()
+                + (0.7027119222241174 + c2 * q3 - t[2][3]).abs();
+            let ([c6, s6], m3) = ::dh_robot::lanes::half_turn(
+                v53 * s2 + t[2][1] * c2,
+                v47 * s2 + t[2][0] * c2,
+            );
+            let g3 = ::dh_robot::lanes::angle(s6, c6);
+            let v50 = v50_[l];
+            let v56 = v56_[l];
+            let [c4, s4] = ::dh_robot::lanes::unit(
+                t_12 * s6 + t_13 * c6,
+                -(v50 * s6 + v56 * c6),
+            );
+            let g4 = ::dh_robot::lanes::angle(s4, c4);
+            let v62 = v62_[l];
+            let t_16 = c6 * (v50 * c4 + t_12 * s4) - s6 * (v56 * c4 + t_13 * s4);
             let s6c4 = s6 * c4;
             let s6s4 = s6 * s4;
-            v191_[l] = v62 * c4 + v105 * s4;
-            v199_[l] = c6 * (v50 * c4 + v93 * s4) - s6 * (v56 * c4 + v99 * s4);
-            v228_[l] = s6c4;
-            v231_[l] = s6s4;
-        }
-        let mut f5 = [[0.0; 8]; 2];
-        for l in 0..8 {
-            let v199 = v199_[l];
-            let v191 = v191_[l];
-            let [x, y] = ::dh_robot::lanes::unit(v199, v191);
-            f5[0][l] = x;
-            f5[1][l] = y;
-        }
-        let c5_ = f5[0];
-        let s5_ = f5[1];
-        let g5: [f64; 8] = ::dh_robot::atan2_batch(&f5[1], &f5[0]);
-        let mut v238_ = [0.0; 8];
-        let mut v241_ = [0.0; 8];
-        let mut v244_ = [0.0; 8];
-        let mut v252_ = [0.0; 8];
-        let mut v255_ = [0.0; 8];
-        let mut v258_ = [0.0; 8];
-        for l in 0..8 {
-            let c1 = c1_[l % 2];
-            let s1 = s1_[l % 2];
-            let c2 = c2_[l % 4];
-            let s2 = s2_[l % 4];
-            let c6 = c6_[l];
-            let c4 = c4_[l];
-            let s4 = s4_[l];
-            let v228 = v228_[l];
-            let v231 = v231_[l];
-            let c5 = c5_[l];
-            let s5 = s5_[l];
+            let [c5, s5] = ::dh_robot::lanes::unit(t_16, v62 * c4 + t_14 * s4);
+            let g5 = ::dh_robot::lanes::angle(s5, c5);
             let c6c5 = c6 * c5;
             let c6s5 = c6 * s5;
-            let t_16 = s4 * c6c5 + v228;
-            let t_17 = c4 * c6c5 - v231;
-            let t_18 = c2 * t_16 - s2 * c6s5;
+            let t_17 = s4 * c6c5 + s6c4;
+            let t_18 = c4 * c6c5 - s6s4;
+            let t_19 = c2 * t_17 - s2 * c6s5;
             let s4s5 = s4 * s5;
             let c4s5 = c4 * s5;
-            let t_19 = c2 * s4s5 + s2 * c5;
-            v238_[l] = s2 * t_16 + c2 * c6s5;
-            v241_[l] = c1 * t_18 + s1 * t_17;
-            v244_[l] = s1 * t_18 - c1 * t_17;
-            v252_[l] = s2 * s4s5 - c2 * c5;
-            v255_[l] = c1 * t_19 + s1 * c4s5;
-            v258_[l] = s1 * t_19 - c1 * c4s5;
+            let t_20 = c2 * s4s5 + s2 * c5;
+            let r6 = (c1 * t_19 + s1 * t_18 - t[0][0]).abs()
+                + (s1 * t_19 - c1 * t_18 - t[1][0]).abs()
+                + (-(s2 * t_17 + c2 * c6s5) - t[2][0]).abs()
+                + (c1 * t_20 + s1 * c4s5 - t[0][2]).abs()
+                + (s1 * t_20 - c1 * c4s5 - t[1][2]).abs()
+                + (-(s2 * s4s5 - c2 * c5) - t[2][2]).abs();
+            let g0 = g0_[l];
+            let margin1 = margin1_[l];
+            margin_[l] = ::dh_robot::lanes::lesser(
+                ::dh_robot::lanes::lesser(::dh_robot::lanes::lesser(m0, margin1), m2),
+                m3,
+            );
+            valid_[l] = e0;
+            error_[l] = r3 + r6;
+            let h3 = ::dh_robot::lanes::opposite(g3);
+            let h4 = ::dh_robot::lanes::opposite(g4);
+            let h5 = ::dh_robot::lanes::negative(g5);
+            q[0][l] = g0;
+            q[2][l] = g2;
+            q[3][l] = g4;
+            q[4][l] = g5;
+            q[5][l] = g3;
+            q[0][l + 4] = g0;
+            q[2][l + 4] = g2;
+            q[3][l + 4] = h4;
+            q[4][l + 4] = h5;
+            q[5][l + 4] = h3;
         }
-        let mut error = [0.0; 8];
-        for l in 0..8 {
-            let v241 = v241_[l];
-            let v244 = v244_[l];
-            let v238 = v238_[l];
-            let v255 = v255_[l];
-            let v258 = v258_[l];
-            let v252 = v252_[l];
-            let v273 = v273_[l % 4];
-            let v276 = v276_[l % 4];
-            let v270 = v270_[l % 4];
-            error[l] = (v241 - t[0][0]).abs() + (v244 - t[1][0]).abs()
-                + (-v238 - t[2][0]).abs() + (v255 - t[0][2]).abs()
-                + (v258 - t[1][2]).abs() + (-v252 - t[2][2]).abs()
-                + (v273 - t[0][3]).abs() + (v276 - t[1][3]).abs()
-                + (v270 - t[2][3]).abs();
-        }
-        let valid: [f64; 8] = ::core::array::from_fn(|l| 1.0 * e0[l % 1 % 1]);
-        let margin: [f64; 8] = ::core::array::from_fn(|l| {
-            1.0_f64
-                .min(m0[l % 1 % 1])
-                .min(m1[l % 2 % 2])
-                .min(m2[l % 4 % 4])
-                .min(m3[l % 4 % 4])
-        });
-        let q: [[f64; 8]; 6] = [
-            ::core::array::from_fn(|l| g0[l / 1 % 2 * 1 + l % 1]),
-            ::core::array::from_fn(|l| g1[l / 2 % 2 * 2 + l % 2]),
-            ::core::array::from_fn(|l| g2[l % 4]),
-            ::core::array::from_fn(|l| g4[l % 8]),
-            ::core::array::from_fn(|l| g5[l % 8]),
-            ::core::array::from_fn(|l| g3[l / 4 % 2 * 4 + l % 4]),
-        ];
-        const BRANCHES: [::dh_robot::Branch; 8] = {
-            let mut all = [::dh_robot::Branch::ANY; 8];
-            let mut l = 0;
-            while l < 8 {
-                let i0 = l / 1 % 2;
-                let i1 = l / 2 % 2;
-                let i3 = l / 4 % 2;
-                all[l] = ::dh_robot::Branch::ANY
-                    .with_step(0, i0)
-                    .with_shoulder(
-                        if i0 == 0 {
-                            ::dh_robot::Shoulder::Left
-                        } else {
-                            ::dh_robot::Shoulder::Right
-                        },
-                    )
-                    .with_step(1, i1)
-                    .with_elbow(
-                        if i1 == 0 {
-                            ::dh_robot::Elbow::Up
-                        } else {
-                            ::dh_robot::Elbow::Down
-                        },
-                    )
-                    .with_step(2, i3)
-                    .with_wrist(
-                        if i3 == 0 {
-                            ::dh_robot::Wrist::NoFlip
-                        } else {
-                            ::dh_robot::Wrist::Flip
-                        },
-                    );
-                l += 1;
-            }
-            all
-        };
-        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
+        *valid = ::core::array::from_fn(|l| valid_[l % 4]);
+        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

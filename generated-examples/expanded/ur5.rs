@@ -319,26 +319,24 @@ impl Ur5 {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
-        if self.lanes(&frame, &mut solutions) {
-            return solutions;
+        let mut q = [[0.0; 8]; 6];
+        let mut valid = [0.0; 8];
+        if !self.lanes(&frame, &mut q, &mut valid) {
+            return self.robust(target);
         }
-        let setting = ::dh_robot::inverse::Setting {
-            joints: &Self::JOINTS,
-            reach: 1.192809,
-            few: false,
-            given: None,
-        };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 1.192809),
-        );
-        ::dh_robot::inverse::solve(
-            self,
-            setting,
-            &task,
-            &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
-        )
+        if valid == [1.0; 8] {
+            let at = |l: usize| ::dh_robot::lanes::solution(
+                &Self::JOINTS,
+                &q,
+                &Self::BRANCHES,
+                l,
+            );
+            return ::dh_robot::Solutions::full(
+                &Self::JOINTS,
+                [at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)],
+            );
+        }
+        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
@@ -522,36 +520,79 @@ impl Ur5 {
         }
         attempt
     }
-    /// The plan for all branches at once; false where the robust way has to decide.
+    /// The plan root by root, with everything that special poses need.
+    #[cold]
+    #[inline(never)]
+    fn robust(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 6, 8> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 1.192809) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 1.192809,
+            few: false,
+            given: None,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 1.192809),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, pick, found| self.candidates(frame, pick, found),
+        )
+    }
+    const BRANCHES: [::dh_robot::Branch; 8] = {
+        let mut all = [::dh_robot::Branch::ANY; 8];
+        let mut l = 0;
+        while l < 8 {
+            let i0 = l / 1 % 2;
+            let i1 = l / 2 % 2;
+            let i4 = l / 4 % 2;
+            all[l] = ::dh_robot::Branch::ANY
+                .with_step(0, i0)
+                .with_shoulder(
+                    if i0 == 0 {
+                        ::dh_robot::Shoulder::Left
+                    } else {
+                        ::dh_robot::Shoulder::Right
+                    },
+                )
+                .with_step(1, i1)
+                .with_elbow(
+                    if i1 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                )
+                .with_step(2, i4);
+            l += 1;
+        }
+        all
+    };
+    /// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-        solutions: &mut ::dh_robot::Solutions<f64, 6, 8>,
+        q: &mut [[f64; 8]; 6],
+        valid: &mut [f64; 8],
     ) -> bool {
         let t_2 = t[0][3] - t[0][2] * 0.06899679663718164;
         let t_3 = t[1][3] - t[1][2] * 0.06899679663718164;
         let t_4 = t[2][3] - t[2][2] * 0.06899679663718164;
         let t_5 = t_4 - 0.07499859575170878;
-        let mut f0 = [[0.0; 2]; 2];
-        let mut m0 = [0.0; 1];
-        let mut e0 = [0.0; 1];
-        for l in 0..1 {
-            let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
-                -t_3,
-                t_2,
-                0.09150668715611636,
-            );
-            f0[0][l] = x;
-            f0[1][l] = y;
-            f0[0][l + 1] = z;
-            f0[1][l + 1] = w;
-            m0[l] = m;
-            e0[l] = e;
-        }
-        let c1_ = f0[0];
-        let s1_ = f0[1];
-        let g0: [f64; 2] = ::dh_robot::atan2_batch(&f0[1], &f0[0]);
+        let ([x0, y0, z0, w0], e0, m0) = ::dh_robot::lanes::sincos(
+            -t_3,
+            t_2,
+            0.09150668715611636,
+        );
+        let c1_ = [x0, z0];
+        let s1_ = [y0, w0];
+        let g0_ = ::dh_robot::lanes::angles(&[y0, w0], &[x0, z0]);
         let mut v46_ = [0.0; 2];
         let mut v49_ = [0.0; 2];
         let mut v54_ = [0.0; 2];
@@ -562,6 +603,8 @@ impl Ur5 {
         let mut v69_ = [0.0; 2];
         let mut v262_ = [0.0; 2];
         let mut v265_ = [0.0; 2];
+        let mut f1 = [[0.0; 4]; 2];
+        let mut margin1_ = [0.0; 2];
         for l in 0..2 {
             let c1 = c1_[l];
             let s1 = s1_[l];
@@ -584,35 +627,41 @@ impl Ur5 {
             v69_[l] = t[0][2] * s1 - t[1][2] * c1;
             v262_[l] = t_13;
             v265_[l] = t_14;
+            let ([x1, y1], m1) = ::dh_robot::lanes::half_turn(-t[2][2], t_12);
+            f1[0][l] = x1;
+            f1[1][l] = y1;
+            f1[0][l + 2] = -x1;
+            f1[1][l + 2] = -y1;
+            margin1_[l] = m1;
         }
-        let mut f1 = [[0.0; 4]; 2];
-        let mut m1 = [0.0; 2];
-        for l in 0..2 {
-            let v66 = v66_[l];
-            let ([x, y], m) = ::dh_robot::lanes::half_turn(-t[2][2], v66);
-            f1[0][l] = x;
-            f1[1][l] = y;
-            f1[0][l + 2] = -x;
-            f1[1][l + 2] = -y;
-            m1[l] = m;
-        }
+        let g1_ = ::dh_robot::lanes::angles(&f1[1], &f1[0]);
         let c234_ = f1[0];
         let s234_ = f1[1];
-        let half: [f64; 2] = ::dh_robot::atan2_batch(
-            &::core::array::from_fn(|l| f1[1][l]),
-            &::core::array::from_fn(|l| f1[0][l]),
-        );
-        let g1: [f64; 4] = ::core::array::from_fn(|k| {
-            if k < 2 {
-                half[k]
-            } else if half[k - 2] > 0.0 {
-                half[k - 2] - ::core::f64::consts::PI
-            } else {
-                half[k - 2] + ::core::f64::consts::PI
-            }
-        });
         let mut v242_ = [0.0; 4];
         let mut v243_ = [0.0; 4];
+        let v66_: [f64; 4] = ::core::array::from_fn(|l| v66_[l % 2]);
+        let v69_: [f64; 4] = ::core::array::from_fn(|l| v69_[l % 2]);
+        let mut g2_ = [0.0; 4];
+        let c1_: [f64; 4] = ::core::array::from_fn(|l| c1_[l % 2]);
+        let s1_: [f64; 4] = ::core::array::from_fn(|l| s1_[l % 2]);
+        let mut v267_ = [0.0; 4];
+        let mut v268_ = [0.0; 4];
+        let mut v269_ = [0.0; 4];
+        let v54_: [f64; 4] = ::core::array::from_fn(|l| v54_[l % 2]);
+        let v60_: [f64; 4] = ::core::array::from_fn(|l| v60_[l % 2]);
+        let mut g3_ = [0.0; 4];
+        let v46_: [f64; 4] = ::core::array::from_fn(|l| v46_[l % 2]);
+        let v49_: [f64; 4] = ::core::array::from_fn(|l| v49_[l % 2]);
+        let v57_: [f64; 4] = ::core::array::from_fn(|l| v57_[l % 2]);
+        let v63_: [f64; 4] = ::core::array::from_fn(|l| v63_[l % 2]);
+        let mut v170_ = [0.0; 4];
+        let mut v172_ = [0.0; 4];
+        let mut v210_ = [0.0; 4];
+        let mut f4 = [[0.0; 8]; 2];
+        let mut g4_ = [0.0; 8];
+        let mut margin2_ = [0.0; 4];
+        let mut valid2_ = [0.0; 4];
+        let mut error2_ = [0.0; 4];
         for l in 0..4 {
             let s234 = s234_[l];
             let c234 = c234_[l];
@@ -620,15 +669,9 @@ impl Ur5 {
             let t_16 = c234 * 0.07935050791870282;
             v242_[l] = t_15;
             v243_[l] = t_16;
-        }
-        let mut f2 = [[0.0; 4]; 2];
-        let mut m2 = [0.0; 4];
-        for l in 0..4 {
-            let v69 = v69_[l % 2];
-            let s234 = s234_[l];
-            let c234 = c234_[l];
-            let v66 = v66_[l % 2];
-            let ([x, y], m) = ::dh_robot::lanes::pair(
+            let v66 = v66_[l];
+            let v69 = v69_[l];
+            let ([c5, s5], m2) = ::dh_robot::lanes::pair(
                 -1.0,
                 0.0,
                 -v69,
@@ -636,30 +679,13 @@ impl Ur5 {
                 -s234,
                 t[2][2],
             );
-            f2[0][l] = x;
-            f2[1][l] = y;
-            m2[l] = m;
-        }
-        let c5_ = f2[0];
-        let s5_ = f2[1];
-        let g2: [f64; 4] = ::dh_robot::atan2_batch(&f2[1], &f2[0]);
-        let mut v97_ = [0.0; 4];
-        let mut v161_ = [0.0; 4];
-        let mut v163_ = [0.0; 4];
-        let mut v226_ = [0.0; 4];
-        let mut v229_ = [0.0; 4];
-        let mut v232_ = [0.0; 4];
-        let mut v267_ = [0.0; 4];
-        let mut v268_ = [0.0; 4];
-        let mut v269_ = [0.0; 4];
-        for l in 0..4 {
-            let c1 = c1_[l % 2];
-            let s1 = s1_[l % 2];
-            let v66 = v66_[l % 2];
-            let s234 = s234_[l];
-            let c234 = c234_[l];
-            let c5 = c5_[l];
-            let s5 = s5_[l];
+            let g2 = ::dh_robot::lanes::angle(s5, c5);
+            g2_[l] = g2;
+            let j4a = g2;
+            q[4][l] = j4a;
+            q[4][l + 4] = j4a;
+            let c1 = c1_[l];
+            let s1 = s1_[l];
             let c234c5 = c234 * c5;
             let t_17 = v66 * c5;
             let t_18 = t[2][2] * c5;
@@ -670,220 +696,149 @@ impl Ur5 {
             let t_21 = 0.06899679663718164 * t_19;
             let t_22 = 0.06899679663718164 * t_20;
             let t_23 = 0.06899679663718164 * s234s5;
-            v97_[l] = c234c5;
-            v161_[l] = t_17;
-            v163_[l] = t_18;
-            v226_[l] = s234s5;
-            v229_[l] = t_19;
-            v232_[l] = t_20;
             v267_[l] = t_21;
             v268_[l] = t_22;
             v269_[l] = t_23;
-        }
-        let mut f3 = [[0.0; 4]; 2];
-        let mut m3 = [0.0; 4];
-        for l in 0..4 {
-            let v97 = v97_[l];
-            let s234 = s234_[l];
-            let v54 = v54_[l % 2];
-            let v60 = v60_[l % 2];
-            let ([x, y], m) = ::dh_robot::lanes::pair(v97, -s234, v54, -s234, -v97, v60);
-            f3[0][l] = x;
-            f3[1][l] = y;
-            m3[l] = m;
-        }
-        let c6_ = f3[0];
-        let s6_ = f3[1];
-        let g3: [f64; 4] = ::dh_robot::atan2_batch(&f3[1], &f3[0]);
-        let mut v147_ = [0.0; 4];
-        let mut v170_ = [0.0; 4];
-        let mut v172_ = [0.0; 4];
-        let mut v210_ = [0.0; 4];
-        let mut v218_ = [0.0; 4];
-        let mut v221_ = [0.0; 4];
-        let mut v224_ = [0.0; 4];
-        for l in 0..4 {
-            let c1 = c1_[l % 2];
-            let s1 = s1_[l % 2];
-            let v46 = v46_[l % 2];
-            let v49 = v49_[l % 2];
-            let v54 = v54_[l % 2];
-            let v57 = v57_[l % 2];
-            let v60 = v60_[l % 2];
-            let v63 = v63_[l % 2];
-            let s234 = s234_[l];
-            let c234 = c234_[l];
-            let c5 = c5_[l];
-            let s5 = s5_[l];
-            let v161 = v161_[l];
-            let v163 = v163_[l];
-            let c6 = c6_[l];
-            let s6 = s6_[l];
+            let r3 = (-t_19 - t[0][2]).abs() + (-t_20 - t[1][2]).abs()
+                + (-s234s5 - t[2][2]).abs();
+            let v54 = v54_[l];
+            let v60 = v60_[l];
+            let ([c6, s6], m3) = ::dh_robot::lanes::pair(
+                c234c5,
+                -s234,
+                v54,
+                -s234,
+                -c234c5,
+                v60,
+            );
+            let g3 = ::dh_robot::lanes::angle(s6, c6);
+            g3_[l] = g3;
+            let j5a = g3;
+            q[5][l] = j5a;
+            q[5][l + 4] = j5a;
+            let v46 = v46_[l];
+            let v49 = v49_[l];
+            let v57 = v57_[l];
+            let v63 = v63_[l];
             let t_24 = (t[2][0] * s6 + t[2][1] * c6) * 0.07935050791870282;
             let t_25 = v46 + (v54 * s6 + v60 * c6) * 0.07935050791870282;
             let t_26 = v49 + (v57 * s6 + v63 * c6) * 0.07935050791870282;
             let t_27 = t_5 + t_24;
             let t_28 = t_25 * t_25 + t_26 * t_26 + t_27 * t_27 - 0.2434638836493361;
-            let t_29 = 0.09150668715611636 * ((v54 * c6 - v60 * s6) * s5 + v161);
-            let t_30 = 0.09150668715611636 * ((t[2][0] * c6 - t[2][1] * s6) * s5 + v163);
+            let t_29 = 0.09150668715611636 * ((v54 * c6 - v60 * s6) * s5 + t_17);
+            let t_30 = 0.09150668715611636 * ((t[2][0] * c6 - t[2][1] * s6) * s5 + t_18);
             let c5c6 = c5 * c6;
             let c6s5 = c6 * s5;
             let t_31 = c234 * c5c6 - s234 * s6;
-            v147_[l] = t_28;
             v170_[l] = t_25 - t_29;
             v172_[l] = t_27 - t_30;
             v210_[l] = 0.07499859575170878 + t_30 - (t_4 + t_24);
-            v218_[l] = s234 * c5c6 + c234 * s6;
-            v221_[l] = c1 * t_31 + s1 * c6s5;
-            v224_[l] = s1 * t_31 - c1 * c6s5;
-        }
-        let mut f4 = [[0.0; 8]; 2];
-        let mut m4 = [0.0; 4];
-        let mut e4 = [0.0; 4];
-        for l in 0..4 {
-            let v147 = v147_[l];
-            let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
+            let r4 = (c1 * t_31 + s1 * c6s5 - t[0][0]).abs()
+                + (s1 * t_31 - c1 * c6s5 - t[1][0]).abs()
+                + (s234 * c5c6 + c234 * s6 - t[2][0]).abs();
+            let ([x4, y4, z4, w4], e4, m4) = ::dh_robot::lanes::sincos(
                 0.23433656705012487,
                 0.0,
-                v147,
+                t_28,
             );
-            f4[0][l] = x;
-            f4[1][l] = y;
-            f4[0][l + 4] = z;
-            f4[1][l + 4] = w;
-            m4[l] = m;
-            e4[l] = e;
+            f4[0][l] = x4;
+            f4[1][l] = y4;
+            f4[0][l + 4] = z4;
+            f4[1][l + 4] = w4;
+            let g4 = ::dh_robot::lanes::angle(y4, x4);
+            g4_[l] = g4;
+            let h4 = ::dh_robot::lanes::angle(w4, z4);
+            g4_[l + 4] = h4;
+            let j2a = g4;
+            q[2][l] = j2a;
+            let j2b = h4;
+            q[2][l + 4] = j2b;
+            margin2_[l] = ::dh_robot::lanes::lesser(
+                ::dh_robot::lanes::lesser(m2, m3),
+                m4,
+            );
+            valid2_[l] = e4;
+            error2_[l] = r3 + r4;
         }
         let c3_ = f4[0];
         let s3_ = f4[1];
-        let g4: [f64; 8] = ::dh_robot::atan2_batch(&f4[1], &f4[0]);
-        let mut v207_ = [0.0; 8];
-        let mut v209_ = [0.0; 8];
+        let v170_: [f64; 8] = ::core::array::from_fn(|l| v170_[l % 4]);
+        let v172_: [f64; 8] = ::core::array::from_fn(|l| v172_[l % 4]);
+        let v210_: [f64; 8] = ::core::array::from_fn(|l| v210_[l % 4]);
+        let c1_: [f64; 8] = ::core::array::from_fn(|l| c1_[l % 4]);
+        let s1_: [f64; 8] = ::core::array::from_fn(|l| s1_[l % 4]);
+        let v242_: [f64; 8] = ::core::array::from_fn(|l| v242_[l % 4]);
+        let v243_: [f64; 8] = ::core::array::from_fn(|l| v243_[l % 4]);
+        let v262_: [f64; 8] = ::core::array::from_fn(|l| v262_[l % 2]);
+        let v265_: [f64; 8] = ::core::array::from_fn(|l| v265_[l % 2]);
+        let v267_: [f64; 8] = ::core::array::from_fn(|l| v267_[l % 4]);
+        let v268_: [f64; 8] = ::core::array::from_fn(|l| v268_[l % 4]);
+        let v269_: [f64; 8] = ::core::array::from_fn(|l| v269_[l % 4]);
+        let g0_: [f64; 8] = ::core::array::from_fn(|l| g0_[l / 1 % 2]);
+        let g1_: [f64; 8] = ::core::array::from_fn(|l| g1_[l / 2 % 2 * 2 + l % 2]);
+        let g4_: [f64; 8] = ::core::array::from_fn(|l| g4_[l / 4 % 2 * 4 + l % 4]);
+        let margin1_: [f64; 8] = ::core::array::from_fn(|l| margin1_[l % 2]);
+        let margin2_: [f64; 8] = ::core::array::from_fn(|l| margin2_[l % 4]);
+        let mut margin_ = [0.0; 8];
+        let valid2_: [f64; 8] = ::core::array::from_fn(|l| valid2_[l % 4]);
+        let mut valid_ = [0.0; 8];
+        let error2_: [f64; 8] = ::core::array::from_fn(|l| error2_[l % 4]);
+        let mut error_ = [0.0; 8];
         for l in 0..8 {
             let c3 = c3_[l];
             let s3 = s3_[l];
             let t_32 = 0.3563018052345346 + 0.32884560730175577 * c3;
             let t_33 = 0.32884560730175577 * s3;
-            v207_[l] = t_32;
-            v209_[l] = t_33;
-        }
-        let mut f5 = [[0.0; 8]; 2];
-        let mut m5 = [0.0; 8];
-        for l in 0..8 {
-            let v207 = v207_[l];
-            let v209 = v209_[l];
-            let v170 = v170_[l % 4];
-            let v172 = v172_[l % 4];
-            let v210 = v210_[l % 4];
-            let ([x, y], m) = ::dh_robot::lanes::pair(
-                -v207,
-                v209,
+            let v170 = v170_[l];
+            let v172 = v172_[l];
+            let v210 = v210_[l];
+            let ([c2, s2], m5) = ::dh_robot::lanes::pair(
+                -t_32,
+                t_33,
                 v170,
-                -v209,
-                -v207,
+                -t_33,
+                -t_32,
                 v172,
             );
-            f5[0][l] = x;
-            f5[1][l] = y;
-            m5[l] = m;
-        }
-        let c2_ = f5[0];
-        let s2_ = f5[1];
-        let g5: [f64; 8] = ::dh_robot::atan2_batch(&f5[1], &f5[0]);
-        let mut v270_ = [0.0; 8];
-        let mut v271_ = [0.0; 8];
-        let mut v272_ = [0.0; 8];
-        for l in 0..8 {
-            let c1 = c1_[l % 2];
-            let s1 = s1_[l % 2];
-            let c3 = c3_[l];
-            let s3 = s3_[l];
-            let v242 = v242_[l % 4];
-            let v243 = v243_[l % 4];
-            let v262 = v262_[l % 2];
-            let v265 = v265_[l % 2];
-            let v267 = v267_[l % 4];
-            let v268 = v268_[l % 4];
-            let v269 = v269_[l % 4];
-            let c2 = c2_[l];
-            let s2 = s2_[l];
+            let g5 = ::dh_robot::lanes::angle(s2, c2);
+            let c1 = c1_[l];
+            let s1 = s1_[l];
+            let v242 = v242_[l];
+            let v243 = v243_[l];
+            let v262 = v262_[l];
+            let v265 = v265_[l];
+            let v267 = v267_[l];
+            let v268 = v268_[l];
+            let v269 = v269_[l];
             let t_34 = v242 - 0.32884560730175577 * (c3 * c2 - s3 * s2)
                 - 0.3563018052345346 * c2;
             let t_35 = v243 + 0.32884560730175577 * (c3 * s2 + s3 * c2)
                 + 0.3563018052345346 * s2;
-            v270_[l] = c1 * t_34 + v262 - v267;
-            v271_[l] = s1 * t_34 - v265 - v268;
-            v272_[l] = 0.07499859575170878 - t_35 - v269;
+            let r6 = (c1 * t_34 + v262 - v267 - t[0][3]).abs()
+                + (s1 * t_34 - v265 - v268 - t[1][3]).abs()
+                + (0.07499859575170878 - t_35 - v269 - t[2][3]).abs();
+            let g0 = g0_[l];
+            let g1 = g1_[l];
+            let g4 = g4_[l];
+            let margin1 = margin1_[l];
+            let margin2 = margin2_[l];
+            let valid2 = valid2_[l];
+            let error2 = error2_[l];
+            margin_[l] = ::dh_robot::lanes::lesser(
+                ::dh_robot::lanes::lesser(
+                    ::dh_robot::lanes::lesser(m0, margin1),
+                    margin2,
+                ),
+                m5,
+            );
+            valid_[l] = e0 * valid2;
+            error_[l] = error2 + r6;
+            q[0][l] = g0;
+            q[1][l] = g5;
+            q[3][l] = ::dh_robot::lanes::wrap(g1 - g4 - g5);
         }
-        let mut error = [0.0; 8];
-        for l in 0..8 {
-            let v221 = v221_[l % 4];
-            let v224 = v224_[l % 4];
-            let v218 = v218_[l % 4];
-            let v229 = v229_[l % 4];
-            let v232 = v232_[l % 4];
-            let v226 = v226_[l % 4];
-            let v270 = v270_[l];
-            let v271 = v271_[l];
-            let v272 = v272_[l];
-            error[l] = (v221 - t[0][0]).abs() + (v224 - t[1][0]).abs()
-                + (v218 - t[2][0]).abs() + (-v229 - t[0][2]).abs()
-                + (-v232 - t[1][2]).abs() + (-v226 - t[2][2]).abs()
-                + (v270 - t[0][3]).abs() + (v271 - t[1][3]).abs()
-                + (v272 - t[2][3]).abs();
-        }
-        let valid: [f64; 8] = ::core::array::from_fn(|l| {
-            1.0 * e0[l % 1 % 1] * e4[l % 4 % 4]
-        });
-        let margin: [f64; 8] = ::core::array::from_fn(|l| {
-            1.0_f64
-                .min(m0[l % 1 % 1])
-                .min(m1[l % 2 % 2])
-                .min(m2[l % 4 % 4])
-                .min(m3[l % 4 % 4])
-                .min(m4[l % 4 % 4])
-                .min(m5[l % 8 % 8])
-        });
-        let q: [[f64; 8]; 6] = [
-            ::core::array::from_fn(|l| g0[l / 1 % 2 * 1 + l % 1]),
-            ::core::array::from_fn(|l| g5[l % 8]),
-            ::core::array::from_fn(|l| g4[l / 4 % 2 * 4 + l % 4]),
-            ::core::array::from_fn(|l| ::dh_robot::lanes::wrap(
-                g1[l / 2 % 2 * 2 + l % 2] - g4[l / 4 % 2 * 4 + l % 4] - g5[l % 8],
-            )),
-            ::core::array::from_fn(|l| g2[l % 4]),
-            ::core::array::from_fn(|l| g3[l % 4]),
-        ];
-        const BRANCHES: [::dh_robot::Branch; 8] = {
-            let mut all = [::dh_robot::Branch::ANY; 8];
-            let mut l = 0;
-            while l < 8 {
-                let i0 = l / 1 % 2;
-                let i1 = l / 2 % 2;
-                let i4 = l / 4 % 2;
-                all[l] = ::dh_robot::Branch::ANY
-                    .with_step(0, i0)
-                    .with_shoulder(
-                        if i0 == 0 {
-                            ::dh_robot::Shoulder::Left
-                        } else {
-                            ::dh_robot::Shoulder::Right
-                        },
-                    )
-                    .with_step(1, i1)
-                    .with_elbow(
-                        if i1 == 0 {
-                            ::dh_robot::Elbow::Up
-                        } else {
-                            ::dh_robot::Elbow::Down
-                        },
-                    )
-                    .with_step(2, i4);
-                l += 1;
-            }
-            all
-        };
-        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
+        *valid = valid_;
+        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

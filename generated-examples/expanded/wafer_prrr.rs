@@ -210,26 +210,21 @@ impl WaferPrrr {
             Ok(frame) => frame,
             Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
         };
-        let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);
-        if self.lanes(&frame, &mut solutions) {
-            return solutions;
+        let mut q = [[0.0; 2]; 4];
+        let mut valid = [0.0; 2];
+        if !self.lanes(&frame, &mut q, &mut valid) {
+            return self.robust(target);
         }
-        let setting = ::dh_robot::inverse::Setting {
-            joints: &Self::JOINTS,
-            reach: 0.6091883671078886,
-            few: true,
-            given: None,
-        };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 0.6091883671078886),
-        );
-        ::dh_robot::inverse::solve(
-            self,
-            setting,
-            &task,
-            &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
-        )
+        if valid == [1.0; 2] {
+            let at = |l: usize| ::dh_robot::lanes::solution(
+                &Self::JOINTS,
+                &q,
+                &Self::BRANCHES,
+                l,
+            );
+            return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0), at(1)]);
+        }
+        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
@@ -352,12 +347,55 @@ impl WaferPrrr {
         }
         attempt
     }
-    /// The plan for all branches at once; false where the robust way has to decide.
+    /// The plan root by root, with everything that special poses need.
+    #[cold]
+    #[inline(never)]
+    fn robust(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 4, 2> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 0.6091883671078886) {
+            Ok(frame) => frame,
+            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 0.6091883671078886,
+            few: true,
+            given: None,
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 0.6091883671078886),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, pick, found| self.candidates(frame, pick, found),
+        )
+    }
+    const BRANCHES: [::dh_robot::Branch; 2] = {
+        let mut all = [::dh_robot::Branch::ANY; 2];
+        let mut l = 0;
+        while l < 2 {
+            let i2 = l / 1 % 2;
+            all[l] = ::dh_robot::Branch::ANY
+                .with_step(0, i2)
+                .with_elbow(
+                    if i2 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                );
+            l += 1;
+        }
+        all
+    };
+    /// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.
     #[inline]
     fn lanes(
         &self,
         t: &::dh_robot::ik::Pose,
-        solutions: &mut ::dh_robot::Solutions<f64, 4, 2>,
+        q: &mut [[f64; 2]; 4],
+        valid: &mut [f64; 2],
     ) -> bool {
         let t_2 = self.d4 * 1.6415283908776575;
         let t_3 = t[0][3] - t[0][2] * t_2;
@@ -372,129 +410,58 @@ impl WaferPrrr {
         let t_12 = t_8 * (t_8 + t_7 * 2.0);
         let t_13 = t_10 * t_10 + t_11 * t_11 + t_7 * t_7;
         let t_14 = t_2 + t_9;
-        let mut f0 = [[0.0; 1]; 2];
-        let mut m0 = [0.0; 1];
-        for l in 0..1 {
-            let (x, m) = ::dh_robot::lanes::linear(1.0, -(t_5 - t_9));
-            f0[0][l] = x;
-            f0[1][l] = x;
-            m0[l] = m;
-        }
-        let q1_ = f0[0];
-        let g0: [f64; 1] = f0[0].map(|d| d * 0.6091883671078886);
-        let mut v69_ = [0.0; 1];
-        let mut v92_ = [0.0; 1];
-        for l in 0..1 {
-            let q1 = q1_[l];
-            let t_15 = t_5 - q1;
-            v69_[l] = t_12 - (t_6 + t_15 * t_15 - t_13);
-            v92_[l] = q1 + t_14;
-        }
-        let mut f1 = [[0.0; 1]; 2];
-        for l in 0..1 {
-            let [x, y] = ::dh_robot::lanes::unit(t[0][0], -t[0][1]);
-            f1[0][l] = x;
-            f1[1][l] = y;
-        }
-        let c234_ = f1[0];
-        let s234_ = f1[1];
-        let g1: [f64; 1] = ::dh_robot::atan2_batch(&f1[1], &f1[0]);
-        let mut f2 = [[0.0; 2]; 2];
-        let mut m2 = [0.0; 1];
-        let mut e2 = [0.0; 1];
-        for l in 0..1 {
-            let v69 = v69_[l];
-            let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos(
-                2.0 * t_10 * t_11,
-                0.0,
-                -v69,
-            );
-            f2[0][l] = x;
-            f2[1][l] = y;
-            f2[0][l + 1] = z;
-            f2[1][l + 1] = w;
-            m2[l] = m;
-            e2[l] = e;
-        }
-        let c3_ = f2[0];
-        let s3_ = f2[1];
-        let g2: [f64; 2] = ::dh_robot::atan2_batch(&f2[1], &f2[0]);
-        let mut v72_ = [0.0; 2];
-        let mut v74_ = [0.0; 2];
+        let r0 = (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs()
+            + (1.0 - t[2][2]).abs();
+        let (q1, m0) = ::dh_robot::lanes::linear(1.0, -(t_5 - t_9));
+        let q1 = q1;
+        let g0 = q1 * 0.6091883671078886;
+        let t_15 = t_5 - q1;
+        let r1 = (q1 + t_14 - t[2][3]).abs();
+        let [c234, s234] = ::dh_robot::lanes::unit(t[0][0], -t[0][1]);
+        let g1 = ::dh_robot::lanes::angle(s234, c234);
+        let r2 = (-s234 - t[0][1]).abs() + (c234 - t[1][1]).abs();
+        let ([x2, y2, z2, w2], e2, m2) = ::dh_robot::lanes::sincos(
+            2.0 * t_10 * t_11,
+            0.0,
+            -(t_12 - (t_6 + t_15 * t_15 - t_13)),
+        );
+        let c3_ = [x2, z2];
+        let s3_ = [y2, w2];
+        let g2_ = ::dh_robot::lanes::angles(&[y2, w2], &[x2, z2]);
+        let g2_: [f64; 2] = ::core::array::from_fn(|l| g2_[l / 1 % 2]);
+        let mut margin_ = [0.0; 2];
+        let mut valid_ = [0.0; 2];
+        let mut error_ = [0.0; 2];
         for l in 0..2 {
             let c3 = c3_[l];
             let s3 = s3_[l];
             let t_16 = t_10 + t_11 * c3;
             let t_17 = t_11 * s3;
-            v72_[l] = t_16;
-            v74_[l] = t_17;
+            let ([c2, s2], m3) = ::dh_robot::lanes::pair(
+                t_16,
+                -t_17,
+                t_3,
+                t_17,
+                t_16,
+                t_4,
+            );
+            let g3 = ::dh_robot::lanes::angle(s2, c2);
+            let r4 = (t_11 * (c3 * c2 - s3 * s2) + t_10 * c2 - t[0][3]).abs()
+                + (t_11 * (c3 * s2 + s3 * c2) + t_10 * s2 - t[1][3]).abs();
+            let g2 = g2_[l];
+            margin_[l] = ::dh_robot::lanes::lesser(
+                ::dh_robot::lanes::lesser(m0, m2),
+                m3,
+            );
+            valid_[l] = e2;
+            error_[l] = r0 + r1 + r2 + r4;
+            q[0][l] = g0;
+            q[1][l] = g3;
+            q[2][l] = g2;
+            q[3][l] = ::dh_robot::lanes::wrap(g1 - g2 - g3);
         }
-        let mut f3 = [[0.0; 2]; 2];
-        let mut m3 = [0.0; 2];
-        for l in 0..2 {
-            let v72 = v72_[l];
-            let v74 = v74_[l];
-            let ([x, y], m) = ::dh_robot::lanes::pair(v72, -v74, t_3, v74, v72, t_4);
-            f3[0][l] = x;
-            f3[1][l] = y;
-            m3[l] = m;
-        }
-        let c2_ = f3[0];
-        let s2_ = f3[1];
-        let g3: [f64; 2] = ::dh_robot::atan2_batch(&f3[1], &f3[0]);
-        let mut v89_ = [0.0; 2];
-        let mut v90_ = [0.0; 2];
-        for l in 0..2 {
-            let c3 = c3_[l];
-            let s3 = s3_[l];
-            let c2 = c2_[l];
-            let s2 = s2_[l];
-            v89_[l] = t_11 * (c3 * c2 - s3 * s2) + t_10 * c2;
-            v90_[l] = t_11 * (c3 * s2 + s3 * c2) + t_10 * s2;
-        }
-        let mut error = [0.0; 2];
-        for l in 0..2 {
-            let s234 = s234_[l % 1];
-            let c234 = c234_[l % 1];
-            let v89 = v89_[l];
-            let v90 = v90_[l];
-            let v92 = v92_[l % 1];
-            error[l] = (-s234 - t[0][1]).abs() + (c234 - t[1][1]).abs()
-                + (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs()
-                + (1.0 - t[2][2]).abs() + (v89 - t[0][3]).abs() + (v90 - t[1][3]).abs()
-                + (v92 - t[2][3]).abs();
-        }
-        let valid: [f64; 2] = ::core::array::from_fn(|l| 1.0 * e2[l % 1 % 1]);
-        let margin: [f64; 2] = ::core::array::from_fn(|l| {
-            1.0_f64.min(m0[l % 1 % 1]).min(m2[l % 1 % 1]).min(m3[l % 2 % 2])
-        });
-        let q: [[f64; 2]; 4] = [
-            ::core::array::from_fn(|l| g0[l % 1]),
-            ::core::array::from_fn(|l| g3[l % 2]),
-            ::core::array::from_fn(|l| g2[l / 1 % 2 * 1 + l % 1]),
-            ::core::array::from_fn(|l| ::dh_robot::lanes::wrap(
-                g1[l % 1] - g2[l / 1 % 2 * 1 + l % 1] - g3[l % 2],
-            )),
-        ];
-        const BRANCHES: [::dh_robot::Branch; 2] = {
-            let mut all = [::dh_robot::Branch::ANY; 2];
-            let mut l = 0;
-            while l < 2 {
-                let i2 = l / 1 % 2;
-                all[l] = ::dh_robot::Branch::ANY
-                    .with_step(0, i2)
-                    .with_elbow(
-                        if i2 == 0 {
-                            ::dh_robot::Elbow::Up
-                        } else {
-                            ::dh_robot::Elbow::Down
-                        },
-                    );
-                l += 1;
-            }
-            all
-        };
-        ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)
+        *valid = valid_;
+        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

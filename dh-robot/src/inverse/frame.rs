@@ -7,14 +7,45 @@ use crate::{Real, Why};
 ///
 /// # Errors
 /// Numbers that are not finite, a matrix that is no rotation.
+#[inline(always)]
 pub fn frame_of<T: Real>(target: &nalgebra::IsometryMatrix3<T>, reach: f64) -> Result<Pose, Why<T>> {
+    // Nearly every target: written into the caller, so that it never goes through memory.
+    let wide = T::EPSILON <= T::of(1e-10);
+    if wide && is_exact(target) { Ok(over_reach(target, reach)) } else { rounded(target, reach) }
+}
+
+/// A rotation within rounding, and a finite position?
+#[inline(always)]
+fn is_exact<T: Real>(target: &nalgebra::IsometryMatrix3<T>) -> bool {
+    let r = target.rotation.matrix();
+    let column = |j: usize| [r[(0, j)].to_f64(), r[(1, j)].to_f64(), r[(2, j)].to_f64()];
+    let (x, y, z) = (column(0), column(1), column(2));
+    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let lengths = (dot(x, x) - 1.0).abs() + (dot(y, y) - 1.0).abs() + (dot(z, z) - 1.0).abs();
+    let angles = dot(x, y).abs() + dot(y, z).abs() + dot(z, x).abs();
+    let volume = dot(pose::cross(x, y), z);
+    let p = &target.translation.vector;
+    let size = p[0].to_f64().abs() + p[1].to_f64().abs() + p[2].to_f64().abs();
+    // What is not a number fails the comparisons.
+    (lengths + angles <= 1e-14) & (volume > 0.0) & (size <= f64::MAX)
+}
+
+/// The numbers as they are.
+#[inline(always)]
+fn over_reach<T: Real>(target: &nalgebra::IsometryMatrix3<T>, reach: f64) -> Pose {
+    let (r, p) = (target.rotation.matrix(), &target.translation.vector);
+    core::array::from_fn(|i| {
+        core::array::from_fn(|j| if j < 3 { r[(i, j)].to_f64() } else { p[i].to_f64() / reach })
+    })
+}
+
+/// A target that has to be looked at.
+#[cold]
+#[inline(never)]
+fn rounded<T: Real>(target: &nalgebra::IsometryMatrix3<T>, reach: f64) -> Result<Pose, Why<T>> {
     let r = target.rotation.matrix();
     let deviation = crate::pose::rotation_deviation(r);
-    // What is not a number fails the comparison too; `check` says what is wrong.
-    let position = target.translation.vector.iter().all(|x| x.is_finite());
-    if !(position && deviation <= T::ROTATION_TOLERANCE) {
-        crate::pose::check(target)?;
-    }
+    crate::pose::check(target)?;
     let mut wide = crate::pose::from_entries(
         core::array::from_fn(|i| core::array::from_fn(|j| r[(i, j)].to_f64())),
         core::array::from_fn(|i| target.translation.vector[i].to_f64()),
@@ -23,10 +54,7 @@ pub fn frame_of<T: Real>(target: &nalgebra::IsometryMatrix3<T>, reach: f64) -> R
     if T::EPSILON > T::of(1e-10) || deviation > T::of(1e-14) {
         wide = crate::pose::orthonormalized(&wide);
     }
-    let r = wide.rotation.matrix();
-    Ok(core::array::from_fn(|i| {
-        core::array::from_fn(|j| if j < 3 { r[(i, j)] } else { wide.translation.vector[i] / reach })
-    }))
+    Ok(over_reach(&wide, reach))
 }
 
 /// The same pose with lengths in table units: what the task compares with.

@@ -14,7 +14,6 @@ mod equation;
 #[path = "kernels/mod.rs"]
 pub mod kernels;
 mod known;
-mod plane;
 pub mod pool;
 mod sample;
 mod search;
@@ -25,7 +24,6 @@ mod structure;
 pub use axes::{Axes, Hop};
 pub(crate) use axes::{generic_parameter, numeric};
 pub use known::{Collected, Knowledge, Known, KnownPose, Part};
-pub use plane::tilting_joints;
 pub use pool::{Equation, Scalar};
 pub(crate) use sample::joint_vectors;
 pub use search::search;

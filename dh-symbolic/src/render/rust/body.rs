@@ -399,6 +399,11 @@ impl<'a> Body<'a> {
         self.text[node].as_ref().map(|t| t.0.as_str())
     }
 
+    /// Takes the statements written so far, as text.
+    pub(super) fn take_text(&mut self) -> String {
+        self.take_lines().iter().fold(String::new(), |text, line| text + line + "\n")
+    }
+
     /// Takes the statements written so far.
     pub(in crate::render) fn take_lines(&mut self) -> Vec<String> {
         std::mem::take(&mut self.lines)

@@ -17,27 +17,29 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
     let given = if chain.redundant.is_some() { format!(", given: {f}") } else { String::new() };
     let pass = if chain.redundant.is_some() { ", given.into()" } else { "" };
     let fits = lanes::fits(chain, inverse);
-    let fast = if fits {
-        "let mut solutions = ::dh_robot::Solutions::new(&Self::JOINTS);\nif self.lanes(&frame, &mut solutions) {\nreturn solutions;\n}\n"
-    } else {
-        ""
-    };
     let fixed = chain.redundant.map_or("None".into(), |k| format!("Some(({k}, given.into()))"));
     let few = n + usize::from(chain.redundant.is_none()) <= 6 && chain.task == Task::Pose;
+    let robust = format!(
+        "{frame}\nlet setting = ::dh_robot::inverse::Setting {{ joints: &Self::JOINTS, reach: {reach}, few: {few}, given: {fixed} }};\n\
+         let task = {task};\n\
+         ::dh_robot::inverse::solve(self, setting, &task, &frame, |frame, pick, found| self.candidates(frame{pass}, pick, found))\n"
+    );
+    let rest = if fits { format!("{frame}\n{}", lanes::call(chain, inverse)) } else { robust.clone() };
     let mut out = format!(
         "#[allow(unused, clippy::all, clippy::pedantic)]\nimpl {name} {{\n\
          /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.\n\
          pub const MAX_SOLUTIONS: usize = {m};\n\
          {}\n\
          #[must_use]\npub fn inverse(&self, {target}{given}) -> ::dh_robot::Solutions<{f}, {n}, {m}> {{\n\
-         {frame}\n{fast}\
-         let setting = ::dh_robot::inverse::Setting {{ joints: &Self::JOINTS, reach: {reach}, few: {few}, given: {fixed} }};\n\
-         let task = {task};\n\
-         ::dh_robot::inverse::solve(self, setting, &task, &frame, |frame, pick, found| self.candidates(frame{pass}, pick, found))\n}}\n\n",
+         {rest}}}\n\n",
         docs(chain, inverse),
     );
     out.push_str(&candidates(chain, inverse));
     if fits {
+        out.push_str(&format!(
+            "/// The plan root by root, with everything that special poses need.\n#[cold]\n#[inline(never)]\n\
+             fn robust(&self, {target}) -> ::dh_robot::Solutions<{f}, {n}, {m}> {{\n{robust}}}\n"
+        ));
         out.push_str(&lanes::lanes(chain, inverse));
     }
     out.push_str("}\n");

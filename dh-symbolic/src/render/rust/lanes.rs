@@ -1,12 +1,21 @@
-//! The fast way of `inverse`: every step for all branches at once, in loops over arrays (see `dh_robot::lanes`).
+//! The fast way of `inverse`: every step for all branches side by side, in loops over lanes (see `dh_robot::lanes`).
+//!
+//! Steps and values with the same number of lanes share one loop. Long loops are what compilers turn into vector instructions well;
+//! short ones they unroll first, and find less in what they then see.
+
+use std::collections::BTreeSet;
 
 use super::body::Body;
 use super::inverse::{branch, combination, identifier, inputs, motors};
-use super::{bound, literal, scalar_name};
+use super::literal;
+use super::loops::{KINDS, Layout, Loops, joined};
+use super::ranges::into_range;
+use super::segments::{Item, What, needs, segments};
+use super::twin::Twin;
 use crate::algebra::Poly;
 use crate::chain::{Chain, Scalar, Task};
 use crate::planner::StepKind;
-use crate::program::{Graph, Inverse, Node, Solver, Value};
+use crate::program::{Inverse, Node, Solver, Value};
 
 /// Most branches side by side.
 const MOST: usize = 16;
@@ -23,51 +32,87 @@ pub(super) fn fits(chain: &Chain, inverse: &Inverse) -> bool {
         && chain.is_direct()
         && inverse.plan.axes.count() == chain.dof()
         && inverse.solvers.iter().all(simple)
-        && inverse.plan.max_solutions <= MOST
+        && branches(inverse) <= MOST
 }
 
-/// The function `lanes`.
+/// How many branches a plan has.
+fn branches(inverse: &Inverse) -> usize {
+    inverse.plan.steps.iter().map(|s| s.roots).product()
+}
+
+/// The statements of `inverse` that follow `frame`: the fast way, and the robust one where that has to decide.
+pub(super) fn call(chain: &Chain, inverse: &Inverse) -> String {
+    let (n, total) = (chain.dof(), branches(inverse));
+    let mut out = format!(
+        "let mut q = [[0.0; {total}]; {n}];\nlet mut valid = [0.0; {total}];\n\
+         if !self.lanes(&frame, &mut q, &mut valid) {{\nreturn self.robust(target);\n}}\n"
+    );
+    if inverse.plan.max_solutions == total {
+        // Written out, so that the list is made where the caller wants it: nothing is copied.
+        let list: Vec<String> = (0..total).map(|l| format!("at({l})")).collect();
+        out.push_str(&format!(
+            "if valid == [1.0; {total}] {{\n\
+             let at = |l: usize| ::dh_robot::lanes::solution(&Self::JOINTS, &q, &Self::BRANCHES, l);\n\
+             return ::dh_robot::Solutions::full(&Self::JOINTS, [{}]);\n}}\n",
+            list.join(", ")
+        ));
+    }
+    out.push_str("::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)\n");
+    out
+}
+
+/// The constant `BRANCHES` and the function `lanes`.
 pub(super) fn lanes(chain: &Chain, inverse: &Inverse) -> String {
     let plan = &inverse.plan;
-    let (n, f, m) = (chain.dof(), scalar_name(chain.scalar), plan.max_solutions);
     let mut outputs: Vec<Value> = inverse.solvers.iter().flat_map(|s| s.rows.concat()).collect();
     let confirmation = confirmation(inverse, &outputs);
     outputs.extend(confirmation.iter().map(|(_, v)| *v));
-    let depths = inverse.depths();
     let live = inverse.graph.live(&outputs);
-    let wanted = needed_depths(inverse, &depths, &live);
     let mut body = Body::staged(chain, &inverse.graph, outputs, Scalar::F64, 1.0 / plan.axes.reach, inputs(inverse));
-    // Lanes at each depth: the roots of the steps so far.
-    let mut all = vec![1_usize];
-    for step in &plan.steps {
-        let last = all[all.len() - 1];
-        all.push(last * step.roots);
-    }
-    let total = all[all.len() - 1];
-    let mut w = Writer {
-        inverse,
-        confirmation: &confirmation,
-        depths: &depths,
-        live: &live,
-        wanted: &wanted,
-        all: &all,
-        out: String::new(),
-    };
-    w.out.push_str(&format!(
-        "/// The plan for all branches at once; false where the robust way has to decide.\n#[inline]\n\
-         fn lanes(&self, t: &::dh_robot::ik::Pose, solutions: &mut ::dh_robot::Solutions<{f}, {n}, {m}>) -> bool {{\n"
+    let mut w = Writer::new(inverse, confirmation, live);
+    let (n, total) = (chain.dof(), branches(inverse));
+    w.loops.out = constant(inverse, total);
+    w.loops.out.push_str(&format!(
+        "/// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.\n\
+         #[inline]\nfn lanes(&self, t: &::dh_robot::ik::Pose, q: &mut [[f64; {total}]; {n}], valid: &mut [f64; {total}]) -> bool {{\n"
     ));
-    w.depth(&mut body, 0);
-    let mut valid = Vec::new();
-    let mut margins = Vec::new();
-    for (i, solver) in inverse.solvers.iter().enumerate() {
-        let at = solver.rows.concat().iter().map(|v| depths[v.node as usize]).max().unwrap_or(0);
-        w.step(&mut body, i, solver, at, &mut valid, &mut margins);
-        w.depth(&mut body, i + 1);
+    body.statements(&w.depths, 0, &[]);
+    w.loops.out.push_str(&body.take_text());
+    w.loops.enter(0, 1, false);
+    w.tell(&body, 0);
+    let last = w.items.last().map_or(0, |item| item.segment);
+    for item in w.items.clone() {
+        w.loops.enter(item.segment, item.lanes, item.segment == last);
+        match item.what {
+            What::Step(i) => w.step(&mut body, chain, i),
+            What::Depth(depth) => w.depth(&mut body, depth),
+            What::Finish => w.finish(chain, total),
+        }
     }
-    w.finish(&mut body, chain, total, &valid, &margins);
-    w.out.push_str("}\n");
-    w.out
+    w.loops.close();
+    let valid = if w.loops.lanes == total {
+        "valid_".into()
+    } else {
+        format!("::core::array::from_fn(|l| valid_[l % {}])", w.loops.lanes)
+    };
+    w.loops.out.push_str(&format!("*valid = {valid};\n::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)\n}}\n"));
+    w.loops.out
+}
+
+/// The names of all branches, which are decided when the program is compiled.
+fn constant(inverse: &Inverse, total: usize) -> String {
+    let (mut roots, mut before) = (String::new(), 1);
+    for (i, step) in inverse.plan.steps.iter().enumerate() {
+        if step.roots > 1 {
+            roots.push_str(&format!("let i{i} = l / {before} % {};\n", step.roots));
+        }
+        before *= step.roots;
+    }
+    format!(
+        "const BRANCHES: [::dh_robot::Branch; {total}] = {{\nlet mut all = [::dh_robot::Branch::ANY; {total}];\nlet mut l = 0;\n\
+         while l < {total} {{\n{roots}all[l] = {};\nl += 1;\n}}\nall\n}};\n",
+        branch(inverse)
+    )
 }
 
 /// The entries of the pose that confirm a branch, with their places: two columns of the rotation fix the third, so the one that costs
@@ -83,135 +128,172 @@ fn confirmation(inverse: &Inverse, rows: &[Value]) -> Vec<(usize, Value)> {
     without((0..3).min_by_key(cost).unwrap_or(0))
 }
 
-/// The greatest depth at which each node is used.
-fn needed_depths(inverse: &Inverse, depths: &[usize], live: &[bool]) -> Vec<usize> {
-    let mut wanted = depths.to_vec();
-    for (i, node) in inverse.graph.nodes().iter().enumerate().filter(|(i, _)| live[*i]) {
-        let mut note = |n: u32| wanted[n as usize] = wanted[n as usize].max(depths[i]);
-        match *node {
-            Node::Add(a, b) => {
-                note(a.node);
-                note(b.node);
-            }
-            Node::Mul(a, b) => {
-                note(a);
-                note(b);
-            }
-            _ => {}
-        }
-    }
-    wanted
-}
-
 struct Writer<'a> {
     inverse: &'a Inverse,
-    confirmation: &'a [(usize, Value)],
-    depths: &'a [usize],
-    live: &'a [bool],
-    wanted: &'a [usize],
-    /// Lanes once so many combinations are known.
-    all: &'a [usize],
-    out: String,
+    confirmation: Vec<(usize, Value)>,
+    depths: Vec<usize>,
+    live: Vec<bool>,
+    twin: Option<Twin>,
+    /// Lanes once so many combinations are known; a twin does not count.
+    all: Vec<usize>,
+    items: Vec<Item>,
+    /// The last segment that uses each node.
+    wanted: Vec<usize>,
+    loops: Loops,
+    /// Joints whose values have been written.
+    written: BTreeSet<usize>,
 }
 
-impl Writer<'_> {
-    fn graph(&self) -> &Graph {
-        &self.inverse.graph
-    }
-
-    /// Nodes of lower depth that the nodes of a depth use, and that differ from lane to lane.
-    fn used_at(&self, depth: usize) -> Vec<usize> {
-        let mut used: Vec<usize> = Vec::new();
-        let mut note = |n: u32| {
-            let n = n as usize;
-            if self.depths[n] > 0 && self.depths[n] < depth {
-                used.push(n);
-            }
+impl<'a> Writer<'a> {
+    fn new(inverse: &'a Inverse, confirmation: Vec<(usize, Value)>, live: Vec<bool>) -> Self {
+        let depths = inverse.depths();
+        let lanes = |known: usize| -> usize { inverse.plan.steps[..known].iter().map(|s| s.roots).product() };
+        let twin = Twin::of(inverse, &depths, &live, &confirmation)
+            .filter(|t| lanes(needs(&inverse.solvers[t.step], &depths)) == lanes(t.step));
+        let (all, items) = segments(inverse, &depths, twin.as_ref().map(|t| t.step));
+        let mut w = Self {
+            inverse,
+            confirmation,
+            depths,
+            live,
+            twin,
+            all,
+            items,
+            wanted: Vec::new(),
+            loops: Loops::default(),
+            written: BTreeSet::new(),
         };
-        for (i, node) in self.graph().nodes().iter().enumerate() {
-            if self.live[i] && self.depths[i] == depth {
-                match *node {
-                    Node::Add(a, b) => {
-                        note(a.node);
-                        note(b.node);
-                    }
-                    Node::Mul(a, b) => {
-                        note(a);
-                        note(b);
-                    }
-                    _ => {}
-                }
+        w.wanted = vec![0; w.depths.len()];
+        for item in w.items.clone() {
+            for node in w.uses(item.what) {
+                w.wanted[node] = w.wanted[node].max(item.segment);
             }
         }
+        w
+    }
+
+    /// The nodes of lanes that an item uses.
+    fn uses(&self, what: What) -> Vec<usize> {
+        let mut used: Vec<usize> = match what {
+            What::Step(i) => self.inverse.solvers[i].rows.concat().iter().map(|v| v.node as usize).collect(),
+            What::Finish => Vec::new(),
+            What::Depth(depth) => {
+                let nodes = self.inverse.graph.nodes().iter().enumerate();
+                let here = nodes.filter(|(i, _)| self.live[*i] && self.depths[*i] == depth);
+                here.flat_map(|(i, node)| match *node {
+                    Node::Add(a, b) => vec![a.node as usize, b.node as usize],
+                    Node::Mul(a, b) => vec![a as usize, b as usize],
+                    // It stands for itself, where it confirms.
+                    _ => vec![i],
+                })
+                .collect()
+            }
+        };
+        used.retain(|i| self.depths[*i] > 0);
         used.sort_unstable();
         used.dedup();
         used
     }
 
-    /// The statements of one depth, in a loop over its lanes; results that deeper loops or steps need are kept in arrays.
-    fn depth(&mut self, body: &mut Body<'_>, depth: usize) {
-        let lanes = self.all[depth];
-        if depth == 0 {
-            body.statements(self.depths, 0, &[]);
-            for line in body.take_lines() {
-                self.out.push_str(&line);
-                self.out.push('\n');
-            }
-            return;
+    /// Name of a node in loops that didn't compute it.
+    fn name(&self, node: usize) -> String {
+        match self.inverse.graph.nodes()[node] {
+            Node::Symbol(s) => identifier(self.inverse.plan.knowledge.ring.symbol_name(s)),
+            _ => format!("v{node}"),
         }
-        // Sines and cosines of this depth stand in arrays already; everything else of this depth is computed here.
-        let here: Vec<usize> = (0..self.graph().nodes().len())
-            .filter(|i| {
-                self.live[*i] && self.depths[*i] == depth && !matches!(self.graph().nodes()[*i], Node::Symbol(_))
-            })
-            .collect();
-        if here.is_empty() {
-            return;
-        }
-        let symbols: Vec<usize> = (0..self.graph().nodes().len())
-            .filter(|i| {
-                self.live[*i] && self.depths[*i] == depth && matches!(self.graph().nodes()[*i], Node::Symbol(_))
-            })
-            .collect();
-        let mut loads: Vec<usize> = self.used_at(depth);
-        loads.extend(symbols);
-        let before: Vec<(usize, String)> = loads.iter().map(|i| (*i, self.array(body, *i))).collect();
-        let mut inner = String::new();
-        for (i, array) in &before {
-            let from = self.all[self.depths[*i]];
-            let at = if from == lanes { "l".to_string() } else { format!("l % {from}") };
-            inner.push_str(&format!("let {array} = {array}_[{at}];\n"));
-            body.rename(*i, array);
-        }
-        body.statements(self.depths, depth, &[]);
-        for line in body.take_lines() {
-            inner.push_str(&line);
-            inner.push('\n');
-        }
-        let step_rows: Vec<usize> = self
-            .inverse
-            .solvers
-            .iter()
-            .flat_map(|s| s.rows.concat())
-            .chain(self.confirmation.iter().map(|(_, v)| *v))
-            .map(|v| v.node as usize)
-            .collect();
-        let kept: Vec<usize> = here.into_iter().filter(|i| self.wanted[*i] > depth || step_rows.contains(i)).collect();
-        for i in kept {
-            let text = body.known(i).unwrap_or("0.0").to_string();
-            let name = format!("v{i}");
-            self.out.push_str(&format!("let mut {name}_ = [0.0; {lanes}];\n"));
-            inner.push_str(&format!("{name}_[l] = {text};\n"));
-            body.rename(i, &name);
-        }
-        self.out.push_str(&format!("for l in 0..{lanes} {{\n{inner}}}\n"));
     }
 
-    /// Name of the array of a node.
-    fn array(&self, body: &Body<'_>, node: usize) -> String {
-        match self.graph().nodes()[node] {
-            Node::Symbol(s) => identifier(self.inverse.plan.knowledge.ring.symbol_name(s)),
-            _ => body.known(node).unwrap_or("0.0").to_string(),
+    /// Loads what an item uses.
+    fn load_nodes(&mut self, body: &mut Body<'_>, what: What) {
+        for node in self.uses(what) {
+            let name = self.name(node);
+            if !self.loops.knows(&name) && self.loops.load(&name) {
+                body.rename(node, &name);
+            }
+        }
+    }
+
+    /// The joint value of a step, under a name of its own; also the value of a joint, where it is one.
+    fn angle(&mut self, chain: &Chain, i: usize, text: &str) {
+        self.loops.inner.push_str(&format!("let g{i} = {text};\n"));
+        self.loops.define(&format!("g{i}"));
+        if self.loops.lanes > 1 && !self.loops.last {
+            let n = self.loops.lanes;
+            self.loops.store(&format!("g{i}"), &format!("g{i}"));
+            self.joint(chain, i, &[format!("g{i}")], n);
+        }
+    }
+
+    /// The joint that step `i` alone gives.
+    fn alone(&self, i: usize) -> Option<usize> {
+        let alone = |form: &Vec<i8>| form.iter().enumerate().all(|(k, x)| (*x != 0) == (k == i));
+        self.inverse.joints.iter().position(alone)
+    }
+
+    /// The values of the steps, where only one counts.
+    fn only(&self, i: usize, text: String) -> Vec<String> {
+        let mut angles = vec![String::new(); self.inverse.solvers.len()];
+        angles[i] = text;
+        angles
+    }
+
+    /// Writes the joint that step `i` alone gives, whose roots change after `p` lanes.
+    fn joint(&mut self, chain: &Chain, i: usize, roots: &[String], p: usize) {
+        let Some(k) = self.alone(i) else { return };
+        let total = branches(self.inverse);
+        for (r, root) in roots.iter().enumerate() {
+            let name = format!("j{k}{}", if r == 0 { "a" } else { "b" });
+            let value = self.joint_value(chain, k, &self.only(i, root.clone()));
+            self.loops.inner.push_str(&format!("let {name} = {value};\n"));
+            for start in (r * p..total).step_by(roots.len() * p) {
+                let at = if start == 0 { "l".to_string() } else { format!("l + {start}") };
+                self.loops.inner.push_str(&format!("q[{k}][{at}] = {name};\n"));
+            }
+        }
+        self.written.insert(k);
+    }
+
+    /// The value of a joint, in its range, from the values of the steps.
+    fn joint_value(&self, chain: &Chain, k: usize, angles: &[String]) -> String {
+        let x: Vec<String> = self.inverse.joints.iter().map(|form| combination(form, angles)).collect();
+        let form = &self.inverse.joints[k];
+        let plain = form.iter().filter(|x| **x != 0).count() == 1 && form.iter().all(|x| *x >= 0);
+        let turns = self.inverse.plan.axes.turns(k);
+        let q = motors(chain, &x).swap_remove(k);
+        let value = if turns && (!plain || !chain.joints[k].shift.is_zero()) {
+            format!("::dh_robot::lanes::wrap({q})")
+        } else {
+            q
+        };
+        if turns { into_range(chain, k, value) } else { value }
+    }
+
+    /// The values of one depth.
+    fn depth(&mut self, body: &mut Body<'_>, depth: usize) {
+        self.load_nodes(body, What::Depth(depth));
+        body.statements(&self.depths, depth, &[]);
+        self.loops.inner.push_str(&body.take_text());
+        for (i, node) in self.inverse.graph.nodes().iter().enumerate() {
+            let here = self.live[i] && self.depths[i] == depth && !matches!(node, Node::Symbol(_));
+            if here && self.wanted[i] > self.loops.segment && self.loops.lanes > 1 {
+                let text = body.known(i).unwrap_or("0.0").to_string();
+                self.loops.store(&format!("v{i}"), &text);
+            }
+        }
+        self.tell(body, depth);
+    }
+
+    /// What a depth says about the pose, to the confirmation.
+    fn tell(&mut self, body: &Body<'_>, depth: usize) {
+        let terms: Vec<String> = self
+            .confirmation
+            .iter()
+            .filter(|(_, v)| self.depths[v.node as usize] == depth)
+            .map(|(k, v)| format!("({} - t[{}][{}]).abs()", body.value(*v), k % 3, k / 3))
+            .collect();
+        if !terms.is_empty() {
+            self.loops.inner.push_str(&format!("let r{depth} = {};\n", terms.join(" + ")));
+            self.loops.judge(2, format!("r{depth}"));
         }
     }
 
@@ -221,7 +303,7 @@ impl Writer<'_> {
             return None;
         }
         let whole = |r: usize, k: usize| {
-            let p = self.graph().as_constant(solver.rows[r][k])?;
+            let p = self.inverse.graph.as_constant(solver.rows[r][k])?;
             [(0, Poly::zero()), (1, Poly::one()), (-1, -&Poly::one())]
                 .into_iter()
                 .find(|(_, n)| p == *n)
@@ -239,194 +321,187 @@ impl Writer<'_> {
         }
     }
 
-    /// One step for all lanes of the depth that its coefficients need; cosine and sine are then spread over all lanes.
-    fn step(
-        &mut self,
-        body: &mut Body<'_>,
-        i: usize,
-        solver: &Solver,
-        at: usize,
-        valid: &mut Vec<(String, usize, usize)>,
-        margins: &mut Vec<(String, usize, usize)>,
-    ) {
+    /// One step for all lanes that its coefficients need; cosine and sine are then spread over the lanes of the next depth.
+    fn step(&mut self, body: &mut Body<'_>, chain: &Chain, i: usize) {
+        self.load_nodes(body, What::Step(i));
+        let solver = &self.inverse.solvers[i];
         let known = &self.inverse.plan.knowledge.known[solver.finds[0]];
+        let (p, before) = (self.loops.lanes, self.all[i]);
+        let roots = self.all[i + 1] / before;
         let [c, s] = known.symbols.map(|x| identifier(self.inverse.plan.knowledge.ring.symbol_name(x)));
-        let (p, before, roots) = (self.all[at], self.all[i], self.inverse.plan.steps[i].roots);
-        // Load what the coefficients need.
-        let mut inner = String::new();
-        let mut loaded: Vec<usize> = Vec::new();
-        for v in solver.rows.concat() {
-            let node = v.node as usize;
-            if self.depths[node] > 0 && !loaded.contains(&node) {
-                loaded.push(node);
-                let array = self.array(body, node);
-                let from = self.all[self.depths[node]];
-                let index = if from == p { "l".to_string() } else { format!("l % {from}") };
-                inner.push_str(&format!("let {array} = {array}_[{index}];\n"));
-                body.rename(node, &array);
-            }
-        }
         let v = |r: usize, k: usize| body.value(solver.rows[r][k]);
         let minus = |r: usize, k: usize| body.negative(solver.rows[r][k]);
-        let unit = self.unit(body, solver);
-        let q = p * roots;
-        let turns = known.turns;
-        self.out.push_str(&format!("// {}\nlet mut f{i} = [[0.0; {q}]; 2];\n", known.name));
-        if unit.is_none() {
-            self.out.push_str(&format!("let mut m{i} = [0.0; {p}];\n"));
-            margins.push((format!("m{i}"), p, before));
-        }
-        match solver.kind {
-            StepKind::HalfTurn => inner.push_str(&format!(
-                "let ([x, y], m) = ::dh_robot::lanes::half_turn({}, {});\nf{i}[0][l] = x;\nf{i}[1][l] = y;\nf{i}[0][l + {p}] = -x;\nf{i}[1][l + {p}] = -y;\nm{i}[l] = m;\n",
-                v(0, 0), v(0, 1)
-            )),
+        self.loops.inner.push_str(&format!("// {}\n", known.name));
+        // The first root, whatever becomes of it.
+        let direct = roots == 1 && p == before;
+        let [x, y] = if direct { [c.clone(), s.clone()] } else { [format!("x{i}"), format!("y{i}")] };
+        let (mut second, mut judged) = ([String::new(), String::new()], true);
+        let text = match solver.kind {
+            StepKind::HalfTurn => {
+                second = [format!("-{x}"), format!("-{y}")];
+                format!("let ([{x}, {y}], m{i}) = ::dh_robot::lanes::half_turn({}, {});\n", v(0, 0), v(0, 1))
+            }
             StepKind::SinCos => {
-                self.out.push_str(&format!("let mut e{i} = [0.0; {p}];\n"));
-                inner.push_str(&format!(
-                    "let ([x, y, z, w], e, m) = ::dh_robot::lanes::sincos({}, {}, {});\nf{i}[0][l] = x;\nf{i}[1][l] = y;\nf{i}[0][l + {p}] = z;\nf{i}[1][l + {p}] = w;\nm{i}[l] = m;\ne{i}[l] = e;\n",
-                    v(0, 0), v(0, 1), minus(0, 2)
-                ));
-                valid.push((format!("e{i}"), p, before));
+                second = [format!("z{i}"), format!("w{i}")];
+                let [z, w] = &second;
+                let (a, b, c) = (v(0, 0), v(0, 1), minus(0, 2));
+                format!("let ([{x}, {y}, {z}, {w}], e{i}, m{i}) = ::dh_robot::lanes::sincos({a}, {b}, {c});\n")
             }
-            StepKind::AtanPair if unit.is_some() => {
-                let (x, y) = unit.unwrap_or_default();
-                inner.push_str(&format!(
-                    "let [x, y] = ::dh_robot::lanes::unit({x}, {y});\nf{i}[0][l] = x;\nf{i}[1][l] = y;\n"
-                ));
-            }
-            StepKind::AtanPair => inner.push_str(&format!(
-                "let ([x, y], m) = ::dh_robot::lanes::pair({}, {}, {}, {}, {}, {});\nf{i}[0][l] = x;\nf{i}[1][l] = y;\nm{i}[l] = m;\n",
-                v(0, 0), v(0, 1), minus(0, 2), v(1, 0), v(1, 1), minus(1, 2)
-            )),
-            _ => inner.push_str(&format!(
-                "let (x, m) = ::dh_robot::lanes::linear({}, {});\nf{i}[0][l] = x;\nf{i}[1][l] = x;\nm{i}[l] = m;\n",
-                v(0, 0), v(0, 1)
-            )),
+            StepKind::AtanPair => match self.unit(body, solver) {
+                Some((a, b)) => {
+                    judged = false;
+                    format!("let [{x}, {y}] = ::dh_robot::lanes::unit({a}, {b});\n")
+                }
+                None => format!(
+                    "let ([{x}, {y}], m{i}) = ::dh_robot::lanes::pair({}, {}, {}, {}, {}, {});\n",
+                    v(0, 0),
+                    v(0, 1),
+                    minus(0, 2),
+                    v(1, 0),
+                    v(1, 1),
+                    minus(1, 2)
+                ),
+            },
+            _ => format!("let ({x}, m{i}) = ::dh_robot::lanes::linear({}, {});\nlet {y} = {x};\n", v(0, 0), v(0, 1)),
+        };
+        self.loops.inner.push_str(&text);
+        if judged {
+            self.loops.judge(0, format!("m{i}"));
         }
-        self.out.push_str(&format!("for l in 0..{p} {{\n{inner}}}\n"));
-        // Lane k of the new depth: root k / before of lane k % before.
-        let lanes = before * roots;
-        let index = if p == before { "k".to_string() } else { format!("k / {before} * {p} + k % {p}") };
-        let spread = |j: usize| {
-            if p == before {
-                format!("f{i}[{j}]")
+        if solver.kind == StepKind::SinCos {
+            self.loops.judge(1, format!("e{i}"));
+        }
+        let angle = |x: &str, y: &str| {
+            if known.turns {
+                format!("::dh_robot::lanes::angle({y}, {x})")
             } else {
-                format!("::core::array::from_fn::<f64, {lanes}, _>(|k| f{i}[{j}][{index}])")
+                format!("{x} * {}", literal(self.inverse.plan.axes.reach, Scalar::F64))
             }
         };
-        self.out.push_str(&format!("let {c}_ = {};\n", spread(0)));
-        if turns {
-            self.out.push_str(&format!("let {s}_ = {};\n", spread(1)));
-            // One arc tangent per pair of opposite roots.
-            let angle = if solver.kind == StepKind::HalfTurn {
-                format!(
-                    "let half: [f64; {p}] = ::dh_robot::atan2_batch(&::core::array::from_fn(|l| f{i}[1][l]), &::core::array::from_fn(|l| f{i}[0][l]));\n\
-                     let g{i}: [f64; {q}] = ::core::array::from_fn(|k| if k < {p} {{ half[k] }} else if half[k - {p}] > 0.0 {{ half[k - {p}] - ::core::f64::consts::PI }} else {{ half[k - {p}] + ::core::f64::consts::PI }});\n"
-                )
-            } else {
-                format!("let g{i}: [f64; {q}] = ::dh_robot::atan2_batch(&f{i}[1], &f{i}[0]);\n")
-            };
-            self.out.push_str(&angle);
+        let other = if solver.kind == StepKind::HalfTurn {
+            format!("::dh_robot::lanes::opposite(g{i})")
         } else {
-            let reach = literal(self.inverse.plan.axes.reach, Scalar::F64);
-            self.out.push_str(&format!("let g{i}: [f64; {q}] = f{i}[0].map(|d| d * {reach});\n"));
+            angle(&second[0], &second[1])
+        };
+        let first = angle(&x, &y);
+        if direct {
+            for name in [c, s] {
+                let later = (0..self.depths.len()).any(|k| {
+                    let symbol = matches!(self.inverse.graph.nodes()[k], Node::Symbol(_));
+                    symbol && self.wanted[k] > self.loops.segment && self.name(k) == name
+                });
+                self.loops.define(&name);
+                if later && p > 1 {
+                    self.loops.store(&name, &name);
+                }
+            }
+            self.angle(chain, i, &first);
+            return;
         }
-    }
-
-    /// Confirmation, joint values and the solutions.
-    fn finish(
-        &mut self,
-        body: &mut Body<'_>,
-        chain: &Chain,
-        total: usize,
-        valid: &[(String, usize, usize)],
-        margins: &[(String, usize, usize)],
-    ) {
-        let plan = &self.inverse.plan;
-        self.out.push_str(&format!("let mut error = [0.0; {total}];\nfor l in 0..{total} {{\n"));
-        let mut loaded: Vec<usize> = Vec::new();
-        for (_, v) in self.confirmation {
-            let node = v.node as usize;
-            if self.depths[node] > 0 && !loaded.contains(&node) {
-                loaded.push(node);
-                let array = self.array(body, node);
-                let from = self.all[self.depths[node]];
-                let index = if from == total { "l".to_string() } else { format!("l % {from}") };
-                self.out.push_str(&format!("let {array} = {array}_[{index}];\n"));
-                body.rename(node, &array);
+        let spread = self.all[i + 1];
+        self.loops.arrays.insert(c.clone(), Layout::plain(spread));
+        self.loops.arrays.insert(s.clone(), Layout::plain(spread));
+        let layout = Layout { before, roots, p };
+        if p == 1 {
+            let list = |first: &str, second: &str| {
+                let lanes = (0..spread).map(|k| if k < before { first } else { second });
+                format!("[{}]", lanes.collect::<Vec<_>>().join(", "))
+            };
+            self.loops.inner.push_str(&format!(
+                "let {c}_ = {};\nlet {s}_ = {};\n",
+                list(&x, &second[0]),
+                list(&y, &second[1])
+            ));
+            if roots == 1 {
+                self.angle(chain, i, &first);
+            } else if known.turns {
+                let [z, w] = &second;
+                self.loops
+                    .inner
+                    .push_str(&format!("let g{i}_ = ::dh_robot::lanes::angles(&[{y}, {w}], &[{x}, {z}]);\n"));
+                self.loops.arrays.insert(format!("g{i}"), layout);
+            } else {
+                self.loops.inner.push_str(&format!("let g{i}_ = [{first}, {other}];\n"));
+                self.loops.arrays.insert(format!("g{i}"), layout);
+            }
+            return;
+        }
+        let many = p * roots;
+        self.loops.before.push_str(&format!("let mut f{i} = [[0.0; {many}]; 2];\n"));
+        let mut writes = vec![format!("f{i}[0][l] = {x};\nf{i}[1][l] = {y};\n")];
+        if roots > 1 {
+            let [z, w] = &second;
+            writes.push(format!("f{i}[0][l + {p}] = {z};\nf{i}[1][l + {p}] = {w};\n"));
+        }
+        self.loops.inner.push_str(&writes.concat());
+        if known.turns && p < 4 {
+            // Such a short loop is unrolled: the angles are better taken together.
+            self.loops.after.push_str(&format!("let g{i}_ = ::dh_robot::lanes::angles(&f{i}[1], &f{i}[0]);\n"));
+            if let Some(k) = self.alone(i) {
+                let value = self.joint_value(chain, k, &self.only(i, format!("g{i}_[{}]", layout.index())));
+                self.loops.after.push_str(&format!("q[{k}] = ::core::array::from_fn(|l| {value});\n"));
+                self.written.insert(k);
+            }
+        } else {
+            self.loops.before.push_str(&format!("let mut g{i}_ = [0.0; {many}];\n"));
+            self.loops.inner.push_str(&format!("let g{i} = {first};\ng{i}_[l] = g{i};\n"));
+            if roots > 1 {
+                self.loops.inner.push_str(&format!("let h{i} = {other};\ng{i}_[l + {p}] = h{i};\n"));
+                if p == before {
+                    self.joint(chain, i, &[format!("g{i}"), format!("h{i}")], p);
+                }
             }
         }
-        let mut terms = Vec::new();
-        for (k, v) in self.confirmation {
-            let (row, column) = (k % 3, k / 3);
-            terms.push(format!("({} - t[{row}][{column}]).abs()", body.value(*v)));
-        }
-        self.out.push_str(&format!("error[l] = {};\n}}\n", terms.join(" + ")));
-        // A value of step i for lane k of all lanes.
-        let product = |list: &[(String, usize, usize)], join: &str, start: &str| {
-            list.iter().fold(start.to_string(), |t, (name, p, before)| {
-                let x = format!("{name}[l % {before} % {p}]");
-                if join == "*" { format!("{t} * {x}") } else { format!("{t}.min({x})") }
-            })
-        };
-        self.out.push_str(&format!(
-            "let valid: [f64; {total}] = ::core::array::from_fn(|l| {});\nlet margin: [f64; {total}] = ::core::array::from_fn(|l| {});\n",
-            product(valid, "*", "1.0"),
-            product(margins, "min", "1.0_f64")
-        ));
-        // The angle of known combination i at lane l.
-        let mut angles = Vec::new();
-        for (i, solver) in self.inverse.solvers.iter().enumerate() {
-            let at = solver.rows.concat().iter().map(|v| self.depths[v.node as usize]).max().unwrap_or(0);
-            let (p, before, roots) = (self.all[at], self.all[i], plan.steps[i].roots);
-            angles.push(if roots == 1 {
-                format!("g{i}[l % {p}]")
+        self.loops.arrays.insert(format!("g{i}"), layout);
+        for (k, name) in [c, s].iter().enumerate() {
+            let text = if p == before {
+                format!("f{i}[{k}]")
             } else {
-                format!("g{i}[l / {before} % {roots} * {p} + l % {p}]")
-            });
+                format!("::core::array::from_fn::<f64, {spread}, _>(|l| f{i}[{k}][{}])", layout.index())
+            };
+            self.loops.after.push_str(&format!("let {name}_ = {text};\n"));
         }
-        let x: Vec<String> = self.inverse.joints.iter().map(|form| combination(form, &angles)).collect();
-        let plain = |form: &Vec<i8>| form.iter().filter(|k| **k != 0).count() == 1;
-        let q: Vec<String> = motors(chain, &x)
-            .into_iter()
-            .zip(&self.inverse.joints)
-            .enumerate()
-            .map(|(k, (q, form))| {
-                let shifted = !chain.joints[k].shift.is_zero();
-                let wraps = plan.axes.turns(k) && (shifted || !plain(form));
-                let value = if wraps { format!("::dh_robot::lanes::wrap({q})") } else { q };
-                let value = if plan.axes.turns(k) { into_range(chain, k, value) } else { value };
-                format!("::core::array::from_fn(|l| {value})")
-            })
-            .collect();
-        self.out.push_str(&format!("let q: [[f64; {total}]; {}] = [{}];\n", chain.dof(), q.join(",\n")));
-        let mut roots = String::new();
-        for (i, step) in plan.steps.iter().enumerate().filter(|(_, s)| s.roots > 1) {
-            roots.push_str(&format!("let i{i} = l / {} % {};\n", self.all[i], step.roots));
-        }
-        self.out.push_str(&format!(
-            "const BRANCHES: [::dh_robot::Branch; {total}] = {{\nlet mut all = [::dh_robot::Branch::ANY; {total}];\nlet mut l = 0;\n\
-             while l < {total} {{\n{roots}all[l] = {};\nl += 1;\n}}\nall\n}};\n\
-             ::dh_robot::lanes::collect(&valid, &margin, &error, &q, &BRANCHES, solutions)\n",
-            branch(self.inverse)
-        ));
     }
-}
 
-/// The angle brought into the joint's range by a turn, where one can: what can be decided now is.
-fn into_range(chain: &Chain, k: usize, angle: String) -> String {
-    use core::f64::consts::PI;
-    let Some((least, greatest)) = &chain.joints[k].range else { return angle };
-    let (least, greatest) = (bound(least), bound(greatest));
-    if (least <= -PI && greatest >= PI) || (least > -PI + 1e-3 && greatest < PI - 1e-3) {
-        // Every angle is in range, or no turn brings one in.
-        angle
-    } else if least <= PI && greatest >= -PI {
-        let (least, greatest) = (literal(least, Scalar::F64), literal(greatest, Scalar::F64));
-        format!("::dh_robot::lanes::into_range({angle}, {least}, {greatest})")
-    } else {
-        let (least, greatest) = (literal(least, Scalar::F64), literal(greatest, Scalar::F64));
-        format!("::dh_robot::Joint::revolute(\"\").with_range({least}, {greatest}).normalize({angle})")
+    /// Confirmation and joint values.
+    fn finish(&mut self, chain: &Chain, total: usize) {
+        self.loops.flush();
+        let (inverse, lanes) = (self.inverse, self.loops.lanes);
+        let open: Vec<usize> = (0..inverse.joints.len()).filter(|k| !self.written.contains(k)).collect();
+        let used = |i: usize| open.iter().any(|k| inverse.joints[*k][i] != 0);
+        let first: Vec<String> = (0..inverse.solvers.len()).map(|i| format!("g{i}")).collect();
+        for (_, name) in first.iter().enumerate().filter(|(i, _)| used(*i)) {
+            self.loops.load(name);
+        }
+        let judged = std::mem::take(&mut self.loops.judged);
+        for (kind, names) in judged.iter().enumerate() {
+            for name in names {
+                self.loops.load(name);
+            }
+            self.loops.before.push_str(&format!("let mut {}_ = [0.0; {lanes}];\n", KINDS[kind]));
+        }
+        if lanes == 1 {
+            self.loops.inner.push_str("let l = 0;\n");
+        }
+        for (kind, names) in judged.iter().enumerate() {
+            self.loops.inner.push_str(&format!("{}_[l] = {};\n", KINDS[kind], joined(kind, names)));
+        }
+        let mut sets = vec![first.clone()];
+        if let Some(twin) = &self.twin {
+            let mut second = first;
+            for (i, name) in second.iter_mut().enumerate().skip(twin.step).filter(|(i, _)| used(*i)) {
+                let turns = inverse.plan.knowledge.known[inverse.solvers[i].finds[0]].turns;
+                self.loops.inner.push_str(&format!("let h{i} = {};\n", twin.angle(i, turns, name)));
+                *name = format!("h{i}");
+            }
+            sets.push(second);
+        }
+        for (half, angles) in sets.iter().enumerate() {
+            let at = if half == 0 { "l".to_string() } else { format!("l + {}", total / 2) };
+            for k in &open {
+                let value = self.joint_value(chain, *k, angles);
+                self.loops.inner.push_str(&format!("q[{k}][{at}] = {value};\n"));
+            }
+        }
     }
 }

@@ -9,11 +9,15 @@ mod docs;
 mod forward;
 pub(in crate::render) mod inverse;
 mod lanes;
+mod loops;
 mod names;
 #[cfg(feature = "cli")]
 mod pretty;
+mod ranges;
+mod segments;
 mod structure;
 mod stub;
+mod twin;
 
 pub use inverse::inverse;
 #[cfg(feature = "cli")]

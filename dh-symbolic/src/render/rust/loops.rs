@@ -1,0 +1,150 @@
+//! Loops over lanes as text: which names can be used where, and what has to be kept in arrays from one loop to the next.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What stands in an array `name_`: the value of lane `l` is at `l / before % roots * p + l % p`.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) struct Layout {
+    pub(super) before: usize,
+    pub(super) roots: usize,
+    pub(super) p: usize,
+}
+
+impl Layout {
+    /// One value per lane, the same for lanes that differ by `p`.
+    pub(super) fn plain(p: usize) -> Self {
+        Self { before: p, roots: 1, p }
+    }
+
+    pub(super) fn index(self) -> String {
+        match self {
+            Self { roots: 1, p, .. } => format!("l % {p}"),
+            Self { before, roots, p: 1 } => format!("l / {before} % {roots}"),
+            Self { before, roots, p } => format!("l / {before} % {roots} * {p} + l % {p}"),
+        }
+    }
+}
+
+/// What the confirmation is about.
+pub(super) const KINDS: [&str; 3] = ["margin", "valid", "error"];
+
+/// Several margins, validities or errors as one.
+pub(super) fn joined(kind: usize, names: &[String]) -> String {
+    match (kind, names) {
+        (2, []) => "0.0".into(),
+        (_, []) => "1.0".into(),
+        (0, [first, rest @ ..]) => {
+            rest.iter().fold(first.clone(), |t, m| format!("::dh_robot::lanes::lesser({t}, {m})"))
+        }
+        (1, _) => names.join(" * "),
+        _ => names.join(" + "),
+    }
+}
+
+/// The loops of a function, one after the other; code for one lane stands outside of loops.
+#[derive(Default)]
+pub(super) struct Loops {
+    /// Segment and lanes of the loop that is being written, and whether it is the last one.
+    pub(super) segment: usize,
+    pub(super) lanes: usize,
+    pub(super) last: bool,
+    /// Names that can be used as they are in this loop, and those that can be used anywhere.
+    here: BTreeSet<String>,
+    anywhere: BTreeSet<String>,
+    pub(super) arrays: BTreeMap<String, Layout>,
+    /// What the confirmation needs: margins, which lanes are real, errors; of this loop, and as the end will find them.
+    pending: [Vec<String>; 3],
+    pub(super) judged: [Vec<String>; 3],
+    /// What stands before the loop, in it, and after it.
+    pub(super) before: String,
+    pub(super) inner: String,
+    pub(super) after: String,
+    /// What is finished.
+    pub(super) out: String,
+}
+
+impl Loops {
+    /// Goes on with a loop, or begins the next one.
+    pub(super) fn enter(&mut self, segment: usize, lanes: usize, last: bool) {
+        if segment != self.segment {
+            self.close();
+        }
+        (self.segment, self.lanes, self.last) = (segment, lanes, last);
+    }
+
+    /// Can the name be used as it is?
+    pub(super) fn knows(&self, name: &str) -> bool {
+        self.here.contains(name) || self.anywhere.contains(name)
+    }
+
+    /// Makes a name usable in the loop; false if it has to be written there first.
+    pub(super) fn load(&mut self, name: &str) -> bool {
+        if self.knows(name) {
+            return true;
+        }
+        let Some(layout) = self.arrays.get(name).copied() else { return false };
+        if layout.roots > 1 || layout.p < self.lanes {
+            // Spread beforehand: the loop then reads whole vectors.
+            let n = self.lanes;
+            self.before.push_str(&format!(
+                "let {name}_: [f64; {n}] = ::core::array::from_fn(|l| {name}_[{}]);\n",
+                layout.index()
+            ));
+            self.arrays.insert(name.to_string(), Layout::plain(n));
+        }
+        let at = if self.lanes == 1 { "0" } else { "l" };
+        self.inner.push_str(&format!("let {name} = {name}_[{at}];\n"));
+        self.here.insert(name.to_string());
+        true
+    }
+
+    /// Keeps a value for later loops.
+    pub(super) fn store(&mut self, name: &str, text: &str) {
+        let n = self.lanes;
+        self.before.push_str(&format!("let mut {name}_ = [0.0; {n}];\n"));
+        self.inner.push_str(&format!("{name}_[l] = {text};\n"));
+        self.arrays.insert(name.to_string(), Layout::plain(n));
+        self.here.insert(name.to_string());
+    }
+
+    /// A name that has been written in this loop.
+    pub(super) fn define(&mut self, name: &str) {
+        let names = if self.lanes == 1 { &mut self.anywhere } else { &mut self.here };
+        names.insert(name.to_string());
+    }
+
+    /// A value that the confirmation needs, of one of the three kinds.
+    pub(super) fn judge(&mut self, kind: usize, name: String) {
+        self.define(&name);
+        self.pending[kind].push(name);
+    }
+
+    /// Puts together what this loop says to the confirmation.
+    pub(super) fn flush(&mut self) {
+        let pending = std::mem::take(&mut self.pending);
+        for (kind, names) in pending.into_iter().enumerate().filter(|(_, names)| !names.is_empty()) {
+            if self.lanes == 1 || self.last {
+                self.judged[kind].extend(names);
+                continue;
+            }
+            let name = format!("{}{}", KINDS[kind], self.segment);
+            self.store(&name, &joined(kind, &names));
+            self.judged[kind].push(name);
+        }
+    }
+
+    /// Ends the loop.
+    pub(super) fn close(&mut self) {
+        self.flush();
+        let (before, inner, after) =
+            (std::mem::take(&mut self.before), std::mem::take(&mut self.inner), std::mem::take(&mut self.after));
+        self.out.push_str(&before);
+        if self.lanes == 1 {
+            self.out.push_str(&inner);
+        } else {
+            self.out.push_str(&format!("for l in 0..{} {{\n{inner}}}\n", self.lanes));
+        }
+        self.out.push_str(&after);
+        self.here.clear();
+    }
+}
