@@ -75,6 +75,16 @@ fn inverse(head: &Head, chain: &Chain, forward: &Forward, parsed: &mut Parsed) -
         parsed.errors.push(Error::new(parsed.origins.name, text));
         return String::new();
     }
+    let tilting = if chain.task == Task::Planar { planner::tilting_joints(chain) } else { Vec::new() };
+    if !tilting.is_empty() {
+        for joint in tilting {
+            let name = chain.joints.get(joint).map_or("", |j| j.name.as_str());
+            let text = format!("`{name}` tilts the tool, and `task = planar` asks for x, y and the angle about z only");
+            let help = "turning axes must be parallel to z of the base (`base = rx(90deg);` and the like turn the arm), or take another task";
+            parsed.errors.push(Error::new(parsed.origins.joint(joint), text).help(help));
+        }
+        return String::new();
+    }
     let plan = match planner::search(chain) {
         Ok(plan) => plan,
         Err(refusal) => {

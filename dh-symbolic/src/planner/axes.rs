@@ -5,6 +5,7 @@
 //! about the tool's point for `position`, a slide along z for `planar` where joints change the height.
 
 use super::kernels::pose::{self, Pose};
+use super::plane;
 use crate::algebra::{Angle, AngleVar, LinearAngle, Poly, Rational, Ring, Transform};
 use crate::chain::{Chain, Coordinate, Elementary, Handle, Task};
 
@@ -68,17 +69,6 @@ pub(crate) fn numeric(chain: &Chain, t: &Transform, reach: f64) -> Pose {
     })
 }
 
-/// The tool's height, if no joint changes it.
-fn constant_height(chain: &Chain) -> Option<Poly> {
-    let pose = crate::kinematics::Kinematics::new(chain).pose();
-    let height = &pose.p[2];
-    let moves = |c: &Coordinate| match c {
-        Coordinate::Length(s) => height.symbols().contains(s),
-        Coordinate::Angle(v) => height.angles().contains(v),
-    };
-    (!chain.joints.iter().any(|j| moves(&j.coordinate))).then(|| height.clone())
-}
-
 /// Elementary motions and joints in one list.
 enum Item {
     Constant(Elementary),
@@ -92,7 +82,7 @@ impl Axes {
         let mut coordinates: Vec<Coordinate> = chain.joints.iter().map(|j| j.coordinate).collect();
         let real = coordinates.len();
         let mut items: Vec<Item> = Vec::new();
-        match (chain.task, constant_height(chain)) {
+        match (chain.task, plane::constant_height(chain)) {
             // The target's height is 0.
             (Task::Planar, Some(height)) => items.push(Item::Constant(Elementary::Translate(2, -&height))),
             (Task::Planar, None) => {

@@ -14,6 +14,7 @@ mod equation;
 #[path = "kernels/mod.rs"]
 pub mod kernels;
 mod known;
+mod plane;
 pub mod pool;
 mod sample;
 mod search;
@@ -24,6 +25,7 @@ mod structure;
 pub use axes::{Axes, Hop};
 pub(crate) use axes::{generic_parameter, numeric};
 pub use known::{Collected, Knowledge, Known, KnownPose, Part};
+pub use plane::tilting_joints;
 pub use pool::{Equation, Scalar};
 pub(crate) use sample::joint_vectors;
 pub use search::search;

@@ -9,7 +9,7 @@ use crate::kinematics::Kinematics;
 use crate::planner::kernels::pose::{self, Pose};
 use crate::planner::{self, Plan};
 use crate::program::Inverse;
-use crate::render::style::decimal;
+use crate::render::style::{Frame, decimal};
 use std::f64::consts::TAU;
 
 /// Degrees of the example's joints, one after the other; awkward enough to be in general position.
@@ -390,20 +390,30 @@ impl Writer<'_> {
 
     /// The pose between the first and the last frame, where base or tool is more than that.
     fn without_constants(&mut self, arm: &Arm, goal: &Pose) {
-        let axes = &arm.plan.axes;
-        if self.chain.task != Task::Pose
-            || (axes.start == Transform::identity() && axes.end == Transform::identity())
-            || !self.options.parts.contains(&super::Part::Inverse)
-        {
+        let (base, tool) = (!self.chain.base.is_empty(), !self.chain.tool.is_empty());
+        if self.chain.task != Task::Pose || !(base || tool) {
             return;
         }
+        let k = Kinematics::new(&arm.chain);
         let constant = |t: &Transform| arm.numbers(t, &[]);
-        let inner = pose::compose(&pose::inverse(&constant(&axes.start)), goal);
-        let inner = pose::compose(&inner, &pose::inverse(&constant(&axes.end)));
-        let Some((left, product)) = self.whole_pose.clone() else { return };
+        let inner = pose::compose(&pose::inverse(&constant(k.base())), goal);
+        let inner = pose::compose(&inner, &pose::inverse(&constant(k.tool())));
+        let n = self.chain.links.len();
+        let inverse = |m: Math| m.above(Math::Row(vec![Math::Sign(Sign::Negative), Math::number(1)]));
+        let mut product = vec![Math::Letter('G')];
+        if base {
+            product.insert(0, inverse(self.notation.transform(Frame::Base, Frame::Row(0))));
+        }
+        if tool {
+            product.push(inverse(self.notation.transform(Frame::Row(n), Frame::Tool)));
+        }
         self.say(Phrase::ExampleInner, vec![]);
         let matrix = self.numbers(&inner, self.places(arm));
-        self.display_product(left, Some(product), matrix);
+        self.display_product(
+            self.notation.transform(Frame::Row(0), Frame::Row(n)),
+            Some(super::side_by_side(product)),
+            matrix,
+        );
     }
 
     fn solutions(&mut self, arm: &Arm, found: &[Found], worst: f64) {

@@ -5,6 +5,7 @@ use crate::algebra::Transform;
 use crate::chain::Task;
 use crate::planner::{self, StepKind};
 use crate::render::story::{Source, StepStory, Story};
+use crate::render::style::Frame;
 
 impl Writer<'_> {
     pub(super) fn inverse(&mut self) {
@@ -57,7 +58,6 @@ impl Writer<'_> {
             shown.push((name, end));
         }
         let r = Math::Letter('r').below(Math::Row(vec![Math::Letter('i'), Math::Letter('j')]));
-        self.whole_pose = Some((whole.clone(), Math::Row(product.clone())));
         self.say(Phrase::Wanted, vec![Math::equation(whole, Math::Row(product)), r, Math::Letter('p')]);
         for (name, t) in shown {
             self.transform(name, None, t, None);
@@ -84,6 +84,14 @@ impl Writer<'_> {
                 crate::chain::Convention::Modified => Phrase::PrimedModified,
             };
             self.say(phrase, vec![i().above(Math::Sign(Sign::Prime)), i()]);
+        }
+        match story.end {
+            Some(end @ Frame::Tool) => self.say(Phrase::EndIsTool, vec![self.notation.frame(end)]),
+            Some(end) => {
+                let own = self.notation.frame(Frame::Row(self.chain.links.len()));
+                self.say(Phrase::EndIsShifted, vec![self.notation.frame(end), own]);
+            }
+            None => {}
         }
         if let Some(joint) = self.chain.redundant.and_then(|k| self.chain.joints.get(k)) {
             let name = match joint.coordinate {

@@ -104,8 +104,6 @@ struct Writer<'a> {
     named: Vec<(Poly, Math)>,
     /// Number of the last numbered equation.
     number: usize,
-    /// The pose between the first and the last frame, and what it is made of: once the inverse has named them.
-    whole_pose: Option<(Math, Math)>,
 }
 
 impl<'a> Writer<'a> {
@@ -115,7 +113,6 @@ impl<'a> Writer<'a> {
             notation: Notation::styled(chain, &options.style),
             order: Order::of(chain),
             options,
-            whole_pose: None,
             blocks: Vec::new(),
             told: Vec::new(),
             named: Vec::new(),
@@ -164,8 +161,11 @@ impl<'a> Writer<'a> {
             Math::Matrix(rows) => row_width(rows),
             other => other.glyphs(),
         };
+        let short = |p: &Math| if p.glyphs() <= PRODUCT { PRODUCT } else { 0 };
         let right = match product {
-            Some(p) if p.glyphs() + width(&matrix) <= self.options.width + PRODUCT => vec![Math::equation(p, matrix)],
+            Some(p) if width(&matrix) + p.glyphs() <= self.options.width + short(&p) => {
+                vec![Math::equation(p, matrix)]
+            }
             Some(p) => vec![p, Math::Row(vec![Math::Sign(Sign::Equals), matrix])],
             None => vec![matrix],
         };

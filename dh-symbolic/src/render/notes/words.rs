@@ -75,6 +75,8 @@ phrases! {
         "逆解中的坐标系位于关节轴上：坐标系 {} 是表中坐标系 {} 经关节 {} 运动后的坐标系。";
     PrimedModified: "Frame {} is frame {} without its shift along the axis.", "坐标系 {} 是去掉沿轴平移后的坐标系 {}。";
     PrimedStandard: "Frame {} is frame {} after its shift along the axis.", "坐标系 {} 是沿轴平移后的坐标系 {}。";
+    EndIsTool: "Frame {} is that of the tool.", "坐标系 {} 是工具坐标系。";
+    EndIsShifted: "Frame {} is frame {} after the shift of the tool along the axis.", "坐标系 {} 是坐标系 {} 沿轴平移工具长度后的坐标系。";
     TaskAxis: "Only the position and the direction of the last z axis are asked for. The turn {} about it is open: it counts as one more joint, whose value does not matter.",
         "只要求位置和最后 z 轴的方向。绕该轴的转角 {} 不限：把它看作多出的一个关节，其值无关紧要。";
     TaskPosition: "Only the position is asked for. Three turns about the tool's point are open: they count as further joints, whose values do not matter.",
@@ -110,7 +112,7 @@ phrases! {
     ExamplePosition: "Of this the task asks only for the position:", "任务只要求位置：";
     ExampleAxis: "Of this the task asks only for the position and the direction of the last z axis:", "任务只要求位置和最后 z 轴的方向：";
     ExamplePlanar: "Of this the task asks only for the place in the plane and the angle about z:", "任务只要求平面内的位置和绕 z 轴的角度：";
-    ExampleInner: "Between the frames of the inverse this is", "换到逆解所用的坐标系之间，得";
+    ExampleInner: "Without base and tool this is", "去掉基座和工具，得";
     ExampleNone: "No joint vector reaches it.", "没有关节变量能到达该位姿。";
     ExampleFree: "In solutions {} a joint is free: one value of a continuum is shown.", "解 {} 中有关节可任取：这里只给出其中一个值。";
     ExampleClosest: "Closest to {} is solution {}.", "距 {} 最近的是第 {} 组解。";

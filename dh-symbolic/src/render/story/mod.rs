@@ -13,6 +13,7 @@ use super::expression::Expression;
 use super::grouping::Order;
 use super::math::Math;
 use super::notation::Notation;
+use super::style::Frame;
 use crate::algebra::{Poly, Symbol};
 use crate::chain::Chain;
 use crate::planner::{Equation, Form, Plan, Step, StepKind};
@@ -26,6 +27,8 @@ pub(crate) struct Story<'a> {
     order: Order,
     /// Does the table follow the modified convention?
     modified: bool,
+    /// What the last frame is called, where it is no frame of the table.
+    pub(crate) end: Option<Frame>,
     /// Parameters: what a formula may be divided by.
     lengths: Vec<Symbol>,
     /// Known poses in order of first use.
@@ -70,6 +73,7 @@ impl<'a> Story<'a> {
             notation: names::notation(chain, plan, notation),
             order: Order::of(chain),
             modified: false,
+            end: None,
             lengths: chain
                 .parameters
                 .iter()

@@ -126,11 +126,16 @@ impl Story<'_> {
         let before = hops.get(..hop).unwrap_or(hops);
         let joints = before.iter().filter(|h| h.joint.is_some()).count();
         let shifted = before.last().is_some_and(|h| h.joint.is_none());
-        let will_shift = !before.is_empty() && hops.get(hop).is_some_and(|h| h.joint.is_none());
+        // The shift of the tool is none of the frame's.
+        let own = !(self.end.is_some() && hop + 1 == hops.len());
+        let will_shift = own && !before.is_empty() && hops.get(hop).is_some_and(|h| h.joint.is_none());
         (joints, if self.modified { will_shift && !shifted } else { shifted })
     }
 
     fn frame_at(&self, hop: usize) -> Frame {
+        if let Some(end) = self.end.filter(|_| hop == self.plan.axes.hops.len()) {
+            return end;
+        }
         match self.frame(hop) {
             (joint, true) => Frame::Primed(joint),
             (joint, false) => Frame::Row(joint),
@@ -150,16 +155,37 @@ impl Story<'_> {
     pub(crate) fn primed(&self) -> Vec<usize> {
         let equations = self.plan.steps.iter().flat_map(|s| &s.equations).flat_map(|e| [e.a, e.b]);
         let poses = (0..self.poses.len()).filter_map(|i| self.plan_pose(i)).flat_map(|k| [k.left, k.right]);
+        let inside = |hop: &usize| self.end.is_none() || *hop < self.plan.axes.hops.len();
         let mut list: Vec<usize> =
-            equations.chain(poses).map(|hop| self.frame(hop)).filter(|f| f.1).map(|f| f.0).collect();
+            equations.chain(poses).filter(inside).map(|hop| self.frame(hop)).filter(|f| f.1).map(|f| f.0).collect();
         list.sort_unstable();
         list.dedup();
         list
     }
 
+    /// The last frame, where a virtual joint or the tool's own shift leads to it.
+    fn end_of(&self, chain: &Chain) -> Option<Frame> {
+        let axes = &self.plan.axes;
+        let last = axes.hops.last()?;
+        if last.joint.is_some_and(|j| j >= axes.real) {
+            return Some(Frame::Tool);
+        }
+        let link = chain.links.last()?;
+        let own = match link.joint.and_then(|j| chain.joints.get(j)).map(|j| j.coordinate) {
+            Some(Coordinate::Length(s)) => link.d != crate::algebra::Poly::symbol(s),
+            _ => !link.d.is_zero(),
+        };
+        if last.joint.is_some() || own || !self.modified || chain.tool.is_empty() {
+            return None;
+        }
+        let whole = axes.end == crate::algebra::Transform::identity();
+        Some(if whole { Frame::Tool } else { Frame::Primed(chain.links.len()) })
+    }
+
     /// Gives letters to the known poses that steps use, in order of first use.
     pub(super) fn name_poses(&mut self, chain: &Chain) {
         self.modified = chain.convention == Convention::Modified;
+        self.end = self.end_of(chain);
         let mut used: Vec<usize> = Vec::new();
         for step in &self.plan.steps {
             for c in &step.collected {
