@@ -11,6 +11,7 @@
 pub mod document;
 pub mod errata;
 pub mod expression;
+pub mod figure;
 pub mod grouping;
 pub mod html;
 pub mod javascript;

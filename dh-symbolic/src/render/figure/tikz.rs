@@ -1,0 +1,54 @@
+//! Drawings as TikZ pictures, for LaTeX: its own fonts stand in the labels.
+
+use super::drawing::{Color, Drawing, Pen, Shape};
+use super::svg::{is_blank, number};
+use crate::render::latex;
+
+/// The drawing as a `tikzpicture`; a unit is a point.
+pub fn picture(d: &Drawing) -> String {
+    let mut out = String::from("\\begin{tikzpicture}[x=1bp,y=-1bp,line cap=round,line join=round]\n");
+    for shape in d.shapes.iter().filter(|s| !is_blank(s)) {
+        out.push_str(&line(shape));
+    }
+    out.push_str("\\end{tikzpicture}\n");
+    out
+}
+
+fn line(shape: &Shape) -> String {
+    match shape {
+        Shape::Line(points, pen) => format!("\\draw[{}] {};\n", edge(pen), list(points)),
+        Shape::Area(points, fill, pen) => match pen {
+            Some(pen) => format!("\\filldraw[fill={},{}] {} -- cycle;\n", color(*fill), edge(pen), list(points)),
+            None => format!("\\fill[fill={}] {} -- cycle;\n", color(*fill), list(points)),
+        },
+        Shape::Circle(at, r, fill, pen) => {
+            let mut options: Vec<String> = Vec::new();
+            options.extend(fill.map(|f| format!("fill={}", color(f))));
+            options.extend(pen.as_ref().map(edge));
+            format!("\\path[{}] {} circle ({}bp);\n", options.join(","), point(*at), number(*r))
+        }
+        Shape::Label(at, math, fill) => format!(
+            "\\node[text={},fill=white,fill opacity=0.7,text opacity=1,inner sep=0.6pt] at {} {{$\\scriptstyle {}$}};\n",
+            color(*fill),
+            point(*at),
+            latex::math(math)
+        ),
+    }
+}
+
+fn list(points: &[[f64; 2]]) -> String {
+    points.iter().map(|p| point(*p)).collect::<Vec<_>>().join(" -- ")
+}
+
+fn point(p: [f64; 2]) -> String {
+    format!("({},{})", number(p[0]), number(p[1]))
+}
+
+fn edge(pen: &Pen) -> String {
+    let dashes = if pen.dashed { ",dash pattern=on 3bp off 3bp" } else { "" };
+    format!("draw={},line width={}bp{dashes}", color(pen.color), number(pen.width))
+}
+
+fn color(Color(r, g, b): Color) -> String {
+    format!("{{rgb,255:red,{r};green,{g};blue,{b}}}")
+}
