@@ -5,7 +5,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use dh_symbolic::render::{Language, page};
+use dh_symbolic::render::{Options, page};
 use dh_tests::engine::{Interpreter, spec};
 use serde_json::Value;
 
@@ -60,7 +60,7 @@ fn the_page_shows_what_rust_computes() {
     {
         let source = sources.iter().find(|s| s.module == module).expect("an example");
         let interpreter = Interpreter::new(&spec(&source.body));
-        let html = page(&interpreter.chain, Language::English).expect("a page");
+        let html = page(&interpreter.chain, &Options::default()).expect("a page");
         assert!(html.len() < 300_000, "{module}: {} bytes", html.len());
         assert!(!html.contains("http://") || html.matches("http://").count() == 1, "{module}: only SVG has an address");
         let Some(report) = report(module, &html) else { return };

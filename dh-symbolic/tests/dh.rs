@@ -164,3 +164,27 @@ fn choices_of_notes() {
     }
     assert_eq!(dh(&["plan", "--sines", "long"], PLANAR).0, 2);
 }
+
+#[test]
+fn figures_in_every_format() {
+    for (format, part) in [
+        ("text", "[Figure] The arm at θ₁ = 20°"),
+        ("latex", "\\begin{tikzpicture}"),
+        ("markdown", "<figure>\n<svg "),
+        ("typst", "image(bytes(\"<svg "),
+        ("html", "<figure>\n<svg "),
+    ] {
+        let out = dh(&["notes", "--to", format], PLANAR).1;
+        assert!(out.contains(part), "{format}: {out}");
+        let none = dh(&["notes", "--to", format, "--parts", "table,forward"], PLANAR).1;
+        assert!(!none.contains(part), "{format}");
+    }
+    let folder = std::env::temp_dir().join(format!("dh-figures-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let note = folder.join("arm.md");
+    assert_eq!(dh(&["notes", "--to", "markdown", "--out", note.to_str().expect("a name")], PLANAR).0, 0);
+    let text = std::fs::read_to_string(&note).expect("the note");
+    let figure = std::fs::read_to_string(folder.join("arm-1.svg")).expect("its figure");
+    assert!(text.contains("![Figure](arm-1.svg)") && !text.contains("<svg") && figure.starts_with("<svg "), "{text}");
+    std::fs::remove_dir_all(&folder).ok();
+}

@@ -8,8 +8,9 @@ use dh_symbolic::diagnostic::lex;
 use dh_symbolic::kinematics::claims;
 use dh_symbolic::pipeline::compile;
 use dh_symbolic::render::notes::{Options, notes};
-use dh_symbolic::render::{Format, javascript, page, plan, rust::pretty, verdict};
+use dh_symbolic::render::{Document, Format, javascript, page, plan, rust::pretty, verdict};
 use std::io::{Read, Write};
+use std::path::Path;
 use std::process::ExitCode;
 
 const USAGE: &str = "\
@@ -69,7 +70,7 @@ fn main() -> ExitCode {
     if let Some(path) = answer.to.take()
         && answer.code == 0
     {
-        match write_whole(&path, &answer.out) {
+        match write_whole(Path::new(&path), &answer.out) {
             Ok(()) => answer.out.clear(),
             Err(e) => answer = Answer::bad(format!("error: {path}: {e}\n")),
         }
@@ -111,14 +112,17 @@ fn run(arguments: &[String]) -> Answer {
     };
     let name = request.file.as_deref().filter(|f| *f != "-").unwrap_or("standard input");
     let mut answer = match request.command.as_str() {
-        "page" => with_chain(&source, name, |_, chain| or_defect(page(&chain, request.options.language))),
+        "page" => with_chain(&source, name, |_, chain| or_defect(page(&chain, &request.options))),
         "notes" if request.to.as_deref() == Some("page") => {
-            with_chain(&source, name, |_, chain| or_defect(page(&chain, request.options.language)))
+            with_chain(&source, name, |_, chain| or_defect(page(&chain, &request.options)))
         }
         "expand" if request.to.as_deref() == Some("javascript") => {
             with_chain(&source, name, |_, chain| or_defect(javascript::script(&chain)))
         }
         "notes" => with_chain(&source, name, |_, chain| match request.options.check(&chain) {
+            Ok(()) if request.format == Some(Format::Markdown) && request.out.is_some() => {
+                linked(&notes(&chain, &request.options), request.out.as_deref().unwrap_or_default())
+            }
             Ok(()) => Answer::good(notes(&chain, &request.options).print(request.format.unwrap_or(Format::Text))),
             Err(message) => Answer::bad(format!("error: {message}\n")),
         }),
@@ -135,9 +139,22 @@ fn or_defect(text: Result<String, dh_symbolic::program::Disproof>) -> Answer {
     text.map_or_else(|e| Answer::bad(format!("error: {e}; this is a defect of dh-symbolic\n")), Answer::good)
 }
 
+/// Markdown for a file, with its figures in files beside it.
+fn linked(note: &Document, path: &str) -> Answer {
+    let path = Path::new(path);
+    let stem = path.file_stem().map_or_else(String::new, |s| s.to_string_lossy().into_owned());
+    let (text, files) = note.linked_markdown(&stem);
+    for (name, text) in files {
+        let place = path.with_file_name(name);
+        if let Err(e) = write_whole(&place, &text) {
+            return Answer::bad(format!("error: {}: {e}\n", place.display()));
+        }
+    }
+    Answer::good(text)
+}
+
 /// Writes a file beside its place and moves it there, so that nobody sees half of it.
-fn write_whole(path: &str, text: &str) -> std::io::Result<()> {
-    let path = std::path::Path::new(path);
+fn write_whole(path: &Path, text: &str) -> std::io::Result<()> {
     let mut name = path.file_name().ok_or_else(|| std::io::Error::other("not the name of a file"))?.to_os_string();
     name.push(format!(".{}.part", std::process::id()));
     let part = path.with_file_name(name);

@@ -1,5 +1,6 @@
 //! A note as a tree: headings, paragraphs, equations, tables, lists, code. Written once, printed by every printer.
 
+use super::figure::Drawing;
 use super::math::Math;
 
 /// A note.
@@ -28,6 +29,19 @@ pub enum Block {
     List(Vec<Text>),
     /// Source text with its language.
     Code(&'static str, String),
+    /// A drawing with its caption.
+    Figure(Figure),
+}
+
+/// A drawing with its caption.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Figure {
+    /// What is drawn.
+    pub drawing: Drawing,
+    /// What is to be seen.
+    pub caption: Text,
+    /// The word "Figure" in the note's language.
+    pub word: &'static str,
 }
 
 /// `left = right`, the right side on one or more lines.
@@ -139,5 +153,11 @@ impl Document {
             Format::Typst => super::typst::document(self),
             Format::Html => super::html::document(self),
         }
+    }
+
+    /// The note as Markdown with its figures in files of their own, `stem-1.svg` and so on: the text, and names and texts of these
+    /// files. (Markdown from [`print`](Self::print) carries them inside, where not every reader shows them.)
+    pub fn linked_markdown(&self, stem: &str) -> (String, Vec<(String, String)>) {
+        super::markdown::linked(self, stem)
     }
 }

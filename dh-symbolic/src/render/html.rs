@@ -1,6 +1,6 @@
 //! HTML with MathML: a page that needs no script and no network.
 
-use super::document::{Block, Document, Equation, Span, Text};
+use super::document::{Block, Document, Equation, Figure, Span, Text};
 use super::math::{Math, Script, Sign};
 
 /// The note as a page.
@@ -20,6 +20,7 @@ const STYLE: &str = "body { max-width: 60rem; margin: 2rem auto; padding: 0 1rem
 table.data { border-collapse: collapse; margin: 1rem auto; border-block: 1px solid; }\n\
 table.data th { border-bottom: 1px solid; }\ntable.data th, table.data td { padding: 0.2rem 0.8rem; text-align: center; }\n\
 div.display { overflow-x: auto; margin: 1rem 0; }\n\
+figure { margin: 1.5rem 0; text-align: center; }\nfigure svg { max-width: 100%; height: auto; }\nfigcaption { font-size: 0.9em; }\n\
 mtd.left { text-align: right; }\nmtd.right { text-align: left; }\n";
 
 /// A block as HTML.
@@ -40,8 +41,16 @@ pub(super) fn block(b: &Block) -> String {
             let items: String = items.iter().map(|t| format!("<li>{}</li>\n", text(t))).collect();
             format!("<ul>\n{items}</ul>\n")
         }
+        Block::Figure(f) => figure(f),
         Block::Code(_, code) => format!("<pre><code>{}</code></pre>\n", escape(code)),
     }
+}
+
+/// A drawing with its caption, as an element without empty lines.
+pub(super) fn figure(f: &Figure) -> String {
+    let title = super::text::text(&f.caption);
+    let drawing = super::figure::svg::element(&f.drawing, &title);
+    format!("<figure>\n{drawing}<figcaption>{}</figcaption>\n</figure>\n", text(&f.caption))
 }
 
 fn equations(list: &[Equation]) -> String {

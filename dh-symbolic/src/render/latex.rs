@@ -7,8 +7,9 @@ use super::math::{Math, Script, Sign};
 pub fn document(d: &Document) -> String {
     let chinese = d.language == "zh";
     let class = if chinese { "ctexart" } else { "article" };
+    let figures = if d.blocks.iter().any(|b| matches!(b, Block::Figure(_))) { "\\usepackage{tikz}\n" } else { "" };
     let mut out = format!(
-        "\\documentclass[a4paper,11pt]{{{class}}}\n\\usepackage{{amsmath}}\n\\usepackage[margin=25mm]{{geometry}}\n\
+        "\\documentclass[a4paper,11pt]{{{class}}}\n\\usepackage{{amsmath}}\n{figures}\\usepackage[margin=25mm]{{geometry}}\n\
          \\setcounter{{MaxMatrixCols}}{{20}}\n\\allowdisplaybreaks\n\\title{{{}}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n",
         escape(&d.title)
     );
@@ -41,6 +42,11 @@ fn block(b: &Block) -> String {
             let items: String = items.iter().map(|t| format!("\\item {}\n", text(t))).collect();
             format!("\\begin{{itemize}}\n{items}\\end{{itemize}}\n")
         }
+        Block::Figure(f) => format!(
+            "\\begin{{center}}\n{}\\par\\smallskip\n{{\\small {}}}\n\\end{{center}}\n",
+            super::figure::tikz::picture(&f.drawing),
+            text(&f.caption)
+        ),
         Block::Code(_, code) => format!("\\begin{{verbatim}}\n{}\n\\end{{verbatim}}\n", code.trim_end()),
     }
 }
@@ -193,6 +199,7 @@ fn script(s: &Script, out: &mut String) {
 
 fn greek(c: char) -> Option<&'static str> {
     Some(match c {
+        '∗' => "\\ast",
         'α' => "\\alpha",
         'β' => "\\beta",
         'γ' => "\\gamma",

@@ -13,6 +13,25 @@ pub fn document(d: &Document) -> String {
     out
 }
 
+/// The note with links to its figures, which are files beside it.
+pub(super) fn linked(d: &Document, stem: &str) -> (String, Vec<(String, String)>) {
+    let mut out = format!("# {}\n", d.title);
+    let mut files = Vec::new();
+    for b in &d.blocks {
+        out.push('\n');
+        match b {
+            Block::Figure(f) => {
+                let name = format!("{stem}-{}.svg", files.len() + 1);
+                let caption = text(&f.caption);
+                out.push_str(&format!("![{}]({name})\n\n*{caption}*\n", f.word));
+                files.push((name, super::figure::svg::element(&f.drawing, &super::text::text(&f.caption))));
+            }
+            other => out.push_str(&block(other)),
+        }
+    }
+    (out, files)
+}
+
 fn block(b: &Block) -> String {
     match b {
         Block::Heading(level, t) => format!("{} {}\n", "#".repeat(usize::from(*level) + 1), text(t)),
@@ -40,6 +59,7 @@ fn block(b: &Block) -> String {
             format!("{}{rule}{}", line(header), rows.iter().map(|r| line(r)).collect::<String>())
         }
         Block::List(items) => items.iter().map(|t| format!("- {}\n", text(t))).collect(),
+        Block::Figure(f) => super::html::figure(f),
         Block::Code(language, code) => format!("```{language}\n{}\n```\n", code.trim_end()),
     }
 }

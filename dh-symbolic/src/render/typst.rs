@@ -34,6 +34,15 @@ fn block(b: &Block) -> String {
             )
         }
         Block::List(items) => items.iter().map(|t| format!("- {}\n", text(t))).collect(),
+        Block::Figure(f) => {
+            let svg = super::figure::svg::element(&f.drawing, "");
+            let width = f.drawing.size[0].min(450.0);
+            format!(
+                "#figure(\n  image(bytes({}), format: \"svg\", width: {width:.0}pt),\n  caption: [{}],\n)\n",
+                string(&svg),
+                text(&f.caption)
+            )
+        }
         Block::Code(language, code) => format!("```{language}\n{}\n```\n", code.trim_end()),
     }
 }

@@ -13,7 +13,7 @@ use std::{fs, io};
 use dh_symbolic::chain::Chain;
 use dh_symbolic::chain::table::parse;
 use dh_symbolic::render::rust::pretty;
-use dh_symbolic::render::{Format, Options, notes};
+use dh_symbolic::render::{Options, notes};
 use generated_examples::corpus;
 use generated_examples::source::{self, Source};
 use proc_macro2::TokenStream;
@@ -61,7 +61,11 @@ fn files() -> io::Result<Files> {
     for source in source::all()? {
         modules.push_str(&format!("pub mod {};\n", source.module));
         files.insert(format!("expanded/{}.rs", source.module).into(), expanded(&source)?);
-        files.insert(format!("notes/{}.md", source.module).into(), lecture(&source)?);
+        let (text, figures) = lecture(&source)?;
+        files.insert(format!("notes/{}.md", source.module).into(), text);
+        for (name, figure) in figures {
+            files.insert(format!("notes/{name}").into(), figure);
+        }
     }
     files.insert("expanded/mod.rs".into(), modules);
     files.insert("notes/errata.md".into(), corpus::errata_page()?);
@@ -76,8 +80,8 @@ fn tokens(source: &Source) -> io::Result<TokenStream> {
     source.body.parse().map_err(|e: proc_macro2::LexError| fail(source, &e))
 }
 
-/// The lecture notes.
-fn lecture(source: &Source) -> io::Result<String> {
+/// The lecture notes, and names and texts of their figures.
+fn lecture(source: &Source) -> io::Result<(String, Vec<(String, String)>)> {
     let parsed = parse(tokens(source)?);
     let spec = parsed.spec.ok_or_else(|| fail(source, &"the table has errors"))?;
     let chain = Chain::new(spec);
@@ -86,8 +90,9 @@ fn lecture(source: &Source) -> io::Result<String> {
         options.set(name, value).map_err(|e| fail(source, &e))?;
     }
     options.check(&chain).map_err(|e| fail(source, &e))?;
-    let text = notes(&chain, &options).print(Format::Markdown);
-    Ok(format!("<!-- The notes of src/{}.rs. Made by `{COMMAND}`; do not edit. -->\n\n{text}", source.module))
+    let (text, figures) = notes(&chain, &options).linked_markdown(&source.module);
+    let text = format!("<!-- The notes of src/{}.rs. Made by `{COMMAND}`; do not edit. -->\n\n{text}", source.module);
+    Ok((text, figures))
 }
 
 /// What the macro leaves behind.

@@ -71,7 +71,7 @@ pub fn postures(list: &[Posture]) -> Drawing {
             arrows(&camera, &posture.tip_alone(), 20.0, &mut shapes);
             // Points without ink at the corners of what all postures take keep them in the same place of their cells.
             shapes.extend(corners.iter().map(|c| Shape::Circle(*c, 0.0, None, None)));
-            shapes.push(Shape::Label([low[0], low[1] - 4.0], Math::number(i + 1), INK));
+            shapes.push(Shape::Label([low[0] - 8.0, low[1] - 10.0], Math::number(i + 1), INK));
             Drawing::around(shapes, 7.0)
         })
         .collect();

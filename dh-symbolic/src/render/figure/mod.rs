@@ -8,6 +8,8 @@ mod camera;
 mod drawing;
 mod posture;
 pub mod svg;
+#[cfg(test)]
+mod tests;
 pub mod tikz;
 mod workspace;
 

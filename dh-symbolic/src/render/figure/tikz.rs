@@ -4,9 +4,14 @@ use super::drawing::{Color, Drawing, Pen, Shape};
 use super::svg::{is_blank, number};
 use crate::render::latex;
 
+/// Width of the text on a page, in points.
+const WIDEST: f64 = 440.0;
+
 /// The drawing as a `tikzpicture`; a unit is a point.
 pub fn picture(d: &Drawing) -> String {
-    let mut out = String::from("\\begin{tikzpicture}[x=1bp,y=-1bp,line cap=round,line join=round]\n");
+    // Letters keep their size where a wide drawing is made smaller.
+    let scale = (WIDEST / d.size[0].max(1.0)).min(1.0);
+    let mut out = format!("\\begin{{tikzpicture}}[x={scale:.3}bp,y=-{scale:.3}bp,line cap=round,line join=round]\n");
     for shape in d.shapes.iter().filter(|s| !is_blank(s)) {
         out.push_str(&line(shape));
     }
@@ -28,7 +33,7 @@ fn line(shape: &Shape) -> String {
             format!("\\path[{}] {} circle ({}bp);\n", options.join(","), point(*at), number(*r))
         }
         Shape::Label(at, math, fill) => format!(
-            "\\node[text={},fill=white,fill opacity=0.7,text opacity=1,inner sep=0.6pt] at {} {{$\\scriptstyle {}$}};\n",
+            "\\node[text={},font=\\footnotesize,fill=white,fill opacity=0.7,text opacity=1,inner sep=0.6pt] at {} {{${}$}};\n",
             color(*fill),
             point(*at),
             latex::math(math)

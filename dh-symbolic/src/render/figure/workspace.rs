@@ -255,7 +255,7 @@ mod tests {
     fn a_range_of_the_elbow_cuts_the_ring() {
         let table = TWO
             .replace("theta |", "theta | range |")
-            .replace("q1    |", "q1 | |")
+            .replace("q1    |", "q1 | - |")
             .replace("q2    |", "q2 | -30deg..=90deg |");
         let rings = of(&table).expect("planar");
         let counts: Vec<Option<usize>> = rings.list.iter().map(|r| r.solutions).collect();

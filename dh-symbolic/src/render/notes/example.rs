@@ -15,6 +15,11 @@ use std::f64::consts::TAU;
 /// Degrees of the example's joints, one after the other; awkward enough to be in general position.
 const DEGREES: [i64; 8] = [20, -35, 50, 40, -60, 75, 30, -25];
 
+/// Degrees of variable `k` in general position.
+pub(super) fn generic_degrees(k: usize) -> f64 {
+    DEGREES[k % DEGREES.len()] as f64
+}
+
 /// What the example starts from.
 #[derive(Clone, Debug)]
 pub(super) struct Start {
@@ -27,6 +32,11 @@ pub(super) struct Start {
 }
 
 impl Start {
+    /// The value that was given for a variable.
+    pub(super) fn value(&self, k: usize) -> Option<f64> {
+        self.at.get(k).copied().flatten()
+    }
+
     /// Reads the options of a note.
     ///
     /// # Errors
@@ -282,6 +292,8 @@ impl Writer<'_> {
         }
         self.without_constants(&arm, &goal);
         self.solutions(&arm, &found, worst);
+        let list: Vec<Vec<f64>> = found.iter().map(|f| arm.coordinates(&f.q)).collect();
+        self.postures(&Kinematics::new(self.chain), &list);
         self.choice(&arm, &found, &near);
     }
 
@@ -490,7 +502,7 @@ fn entry(x: f64, places: usize) -> Math {
 }
 
 /// A quarter of the reach, rounded down to one digit.
-fn slide(reach: f64) -> f64 {
+pub(super) fn slide(reach: f64) -> f64 {
     let unit = 10f64.powf((reach / 4.0).log10().floor());
     (reach / 4.0 / unit).floor() * unit
 }

@@ -4,6 +4,7 @@
 //! [`Order`] and [`Notation`]; nothing here knows a robot.
 
 mod example;
+mod figures;
 mod forward;
 mod given;
 mod inverse;
@@ -45,11 +46,15 @@ pub fn notes(chain: &Chain, options: &Options) -> Document {
     for part in &options.parts {
         match part {
             Part::Table => w.table(),
+            Part::Figure => w.figure(&kinematics, start.as_ref().ok()),
             Part::Links => w.links(&kinematics),
             Part::Forward => w.forward(&kinematics),
             Part::Jacobian => w.jacobian(&kinematics),
             Part::Singular => w.singular(&kinematics),
-            Part::Workspace => w.workspace(&kinematics),
+            Part::Workspace => {
+                w.workspace(&kinematics);
+                w.workspace_figure(&kinematics, start.as_ref().ok());
+            }
             Part::Inverse => w.inverse(),
             Part::Example => {
                 if let Ok(start) = &start {

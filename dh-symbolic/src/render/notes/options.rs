@@ -8,6 +8,8 @@ use crate::render::style::{Style, Transforms};
 pub enum Part {
     /// The table, the values of its parameters, the coupling of the motors.
     Table,
+    /// The arm drawn with its frames.
+    Figure,
     /// Every link transform.
     Links,
     /// Partial products and the pose.
@@ -26,8 +28,9 @@ pub enum Part {
 
 impl Part {
     /// All parts with their names on the command line, in the order of a note.
-    pub const ALL: [(&'static str, Part); 8] = [
+    pub const ALL: [(&'static str, Part); 9] = [
         ("table", Part::Table),
+        ("figure", Part::Figure),
         ("links", Part::Links),
         ("forward", Part::Forward),
         ("jacobian", Part::Jacobian),
@@ -109,7 +112,7 @@ impl Options {
     ];
 
     /// What the command line of `dh notes` may say, for its help text.
-    pub const HELP: &'static str = "  --parts table,links,forward,...    parts in this order: table links forward jacobian singular workspace inverse example
+    pub const HELP: &'static str = "  --parts table,links,forward,...    parts in this order: table figure links forward jacobian singular workspace inverse example
   --products 0-3,3-6,0-6             which products T(i, j) to form, in this order
   --sines short|long                 c23 or cos(theta2 + theta3)
   --transforms leading|trailing|products   indices before T, behind T, or A1 A2

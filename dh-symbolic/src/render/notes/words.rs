@@ -53,6 +53,13 @@ phrases! {
     Fixed: "fixed", "固定";
     Range: "range", "范围";
     Coupled: "The motors move the joints through", "电机通过下式驱动各关节";
+    /// Before the caption of a figure where there is no picture.
+    Figure: "Figure", "图";
+    FigureArm: "The arm at {}. The x axes are red, the z axes blue; cylinders turn, boxes slide.", "机械臂，取 {}。红色为 x 轴，蓝色为 z 轴；圆柱为转动关节，方块为移动关节。";
+    FigurePostures: "The postures of these solutions, in the order of the table.", "各解对应的构型，顺序与表一致。";
+    FigureRings: "The points that the tip reaches, in {}, with the number of solutions; on the circles two of them fall together.", "末端可达区域（单位 {}）及各区域的解数；在圆周上两个解重合。";
+    FigureReach: "The points that the tip reaches, in {}.", "末端可达区域（单位 {}）。";
+    FigureDexterous: "The points that the tip reaches, in {}; in the darker region it can be turned to every angle.", "末端可达区域（单位 {}）；深色区域内末端可取任意姿态角。";
     Links: "Link transforms", "杆件变换";
     General: "One row of the table is the transform", "表中一行对应的变换为";
     Short: "Sines and cosines are abbreviated: {}.", "正弦和余弦的缩写：{}。";

@@ -7,7 +7,7 @@ mod words;
 use super::document::Block;
 use super::html;
 use super::javascript::{RUNTIME, Solver, class};
-use super::notes::{Language, Options, matrices};
+use super::notes::{Options, matrices};
 use crate::chain::{Chain, Scalar};
 use crate::program::{Disproof, Forward};
 use words::{object, words};
@@ -16,7 +16,8 @@ use words::{object, words};
 ///
 /// # Errors
 /// Where a program differs from the product of the link transforms: a defect of this crate, never of the table.
-pub fn page(chain: &Chain, language: Language) -> Result<String, Disproof> {
+pub fn page(chain: &Chain, options: &Options) -> Result<String, Disproof> {
+    let language = options.language;
     let numbers = Chain { scalar: Scalar::F64, ..chain.clone() };
     let solver = Solver::of(&numbers);
     let arm = class(&numbers, &Forward::derive(&numbers)?, &solver);
@@ -35,7 +36,7 @@ pub fn page(chain: &Chain, language: Language) -> Result<String, Disproof> {
     );
     let w = |key: &str| words(key, language);
     let title = html::escape(&w("title").replace("{}", &chain.name));
-    let formulas = formulas(chain, language);
+    let formulas = formulas(chain, options);
     let inverse = if wanted {
         format!(
             "<h3 class=\"note\">{}</h3><div id=\"target\"></div><p id=\"count\" aria-live=\"polite\"></p>\n\
@@ -83,10 +84,10 @@ pub fn page(chain: &Chain, language: Language) -> Result<String, Disproof> {
 }
 
 /// The formulas; of arms with very long ones, products stay products.
-fn formulas(chain: &Chain, language: Language) -> String {
+fn formulas(chain: &Chain, options: &Options) -> String {
     let mut text = String::new();
     for terms in TERMS {
-        let options = Options { language, terms, ..Options::default() };
+        let options = Options { terms: terms.min(options.terms), ..options.clone() };
         text = matrices(chain, &options).iter().map(block).collect();
         if text.len() <= ROOM {
             break;

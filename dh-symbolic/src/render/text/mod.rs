@@ -29,6 +29,7 @@ fn block(b: &Block) -> String {
         Block::Equations(list) => equations(list),
         Block::Table(header, rows) => table(header, rows),
         Block::List(items) => items.iter().map(|t| format!("• {}\n", wrap(&text(t), 98, "  "))).collect(),
+        Block::Figure(f) => format!("{}\n", wrap(&format!("[{}] {}", f.word, text(&f.caption)), 100, "  ")),
         Block::Code(_, code) => code.lines().map(|l| format!("    {l}\n")).collect(),
     }
 }
