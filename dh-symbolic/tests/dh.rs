@@ -151,7 +151,7 @@ fn choices_of_notes() {
         assert!(!out.contains(other), "{options:?}: {out}");
     }
     for (options, part) in [
-        (vec!["--parts", "tables"], "one of table, links"),
+        (vec!["--parts", "tables"], "one of table, figure, links"),
         (vec!["--at", "q9 = 1deg"], "no joint variable `q9`"),
         (vec!["--at", "q1 = 1"], "has no unit"),
         (vec!["--pose", "tx(1) + 2"], "joined by `*`"),
