@@ -11,6 +11,7 @@ mod fresh;
 mod javascript;
 mod lanes;
 mod oracle;
+mod papers;
 mod random;
 mod robots;
 mod single;

@@ -188,3 +188,31 @@ fn figures_in_every_format() {
     assert!(text.contains("![Figure](arm-1.svg)") && !text.contains("<svg") && figure.starts_with("<svg "), "{text}");
     std::fs::remove_dir_all(&folder).ok();
 }
+
+#[test]
+fn documents_are_checked_line_by_line() {
+    let folder = std::env::temp_dir().join(format!("dh-documents-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let good = folder.join("good.tex");
+    let bad = folder.join("bad.txt");
+    std::fs::write(&good, "So $p_x = l_1 \\cos\\theta_1 + l_2 c_{12}$.\n").expect("a file");
+    std::fs::write(&bad, "The elbow:\n\npx = l1 c1 + l2 s12\npy = l1 s1 + k\n").expect("a file");
+    let (good, bad) = (good.to_string_lossy(), bad.to_string_lossy());
+    let (code, out, err) = dh(&["check", "-", &good], PLANAR);
+    assert_eq!((code, err.as_str()), (0, ""), "{out}");
+    assert!(out.contains("1 proven; 0 lines of prose"), "{out}");
+    let (code, out, _) = dh(&["check", "-", &good, &bad], PLANAR);
+    assert_eq!(code, 1);
+    for part in [
+        "   3  wrong ",
+        "`s12` should be `c12`",
+        "   4  unclear ",
+        "`k` has no meaning",
+        "1 wrong, 1 unclear; 1 line of prose",
+    ] {
+        assert!(out.contains(part), "{part}: {out}");
+    }
+    let (code, out, err) = dh(&["check", "-", "/nowhere.tex"], PLANAR);
+    assert!(code == 2 && out.is_empty() && err.contains("/nowhere.tex"), "{err}");
+    std::fs::remove_dir_all(folder).ok();
+}

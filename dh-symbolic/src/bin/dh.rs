@@ -3,6 +3,7 @@
 //! Exit code 0: done. 1: a claim of a `prove` block is wrong. 2: bad usage or a bad table.
 
 use dh_symbolic::chain::Chain;
+use dh_symbolic::chain::paper::Paper;
 use dh_symbolic::chain::table::{Claims, Parsed, parse};
 use dh_symbolic::diagnostic::lex;
 use dh_symbolic::kinematics::claims;
@@ -18,7 +19,9 @@ dh: kinematics from a Denavit-Hartenberg table
 
   dh notes  [FILE]   lecture notes
   dh page   [FILE]   an interactive page: sliders, drawing, pose, solutions (one HTML file; also notes --to page)
-  dh check  [FILE]   the table, and the claims of its prove blocks
+  dh check  [FILE] [DOCUMENT...]
+                     the table, the claims of its prove blocks, and the formulas of documents
+                     (LaTeX, Markdown, plain text) line by line: proven, wrong, not understood
   dh plan   [FILE]   the steps of the inverse kinematics
   dh expand [FILE]   the Rust code that dh_robot! leaves behind
 
@@ -30,7 +33,7 @@ dh: kinematics from a Denavit-Hartenberg table
 for notes:
 {notes}
 FILE holds the body of dh_robot!; without it, or with -, standard input is read.
-Exit code: 0, 1 (a claim is wrong), 2 (bad usage or table).
+Exit code: 0, 1 (a claim is wrong or not understood), 2 (bad usage or table).
 ";
 
 /// Formats of one command alone.
@@ -85,6 +88,8 @@ fn main() -> ExitCode {
 struct Request {
     command: String,
     file: Option<String>,
+    /// Documents to be checked against the table.
+    papers: Vec<String>,
     /// `None`: a flow chart.
     format: Option<Format>,
     /// The format as written.
@@ -126,7 +131,16 @@ fn run(arguments: &[String]) -> Answer {
             Ok(()) => Answer::good(notes(&chain, &request.options).print(request.format.unwrap_or(Format::Text))),
             Err(message) => Answer::bad(format!("error: {message}\n")),
         }),
-        "check" => with_chain(&source, name, |parsed, chain| check(parsed, &chain)),
+        "check" => {
+            let mut papers = Vec::new();
+            for path in &request.papers {
+                match read(Some(path)) {
+                    Ok(text) => papers.push((path.as_str(), text)),
+                    Err(message) => return Answer::bad(format!("error: {message}\n")),
+                }
+            }
+            with_chain(&source, name, |parsed, chain| check(parsed, &chain, &papers))
+        }
         "plan" => with_chain(&source, name, |_, chain| Answer::good(show_plan(&request, &chain))),
         _ => expand(&source, name),
     };
@@ -169,6 +183,7 @@ fn request(arguments: &[String]) -> Result<Request, String> {
     let mut r = Request {
         command: String::new(),
         file: None,
+        papers: Vec::new(),
         format: Some(Format::Text),
         to: None,
         options: Options::default(),
@@ -205,6 +220,7 @@ fn request(arguments: &[String]) -> Result<Request, String> {
             _ if name.starts_with("--") => return Err(format!("no option `{name}`")),
             _ if r.command.is_empty() => r.command = a.clone(),
             _ if r.file.is_none() => r.file = Some(a.clone()),
+            _ if r.command == "check" => r.papers.push(a.clone()),
             _ => return Err(format!("one file at a time: `{a}` is too much")),
         }
     }
@@ -257,14 +273,22 @@ fn derivation(parsed: &Parsed, chain: &Chain) -> (Claims, claims::Report) {
     (claims, report)
 }
 
-fn check(parsed: &Parsed, chain: &Chain) -> Answer {
+/// The claims of the table's file, and those of documents.
+fn check(parsed: &Parsed, chain: &Chain, papers: &[(&str, String)]) -> Answer {
     let mut out = format!("{}: {} rows, {} joints, in order\n", chain.name, chain.links.len(), chain.dof());
-    if parsed.claims.is_empty() {
-        return Answer::good(out);
+    let mut fine = true;
+    if !parsed.claims.is_empty() {
+        let (claims, report) = derivation(parsed, chain);
+        out.push_str(&verdict::check_text(&report, &claims));
+        fine &= report.is_fine();
     }
-    let (claims, report) = derivation(parsed, chain);
-    out.push_str(&verdict::check_text(&report, &claims));
-    Answer { out, err: String::new(), code: if report.is_fine() { 0 } else { WRONG }, to: None }
+    for (path, text) in papers {
+        let paper = Paper::read(chain, text);
+        let report = claims::check(chain, &paper.derivation);
+        out.push_str(&format!("\n{path}\n{}", verdict::paper_text(&report, &paper)));
+        fine &= report.is_fine();
+    }
+    Answer { out, err: String::new(), code: if fine { 0 } else { WRONG }, to: None }
 }
 
 /// The plan, or why there is none.

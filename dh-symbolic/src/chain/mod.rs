@@ -7,6 +7,7 @@
 mod build;
 pub mod claim;
 mod convention;
+pub mod paper;
 mod spec;
 pub mod table;
 #[cfg(test)]

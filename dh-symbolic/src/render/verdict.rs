@@ -4,7 +4,8 @@ use super::expression::Expression;
 use super::grouping::Order;
 use super::plain;
 use crate::algebra::Poly;
-use crate::chain::claim::{Derivation, Line, Place, Token, line_text};
+use crate::chain::claim::{Derivation, Line, Place, Token, TokenKind, line_text};
+use crate::chain::paper::Paper;
 use crate::chain::table::Claims;
 use crate::kinematics::claims::{Condition, Edit, Fault, FaultKind, Mend, Ratio, Report, Verdict};
 use std::fmt::Write;
@@ -213,7 +214,9 @@ pub fn line_report(report: &Report, d: &Derivation, line: &Line, verdict: &Verdi
     }
     let mut shown: Option<Place> = None;
     for (k, r) in remarks(report, d, verdict).iter().enumerate() {
-        if shown.as_ref() != Some(&r.place) {
+        // a line that could not be read is one word
+        let whole = matches!(tokens, [only] if only.kind == TokenKind::Other);
+        if shown.as_ref() != Some(&r.place) && !whole {
             let carets = carets(&marks(verdict, k, r), line.place.start, tokens, &columns, text.chars().count());
             let _ = writeln!(out, "        {carets}");
             shown = Some(r.place.clone());
@@ -251,10 +254,33 @@ fn carets(places: &[Place], from: usize, tokens: &[Token], columns: &[usize], wi
 /// What `dh check` prints: every claim with its verdict behind the number of its line in the file, then how many there are of
 /// each kind.
 pub fn check_text(report: &Report, claims: &Claims) -> String {
-    let d = &claims.derivation;
+    let line = |place: &Place| claims.place(place).map_or(0, crate::diagnostic::Place::line);
     let mut out = String::new();
+    let counts = verdicts_text(report, &claims.derivation, line, &mut out);
+    let _ = writeln!(out, "{}", if counts.is_empty() { "no claims".into() } else { counts.join(", ") });
+    out
+}
+
+/// The same for a document: every line that says something about the robot, as it was understood.
+pub fn paper_text(report: &Report, paper: &Paper) -> String {
+    let mut out = String::new();
+    let mut counts = verdicts_text(report, &paper.derivation, |place| paper.line(place), &mut out);
+    if counts.is_empty() {
+        counts.push("no formulas about the robot".into());
+    }
+    let lines = if paper.prose == 1 { "line" } else { "lines" };
+    let _ = writeln!(out, "{}; {} {lines} of prose", counts.join(", "), paper.prose);
+    out
+}
+
+/// Writes the verdicts; gives how many there are of each kind.
+fn verdicts_text(report: &Report, d: &Derivation, number: impl Fn(&Place) -> usize, out: &mut String) -> Vec<String> {
     let mut counts: Vec<(&str, usize)> = Vec::new();
-    for (line, v) in d.lines.iter().zip(&report.verdicts) {
+    let mut told: Vec<(usize, &Line, &Verdict)> =
+        d.lines.iter().zip(&report.verdicts).map(|(line, v)| (number(&line.place), line, v)).collect();
+    // a document may use a name before it says what it means
+    told.sort_by_key(|t| t.0);
+    for (number, line, v) in told {
         if matches!(v, Verdict::Noted) {
             continue;
         }
@@ -263,15 +289,12 @@ pub fn check_text(report: &Report, claims: &Claims) -> String {
             Some(c) => c.1 += 1,
             None => counts.push((word, 1)),
         }
-        let number = claims.place(&line.place).map_or(0, crate::diagnostic::Place::line);
         for (k, text) in line_report(report, d, line, v).lines().enumerate() {
             let _ =
                 if k == 0 && number > 0 { writeln!(out, "{number:>4}  {text}") } else { writeln!(out, "      {text}") };
         }
     }
-    let counts: Vec<String> = counts.iter().map(|(word, n)| format!("{n} {word}")).collect();
-    let _ = writeln!(out, "{}", if counts.is_empty() { "no claims".into() } else { counts.join(", ") });
-    out
+    counts.iter().map(|(word, n)| format!("{n} {word}")).collect()
 }
 
 /// All lines with their verdicts, as plain text.

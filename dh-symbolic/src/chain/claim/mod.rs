@@ -33,13 +33,14 @@
 //! | `cos(q2 + q3)` `sin` `tan` | of any angle; `cos(u, v)` of two unit vectors is the cosine of the angle between them |
 //! | `atan2(y, x)` `acos` `asin` `atan` `sqrt` | angles by their ratio; angles are compared modulo a whole turn. A square root is never negative: where that decides, the verdict says under which condition the line holds |
 //! | `T(i,j)` | frame j seen from frame i, 4x4, product of the rows without `base` and `tool`; for i > j the inverse. `A(i)` is T(i-1,i) |
+//! | `J` `J(k)` `J(i,k)` | the geometric Jacobian (rows 1 to 3 linear, 4 to 6 angular, base axes, at the last frame or tool), its columns and entries |
 //! | `base` `tool` `I3` `I4` | the constant transforms of the table; identity matrices |
 //! | `.r11` ... `.r33` `.px` `.py` `.pz` | entries of a transform |
 //! | `.p` `.R` `.x` `.y` `.z` `.t` | position (3x1), rotation (3x3), columns (3x1), transpose; `.x` of a 3x1 is its first entry |
 //! | `[a, b; c, d]` `[a; b; c]` | a matrix by rows; a column |
 //! | `Rx(90deg)` `Tz(d4)` `Rot(x, 90deg)` `Trans(a, 0, d)` | elementary transforms, 4x4. A 4x4 without translation may be compared with a 3x3 |
 //! | `+` `-` `*` `/` `^2` `^-1` | of numbers and matrices; the product sign is always written |
-//! | `inv(M)` `dot(u, v)` `cross(u, v)` `norm2(v)` | inverse; products of columns; squared length |
+//! | `inv(M)` `det(M)` `dot(u, v)` `cross(u, v)` `norm2(v)` | inverse; determinant; products of columns; squared length |
 //! | `subst(e, q2 = 0, a1 = a2)` | e with other quantities in place of variables, all at once |
 //! | `diff(e, q2)` | derivative by a variable |
 

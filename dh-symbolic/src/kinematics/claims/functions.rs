@@ -4,8 +4,10 @@ use super::Evaluator;
 use super::evaluate::{At, Understood, refuse};
 use super::ratio::{Ratio, dot};
 use super::value::{Matrix, Turn, Value};
-use crate::algebra::Transform;
+use crate::algebra::{Poly, Transform};
 use crate::chain::claim::{Expr, ExprKind, Place};
+use crate::kinematics::jacobian;
+use std::ops::RangeInclusive;
 
 /// An entry, a part, or the transpose of a matrix.
 pub(super) fn field(v: &Value, name: &str) -> Result<Value, String> {
@@ -61,6 +63,14 @@ impl Evaluator<'_> {
             ("A", [i]) => {
                 let n = self.frame(i)?;
                 self.transform(n.saturating_sub(1), n, place)
+            }
+            ("J", [k]) => {
+                let (k, j) = (self.frame(k)?, self.jacobian());
+                self.part_of_jacobian(&j, 1..=6, k, place)
+            }
+            ("J", [i, k]) => {
+                let (i, k, j) = (self.frame(i)?, self.frame(k)?, self.jacobian());
+                self.part_of_jacobian(&j, i..=i, k, place)
             }
             ("c" | "s", [e]) => {
                 let turn = match joints_of(e) {
@@ -137,6 +147,13 @@ impl Evaluator<'_> {
             ("inv", [e]) => {
                 let m = self.matrix(e)?;
                 Ok(Value::Matrix(self.inverse(&m, place)?))
+            }
+            ("det", [e]) => {
+                let m = self.matrix(e)?;
+                if m.rows() != m.columns || m.columns > 6 {
+                    return refuse(&e.place, format!("the determinant of a {} matrix is not formed", m.shape()));
+                }
+                Ok(Value::Scalar(m.determinant(&mut self.work).at(place)?))
             }
             ("norm2", [e]) => {
                 let m = self.matrix(e)?;
@@ -216,6 +233,35 @@ impl Evaluator<'_> {
         Ok(Value::Matrix(m))
     }
 
+    /// The geometric Jacobian for the variables q: six rows.
+    pub(super) fn jacobian(&mut self) -> Matrix {
+        let columns = jacobian(self.chain, &self.kinematics);
+        let n = self.chain.dof();
+        let mut entries = Vec::with_capacity(6 * n);
+        for row in 0..6 {
+            for motor in 0..n {
+                let terms = columns.iter().zip(&self.chain.drive).filter_map(|((linear, angular), line)| {
+                    Some(linear.iter().chain(angular).nth(row)? * line.get(motor)?)
+                });
+                entries.push(Ratio::from(terms.sum::<Poly>()));
+            }
+        }
+        Matrix { columns: n, entries }
+    }
+
+    /// Rows from 1 of column k from 1; a single one is a number.
+    fn part_of_jacobian(&self, j: &Matrix, rows: RangeInclusive<usize>, k: usize, place: &Place) -> Understood<Value> {
+        let inside = *rows.start() >= 1 && *rows.end() <= 6 && k >= 1 && k <= j.columns;
+        if !inside {
+            return refuse(place, format!("the Jacobian is a 6x{} matrix", j.columns));
+        }
+        let entries: Vec<Ratio> = rows.map(|i| j.at(i - 1, k - 1)).collect();
+        Ok(match <[Ratio; 1]>::try_from(entries) {
+            Ok([only]) => Value::Scalar(only),
+            Err(entries) => Value::Matrix(Matrix { columns: 1, entries }),
+        })
+    }
+
     /// The number of a frame, as written.
     fn frame(&mut self, e: &Expr) -> Understood<usize> {
         match &e.kind {
@@ -288,7 +334,10 @@ fn unknown_function(name: &str, count: usize) -> String {
     let wanted = match name {
         "T" => "T(i,j)",
         "A" => "A(i)",
-        "c" | "s" | "cos" | "sin" | "tan" | "sqrt" | "acos" | "asin" | "atan" | "inv" | "norm2" => "one argument",
+        "J" => "J(column) or J(row, column)",
+        "c" | "s" | "cos" | "sin" | "tan" | "sqrt" | "acos" | "asin" | "atan" | "inv" | "det" | "norm2" => {
+            "one argument"
+        }
         "atan2" => "atan2(y, x)",
         "dot" | "cross" => "two columns",
         "diff" => "diff(formula, variable)",

@@ -33,7 +33,9 @@ impl<'a> Sides<'a> {
 fn refers(e: &Expr) -> bool {
     match &e.kind {
         ExprKind::Number(_) | ExprKind::Name(_) => false,
-        ExprKind::Call(name, arguments) => matches!(name.as_str(), "T" | "A") || arguments.iter().any(|a| refers(&a.1)),
+        ExprKind::Call(name, arguments) => {
+            matches!(name.as_str(), "T" | "A" | "J") || arguments.iter().any(|a| refers(&a.1))
+        }
         ExprKind::Sum(parts) | ExprKind::Product(parts) => parts.iter().any(|p| refers(&p.1)),
         ExprKind::Negative(inner) | ExprKind::Power(inner, _) | ExprKind::Field(inner, _) => refers(inner),
         ExprKind::Matrix(_, entries) => entries.iter().any(refers),

@@ -50,11 +50,11 @@ impl Evaluator<'_> {
 
     /// Is the name taken by something that a local name must not hide?
     pub(super) fn is_taken(&mut self, name: &str) -> bool {
-        self.name(name).is_ok()
+        name != "J" && self.name(name).is_ok()
     }
 
     /// Names that mean something without any `let` in the derivation, except c23 and the like.
-    fn known(&self, name: &str) -> Option<Value> {
+    fn known(&mut self, name: &str) -> Option<Value> {
         if let Some(p) = self.chain.parameters.iter().find(|p| p.declared && p.name == name) {
             return Some(match p.handle {
                 Handle::Length(s) => Value::Scalar(Poly::symbol(s).into()),
@@ -65,9 +65,18 @@ impl Evaluator<'_> {
             "pi" => return Some(Value::Angle(Turn::constant(Angle::half_turns(Rational::ONE)))),
             "base" => return Some(self.fixed(self.kinematics.base())),
             "tool" => return Some(self.fixed(self.kinematics.tool())),
+            "J" => return Some(Value::Matrix(self.jacobian())),
             "I3" => return Some(Value::Matrix(super::value::Matrix::identity(3))),
             "I4" => return Some(Value::Matrix(super::value::Matrix::identity(4))),
             _ => {}
+        }
+        if let Some(p) =
+            self.chain.parameters.iter().find(|p| !p.declared && p.name == name && numbered(name).is_none())
+        {
+            return Some(match p.handle {
+                Handle::Length(s) => Value::Scalar(Poly::symbol(s).into()),
+                Handle::Angle(v) => Value::Angle(Turn::var(v)),
+            });
         }
         let (prefix, number) = numbered(name)?;
         // rows count theta_i and d_i from 1; the modified convention keeps alpha and a of the link before

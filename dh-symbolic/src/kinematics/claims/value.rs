@@ -108,6 +108,30 @@ impl Matrix {
         self.columns == columns && self.rows() == rows
     }
 
+    /// Determinant of a small square matrix: for every set of columns that of the upper rows, row by row.
+    pub(super) fn determinant(&self, w: &mut Work) -> Worked<Ratio> {
+        let n = self.columns.min(8);
+        let mut minors: Vec<Ratio> = vec![Ratio::zero(); 1 << n];
+        minors[0] = Ratio::int(1);
+        for set in 1..minors.len() {
+            let row = set.count_ones() as usize - 1;
+            let mut sum = Ratio::zero();
+            let mut after = set.count_ones();
+            for column in (0..n).filter(|c| set & (1 << c) != 0) {
+                after -= 1;
+                let rest = &minors[set & !(1 << column)];
+                let entry = self.at(row, column);
+                if entry.is_zero() || rest.is_zero() {
+                    continue;
+                }
+                let term = rest.times(&entry, w)?;
+                sum = if after % 2 == 0 { sum.plus(&term, w)? } else { sum.minus(&term, w)? };
+            }
+            minors[set] = sum;
+        }
+        Ok(minors.pop().unwrap_or_else(Ratio::zero))
+    }
+
     /// Entry, counted from 0; zero outside.
     pub(super) fn at(&self, i: usize, j: usize) -> Ratio {
         if j < self.columns {

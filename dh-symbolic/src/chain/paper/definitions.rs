@@ -1,0 +1,248 @@
+//! Statements that give a meaning and claim nothing: legends, names of entries, definitions, given values.
+
+use super::ink::{Ink, Item};
+use super::meaning::formula;
+use super::names::{Letter, Names, Unknown};
+use super::pieces::Statement;
+use super::statements::{declare_general, is_number, text};
+use super::transforms;
+use super::{Sheet, Word};
+
+impl Statement {
+    /// `{}^0_6T = B^{-1} G E^{-1}` with a letter G without a meaning: the left side is the pose that is given from here on, and
+    /// G is that of the whole arm.
+    pub(super) fn gives_pose(&self, names: &mut Names<'_>, sheet: &mut Sheet) -> bool {
+        let [left, right] = self.sides.as_slice() else { return false };
+        let [only] = left.as_slice() else { return false };
+        let Some(frame) = transforms::last_frame(only) else { return false };
+        let letters: Vec<Letter> = right.iter().filter_map(Letter::of).collect();
+        let capital = |l: &Letter| l.index.is_empty() && l.stem.len() == 1 && l.stem.chars().all(char::is_uppercase);
+        let product = letters.len() == right.len() && !letters.is_empty() && letters.iter().all(capital);
+        let Some(given) = letters.iter().find(|l| l.stem == "G").filter(|g| product && names.meaning(g).is_err())
+        else {
+            return false;
+        };
+        let pose = names.pose();
+        names.bind(given.clone(), pose);
+        names.say_pose(frame, None);
+        // more frames than the table has: some joints are the document's own
+        if letters.len() > 1 || frame > names.chain.links.len() || names.on_axes {
+            names.waiting_pose = Some((frame, right.clone()));
+            self.told_pose(names, sheet);
+        }
+        true
+    }
+
+    /// The given pose gets a name as soon as all its factors are known.
+    fn told_pose(&self, names: &mut Names<'_>, sheet: &mut Sheet) {
+        let Some((frame, factors)) = names.waiting_pose.take() else { return };
+        let Ok(words) = formula(&factors, names) else {
+            names.waiting_pose = Some((frame, factors));
+            return;
+        };
+        let name = format!("T_0_{frame}");
+        let mut line: Vec<Word> = ["let", name.as_str(), "="].iter().map(|w| Word::new(w, self.line)).collect();
+        line.extend(words.into_iter().map(|w| Word { line: self.line, ..w }));
+        sheet.put(line);
+        names.say_pose(frame, Some(name));
+    }
+
+    /// A matrix with places that do not matter: `∗`.
+    pub(super) fn is_pattern(&self) -> bool {
+        let star = |cell: &Vec<Item>| matches!(cell.as_slice(), [only] if only.is('∗') || only.is('*'));
+        let in_matrix = |i: &Item| matches!(&i.ink, Ink::Matrix(rows) if rows.iter().flatten().any(star));
+        let in_brackets = |s: &Vec<Item>| {
+            s.windows(3).any(|w| w[1].is('∗') && "[,;".contains(mark(&w[0])) && "],;".contains(mark(&w[2])))
+        };
+        self.sides.iter().any(|s| s.iter().any(in_matrix) || in_brackets(s))
+    }
+
+    /// In a sentence, `s_5 = 0` is a condition and no claim, and so is `theta_3 = atan2(-d_4, a_3)`.
+    pub(super) fn is_condition(&self, names: &Names<'_>) -> bool {
+        let (Some(left), Some(right)) = (self.sides.first(), self.sides.get(1)) else { return false };
+        if !self.loose {
+            return false;
+        }
+        let zero = self.sides.len() == 2 && matches!(right.as_slice(), [Item { ink: Ink::Number(n), .. }] if n == "0");
+        let Ok(variable) = formula(left, names) else { return false };
+        let variable = names.variable(&text(&variable)).is_some();
+        let fixed = formula(right, names).is_ok_and(|w| {
+            w.len() > 2
+                && !w
+                    .iter()
+                    .any(|w| w.token.text.starts_with(['q', 'T', 'J', 'c', 's']) || w.token.text.starts_with("theta"))
+        });
+        zero && !variable || variable && fixed
+    }
+
+    /// `i = 1, ..., 6`.
+    pub(super) fn is_index(&self) -> bool {
+        let one = |s: &Vec<Item>| matches!(s.as_slice(), [only] if matches!(only.name(), Some("i" | "j" | "k" | "n")) && only.is_bare());
+        self.sides.first().is_some_and(one)
+    }
+
+    /// `c_i = cos theta_i`, `c_2 = cos q_2`.
+    pub(super) fn is_legend(&self, names: &mut Names<'_>) -> bool {
+        let [left, right] = self.sides.as_slice() else { return false };
+        let ([short], [function, angle, ..]) = (left.as_slice(), right.as_slice()) else { return false };
+        let (Some(short), Some(f)) = (Letter::of(short), function.name()) else { return false };
+        let angle = match angle.ink {
+            Ink::Mark('(') if right.len() == 4 => right.get(2),
+            _ if right.len() == 2 => Some(angle),
+            _ => None,
+        };
+        let Some(angle) = angle.and_then(Letter::of) else { return false };
+        let fits = matches!((short.stem.as_str(), f), ("c", "cos") | ("s", "sin")) && short.index == angle.index;
+        let single = short.is_general() || short.index.parse::<usize>().is_ok();
+        if !(fits && single && matches!(angle.stem.as_str(), "q" | "theta" | "t")) {
+            return false;
+        }
+        names.say_angle(&short.index, angle.stem != "q");
+        true
+    }
+
+    /// A matrix of names on the right: each is from now on that entry of the left side.
+    pub(super) fn names_entries(&self, names: &mut Names<'_>) -> bool {
+        let Some([Item { ink: Ink::Matrix(rows), .. }]) = self.sides.last().map(Vec::as_slice) else {
+            return self.names_entries_in_brackets(names);
+        };
+        let cells: Vec<Vec<&[Item]>> = rows.iter().map(|r| r.iter().map(Vec::as_slice).collect()).collect();
+        self.bind_entries(&cells, names)
+    }
+
+    /// The same for `[a, b; c, d]` of plain text.
+    fn names_entries_in_brackets(&self, names: &mut Names<'_>) -> bool {
+        let Some([open, inner @ .., close]) = self.sides.last().map(Vec::as_slice) else { return false };
+        if !open.is('[') || !close.is(']') {
+            return false;
+        }
+        let rows: Vec<Vec<&[Item]>> = inner.split(|i| i.is(';')).map(|r| r.split(|i| i.is(',')).collect()).collect();
+        self.bind_entries(&rows, names)
+    }
+
+    fn bind_entries(&self, rows: &[Vec<&[Item]>], names: &mut Names<'_>) -> bool {
+        let Some(first) = self.sides.first() else { return false };
+        let letters: Vec<(usize, usize, Letter)> = rows
+            .iter()
+            .enumerate()
+            .flat_map(|(i, r)| r.iter().enumerate().map(move |(j, c)| (i, j, *c)))
+            .filter_map(|(i, j, c)| match c {
+                [only] if only.sup.is_none() && only.before_sub.is_none() => Some((i, j, Letter::of(only)?)),
+                _ => None,
+            })
+            .collect();
+        let count = rows.iter().map(Vec::len).sum::<usize>();
+        let jacobian = matches!(first.as_slice(), [only] if only.name() == Some("J"));
+        if jacobian && letters.len() == count && letters.iter().all(|l| l.2.stem == "J") {
+            return true;
+        }
+        let transform = rows.len() >= 3 && rows.iter().all(|r| r.len() == 4 || r.len() == 3);
+        let nameable = |l: &Letter| {
+            matches!(
+                l.stem.as_str(),
+                "r" | "p" | "n" | "o" | "a" | "t" | "x" | "y" | "z" | "g" | "h" | "u" | "v" | "w" | "px" | "py" | "pz"
+            ) && !l.is_general()
+                && names.meaning(l).map_or(true, |m| {
+                    m.contains(" . ")
+                        || l.stem == "a" && !l.index.is_empty() && l.index.chars().all(|c| "xyz".contains(c))
+                })
+        };
+        if !transform || letters.len() < 9 || !letters.iter().all(|l| nameable(&l.2)) {
+            return false;
+        }
+        let Ok(whole) = formula(first, names) else { return false };
+        let whole = text(&whole);
+        for (i, j, letter) in letters {
+            let field = if j == 3 {
+                format!("p{}", ["x", "y", "z"].get(i).unwrap_or(&"x"))
+            } else {
+                format!("r{}{}", i + 1, j + 1)
+            };
+            names.bind(letter, format!("{whole} . {field}"));
+        }
+        true
+    }
+
+    pub(super) fn define(&self, letter: &Letter, names: &mut Names<'_>, sheet: &mut Sheet) {
+        let rest = Statement {
+            sides: self.sides.get(1..).unwrap_or_default().to_vec(),
+            relations: self.relations.get(1..).unwrap_or_default().to_vec(),
+            ..self.clone()
+        };
+        let words = match rest.words(names) {
+            Ok(words) => words,
+            Err(unknown) => {
+                if !self.loose {
+                    sheet.refuse(&self.raw, self.line, unknown.why);
+                }
+                return;
+            }
+        };
+        let Some(first) = words.first() else { return };
+        let matrix = first.iter().any(|w| matches!(w.token.text.as_str(), "T" | "A" | "inv" | "[" | "base" | "tool"))
+            && !first.iter().any(|w| w.token.is("."));
+        if self.loose && !matrix && is_number(first) {
+            return;
+        }
+        declare_general(first, sheet);
+        let name = names.give(letter, matrix);
+        let mut line = vec![Word::new("let", self.line), Word::new(&name, self.line), Word::new("=", self.line)];
+        line.extend(first.iter().cloned());
+        sheet.put(line);
+        self.told_pose(names, sheet);
+        let own = letter.own();
+        let (ready, others): (Vec<_>, Vec<_>) =
+            std::mem::take(&mut sheet.waiting).into_iter().partition(|w| w.1.name.as_ref() == Some(&own));
+        sheet.waiting = others;
+        ready.into_iter().for_each(|w| w.0.tell(names, sheet));
+        if words.len() > 1 {
+            self.rest_claim(words, &rest.relations, names, sheet);
+        }
+    }
+
+    pub(super) fn define_late(&self, unknown: Unknown, sheet: &mut Sheet) {
+        if !self.loose {
+            sheet.refuse(&self.raw, self.line, unknown.why);
+        }
+    }
+
+    pub(super) fn is_given(&self, left: &[Word], right: &[Word], names: &mut Names<'_>, sheet: &mut Sheet) -> bool {
+        let name = text(left);
+        let value = text(right);
+        let declared = names.chain.parameters.iter().any(|p| p.name == name && p.declared);
+        if let Some([only]) = self.sides.first().map(Vec::as_slice)
+            && let Some(letter) = Letter::of(only)
+            && names.say_size(&letter, &value)
+        {
+            sheet.mark(self.line);
+            return true;
+        }
+        let moves = names.variable(&name);
+        if moves.is_none() && !declared {
+            return false;
+        }
+        if moves == Some(true) && !(value.contains("deg") || value == "0") {
+            return false;
+        }
+        names.values.retain(|v| v.0 != name);
+        names.values.push((name, value));
+        let mut line = vec![Word::new("at", self.line)];
+        for (k, (n, v)) in names.values.iter().enumerate() {
+            if k > 0 {
+                line.push(Word::new(",", self.line));
+            }
+            for w in [n.as_str(), "="].into_iter().chain(v.split(' ')) {
+                line.push(Word::new(w, self.line));
+            }
+        }
+        sheet.put(line);
+        true
+    }
+}
+
+fn mark(item: &Item) -> char {
+    match item.ink {
+        Ink::Mark(c) => c,
+        _ => ' ',
+    }
+}

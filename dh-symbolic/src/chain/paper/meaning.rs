@@ -1,0 +1,464 @@
+//! From formulas on paper to words of a claim: product signs are written, brackets become round, letters get their meaning.
+
+use super::Word;
+use super::ink::{Ink, Item};
+use super::names::{Letter, Names, Unknown, field, index_text};
+use super::tables::function;
+use super::transforms;
+
+type Read<T> = Result<T, Unknown>;
+
+fn refuse<T>(why: impl Into<String>) -> Read<T> {
+    Err(Unknown { why: why.into(), name: None })
+}
+
+/// A whole formula.
+pub(super) fn formula(items: &[Item], names: &Names<'_>) -> Read<Vec<Word>> {
+    let mut w = Writer { items, at: 0, names, out: Vec::new() };
+    w.sum()?;
+    match w.peek() {
+        None => Ok(w.out),
+        Some(item) => refuse(format!("{} does not belong here", describe(item))),
+    }
+}
+
+fn describe(item: &Item) -> String {
+    match &item.ink {
+        Ink::Mark(c) => format!("`{c}`"),
+        Ink::Name(n) | Ink::Number(n) | Ink::Text(n) => format!("`{n}`"),
+        Ink::PlusMinus => "a sign ± inside of a formula".into(),
+        Ink::Dots => "`...`".into(),
+        Ink::Empty => "an index without a letter".into(),
+        Ink::Degree => "a degree sign without a number".into(),
+        _ => "this".into(),
+    }
+}
+
+struct Writer<'a> {
+    items: &'a [Item],
+    at: usize,
+    names: &'a Names<'a>,
+    out: Vec<Word>,
+}
+
+impl<'a> Writer<'a> {
+    fn peek(&self) -> Option<&'a Item> {
+        self.items.get(self.at)
+    }
+
+    fn line(&self) -> usize {
+        self.peek().or(self.items.last()).map_or(0, |i| i.line)
+    }
+
+    fn put(&mut self, words: &str) {
+        let line = self.line();
+        self.out.extend(words.split_whitespace().map(|w| Word::new(w, line)));
+    }
+
+    fn take(&mut self, mark: char) -> bool {
+        let hit = self.peek().is_some_and(|i| i.is(mark) && i.is_bare());
+        self.at += usize::from(hit);
+        hit
+    }
+
+    /// Another formula in the middle of this one.
+    fn inner(&mut self, items: &'a [Item]) -> Read<()> {
+        if items.is_empty() {
+            return refuse("something is missing here");
+        }
+        let mut w = Writer { items, at: 0, names: self.names, out: std::mem::take(&mut self.out) };
+        let done = w.sum();
+        let rest = w.peek();
+        self.out = std::mem::take(&mut w.out);
+        done?;
+        rest.map_or(Ok(()), |item| refuse(format!("{} does not belong here", describe(item))))
+    }
+
+    fn sum(&mut self) -> Read<()> {
+        loop {
+            if self.take('-') {
+                self.put("-");
+            } else if !self.take('+') {
+                break;
+            }
+        }
+        self.product()?;
+        loop {
+            if self.take('+') {
+                self.put("+");
+            } else if self.take('-') {
+                self.put("-");
+            } else {
+                return Ok(());
+            }
+            self.product()?;
+        }
+    }
+
+    fn product(&mut self) -> Read<()> {
+        self.factor(false)?;
+        loop {
+            if self.take('*') {
+                self.put("*");
+                self.factor(false)?;
+            } else if self.take('/') {
+                self.put("/");
+                self.factor(true)?;
+            } else if self.peek().is_some_and(starts_factor) {
+                self.put("*");
+                self.factor(false)?;
+            } else {
+                return Ok(());
+            }
+        }
+    }
+
+    fn factor(&mut self, divisor: bool) -> Read<()> {
+        let Some(item) = self.peek() else { return refuse("the formula ends too early") };
+        match &item.ink {
+            Ink::Number(n) => self.number(item, n),
+            Ink::Name(name) => self.name(item, name),
+            Ink::Group(inner) => {
+                if let Some(only) = matrix_alone(inner) {
+                    self.matrix(only)?;
+                } else {
+                    self.put("(");
+                    self.inner(inner)?;
+                    self.put(")");
+                }
+                self.at += 1;
+                self.power(item.sup.as_deref())
+            }
+            Ink::Fraction(top, below) => {
+                self.put(if divisor { "( (" } else { "(" });
+                self.inner(top)?;
+                self.put(") / (");
+                self.inner(below)?;
+                self.put(if divisor { ") )" } else { ")" });
+                self.at += 1;
+                self.power(item.sup.as_deref())
+            }
+            Ink::Root(inner) => {
+                self.put("sqrt (");
+                self.inner(inner)?;
+                self.put(")");
+                self.at += 1;
+                self.power(item.sup.as_deref())
+            }
+            Ink::Matrix(rows) => {
+                self.matrix(rows)?;
+                self.at += 1;
+                self.power(item.sup.as_deref())
+            }
+            Ink::Mark('-') => {
+                self.at += 1;
+                self.put("-");
+                self.factor(divisor)
+            }
+            Ink::Mark('(' | '[' | '{') => self.bracket(),
+            _ => refuse(format!("{} does not belong here", describe(item))),
+        }
+    }
+
+    fn number(&mut self, item: &'a Item, text: &str) -> Read<()> {
+        let next = self.items.get(self.at + 1);
+        // 0T6
+        if let Some(t) = next
+            && t.name() == Some("T")
+            && !t.spaced
+            && t.before_sup.is_none()
+            && let (Ok(i), Some(sub)) = (text.parse::<usize>(), t.sub.as_deref())
+            && let Some(j) = index_text(sub)
+        {
+            let meaning = transforms::between(&i.to_string(), &j, self.names)?;
+            self.put(&meaning);
+            self.at += 2;
+            return self.after_transform(t.sup.as_deref());
+        }
+        let degrees = next.is_some_and(|i| i.ink == Ink::Degree);
+        self.put(&if degrees { format!("{text}deg") } else { text.to_string() });
+        self.at += 1 + usize::from(degrees);
+        self.power(item.sup.as_deref())
+    }
+
+    fn matrix(&mut self, rows: &'a [Vec<Vec<Item>>]) -> Read<()> {
+        self.put("[");
+        for (i, row) in rows.iter().enumerate() {
+            if i > 0 {
+                self.put(";");
+            }
+            for (j, cell) in row.iter().enumerate() {
+                if j > 0 {
+                    self.put(",");
+                }
+                self.inner(cell)?;
+            }
+        }
+        self.put("]");
+        Ok(())
+    }
+
+    /// From an opening bracket to its closing one.
+    fn bracket(&mut self) -> Read<()> {
+        let open = self.at;
+        let Some(close) = closing(self.items, open) else { return refuse("a bracket is not closed") };
+        let inner = self.items.get(open + 1..close).unwrap_or_default();
+        let square = self.items.get(open).is_some_and(|i| i.is('['));
+        let separators = top_level(inner).any(|i| i.is(';') || i.is(','));
+        self.put(if square && separators { "[" } else { "(" });
+        let mut start = 0;
+        let marks = separator_places(inner);
+        for k in marks.iter().copied().chain([inner.len()]) {
+            self.inner(inner.get(start..k).unwrap_or_default())?;
+            if k < inner.len() {
+                if !square {
+                    return refuse("a list in brackets where a formula is needed");
+                }
+                self.put(if inner.get(k).is_some_and(|i| i.is(';')) { ";" } else { "," });
+            }
+            start = k + 1;
+        }
+        self.put(if square && separators { "]" } else { ")" });
+        self.at = close + 1;
+        let sup = self.items.get(close).and_then(|i| i.sup.as_deref());
+        self.power(sup)
+    }
+
+    /// `^2`, `^{-1}`, `^T`.
+    fn power(&mut self, sup: Option<&[Item]>) -> Read<()> {
+        let Some(sup) = sup else { return self.field() };
+        let text = index_text(sup).unwrap_or_default();
+        match text.as_str() {
+            "T" | "t" => self.put(". t"),
+            _ if text.parse::<i32>().is_ok() => match text.strip_prefix('-') {
+                Some(n) => self.put(&format!("^ - {n}")),
+                None => self.put(&format!("^ {text}")),
+            },
+            _ => return refuse(format!("an exponent `{text}`")),
+        }
+        self.field()
+    }
+
+    /// `.px` after a matrix.
+    fn field(&mut self) -> Read<()> {
+        while self.peek().is_some_and(|i| i.is('.') && !i.spaced) {
+            let Some(next) = self.items.get(self.at + 1).filter(|n| !n.spaced) else { return Ok(()) };
+            let Some(letter) = Letter::of(next) else { return Ok(()) };
+            self.put(&format!(". {}{}", letter.stem, letter.index));
+            self.at += 2;
+        }
+        Ok(())
+    }
+
+    /// After a transform: its power, and the entry that is meant.
+    fn after_transform(&mut self, sup: Option<&[Item]>) -> Read<()> {
+        self.power(sup)?;
+        if let Some(next) = self.peek()
+            && next.before_sup.is_none()
+            && let Some(letter) = Letter::of(next)
+            && let Some(field) = field(&letter.stem, &letter.index).filter(|f| f != "p")
+        {
+            self.put(&format!(". {field}"));
+            self.at += 1;
+        }
+        Ok(())
+    }
+
+    fn name(&mut self, item: &'a Item, name: &'a str) -> Read<()> {
+        if let Some(f) = function(name) {
+            self.at += 1;
+            return self.call(item, f);
+        }
+        if let Some((axis, rotation)) = transforms::motion(item)
+            && self.items.get(self.at + 1).is_some_and(|n| n.is('('))
+        {
+            return self.motion(axis, rotation);
+        }
+        // T(0,6)
+        if matches!(name, "T" | "A" | "J") && item.is_bare() && self.items.get(self.at + 1).is_some_and(|n| n.is('(')) {
+            let Some(close) = closing(self.items, self.at + 1) else { return refuse("a bracket is not closed") };
+            let inner = self.items.get(self.at + 2..close).and_then(index_text);
+            let Some(inner) = inner else { return refuse("expected the numbers of frames") };
+            self.put(&format!("{name} ( {} )", inner.replace(',', " , ")));
+            self.at = close + 1;
+            return self.after_transform(self.items.get(close).and_then(|i| i.sup.as_deref()));
+        }
+        if let Some(found) = transforms::read(item, self.names) {
+            let found = found?;
+            self.put(&found.meaning);
+            self.at += 1;
+            let rest = found.power;
+            let Some(rest) = rest else { return self.after_transform(None) };
+            return match index_text(&rest).as_deref() {
+                Some("-1") => {
+                    self.put("^ - 1");
+                    self.after_transform(None)
+                }
+                _ => {
+                    self.put(". t");
+                    self.after_transform(None)
+                }
+            };
+        }
+        // c theta_1
+        if matches!(name, "c" | "s")
+            && item.sub.is_none()
+            && let Some(next) = self.items.get(self.at + 1)
+            && let Some(letter) = Letter::of(next)
+            && self.names.is_angle(&letter)
+        {
+            let angle = self.names.meaning(&letter)?;
+            self.put(&format!("{} ( {angle} )", if name == "c" { "cos" } else { "sin" }));
+            self.at += 2;
+            let sup = item.sup.as_deref().or(next.sup.as_deref());
+            return self.power(sup);
+        }
+        let Some(letter) = Letter::of(item) else { return refuse(format!("an index of `{name}` that is no index")) };
+        let meaning = self.names.meaning(&letter)?;
+        self.at += 1;
+        // the square of a vector
+        let square = item.sup.as_deref().and_then(index_text).is_some_and(|t| t == "2");
+        if square && meaning.ends_with(". p") {
+            self.put(&format!("norm2 ( {meaning} )"));
+            return Ok(());
+        }
+        self.put(&meaning);
+        self.power(item.sup.as_deref())
+    }
+
+    fn motion(&mut self, axis: char, rotation: Option<bool>) -> Read<()> {
+        let open = self.at + 1;
+        let Some(close) = closing(self.items, open) else { return refuse("a bracket is not closed") };
+        let inner = self.items.get(open + 1..close).unwrap_or_default();
+        let angle = |i: &Item| i.ink == Ink::Degree || Letter::of(i).is_some_and(|l| self.names.is_angle(&l));
+        let turns = rotation.unwrap_or_else(|| inner.iter().any(angle));
+        self.put(&format!("{}{axis} (", if turns { "R" } else { "T" }));
+        self.inner(inner)?;
+        self.put(")");
+        self.at = close + 1;
+        self.power(self.items.get(close).and_then(|i| i.sup.as_deref()))
+    }
+
+    /// The arguments of a function, in brackets or without.
+    fn call(&mut self, item: &'a Item, f: &str) -> Read<()> {
+        let sup = item.sup.as_deref().and_then(index_text);
+        let f = match (sup.as_deref(), f) {
+            (Some("-1"), "cos") => "acos",
+            (Some("-1"), "sin") => "asin",
+            (Some("-1"), "tan") => "atan",
+            _ => f,
+        };
+        let power = item.sup.as_deref().filter(|_| sup.as_deref() != Some("-1"));
+        self.put(&format!("{f} ("));
+        match self.peek() {
+            Some(next) if f == "det" && next.is('[') => self.factor(false)?,
+            Some(next) if next.is('(') || next.is('[') || next.is('{') => {
+                let Some(close) = closing(self.items, self.at) else { return refuse("a bracket is not closed") };
+                let inner = self.items.get(self.at + 1..close).unwrap_or_default();
+                self.arguments(inner)?;
+                self.at = close + 1;
+                self.put(")");
+                let after = self.items.get(close).and_then(|i| i.sup.as_deref());
+                return self.power(power.or(after));
+            }
+            Some(Item { ink: Ink::Group(inner), .. }) => {
+                let bracketed = inner.first().is_some_and(|i| i.is('(')) && closing(inner, 0) == Some(inner.len() - 1);
+                let inner = if bracketed { inner.get(1..inner.len() - 1).unwrap_or_default() } else { inner };
+                self.arguments(inner)?;
+                self.at += 1;
+            }
+            _ if f == "det" => self.factor(false)?,
+            _ => self.bare_argument()?,
+        }
+        self.put(")");
+        self.power(power)
+    }
+
+    fn arguments(&mut self, inner: &'a [Item]) -> Read<()> {
+        let mut start = 0;
+        for k in separator_places(inner).into_iter().chain([inner.len()]) {
+            self.inner(inner.get(start..k).unwrap_or_default())?;
+            if k < inner.len() {
+                self.put(",");
+            }
+            start = k + 1;
+        }
+        Ok(())
+    }
+
+    /// `\cos 35^\circ`, `\sin 2\theta_1`, `\cos\theta_1`.
+    fn bare_argument(&mut self) -> Read<()> {
+        if let Some(item) = self.peek()
+            && let Ink::Number(n) = &item.ink
+        {
+            self.number(item, n)?;
+            if !self.peek().is_some_and(|i| Letter::of(i).is_some_and(|l| self.names.is_angle(&l))) {
+                return Ok(());
+            }
+            self.put("*");
+        }
+        let Some(item) = self.peek() else { return refuse("the argument of a function is missing") };
+        let Some(letter) = Letter::of(item) else { return refuse("the argument of a function is missing") };
+        let meaning = self.names.meaning(&letter)?;
+        self.put(&meaning);
+        self.at += 1;
+        Ok(())
+    }
+}
+
+/// Does a factor begin here?
+fn starts_factor(item: &Item) -> bool {
+    match &item.ink {
+        Ink::Number(_) | Ink::Name(_) | Ink::Group(_) | Ink::Fraction(..) | Ink::Root(_) | Ink::Matrix(_) => true,
+        Ink::Mark(c) => matches!(c, '(' | '[' | '{'),
+        _ => false,
+    }
+}
+
+fn matrix_alone(inner: &[Item]) -> Option<&Vec<Vec<Vec<Item>>>> {
+    match inner {
+        [Item { ink: Ink::Matrix(rows), .. }] => Some(rows),
+        _ => None,
+    }
+}
+
+fn depth_change(item: &Item) -> i32 {
+    match item.ink {
+        Ink::Mark('(' | '[' | '{') => 1,
+        Ink::Mark(')' | ']' | '}') => -1,
+        _ => 0,
+    }
+}
+
+/// The place of the bracket that closes the one at `open`.
+pub(super) fn closing(items: &[Item], open: usize) -> Option<usize> {
+    let mut depth = 0;
+    for (k, item) in items.iter().enumerate().skip(open) {
+        depth += depth_change(item);
+        if depth == 0 {
+            return Some(k);
+        }
+    }
+    None
+}
+
+/// The pieces outside of all brackets.
+pub(super) fn top_level(items: &[Item]) -> impl Iterator<Item = &Item> {
+    let mut depth = 0;
+    items.iter().filter(move |i| {
+        depth += depth_change(i);
+        depth == 0
+    })
+}
+
+fn separator_places(items: &[Item]) -> Vec<usize> {
+    let mut depth = 0;
+    let mut out = Vec::new();
+    for (k, item) in items.iter().enumerate() {
+        depth += depth_change(item);
+        if depth == 0 && (item.is(',') || item.is(';')) {
+            out.push(k);
+        }
+    }
+    out
+}

@@ -1,0 +1,144 @@
+//! A stretch of formulas cut into statements: rows, parts of rows, sides.
+
+use super::ink::{Ink, Item};
+use super::meaning::top_level;
+
+/// `A = B = C` as pieces of paper.
+#[derive(Clone)]
+pub(super) struct Statement {
+    pub(super) sides: Vec<Vec<Item>>,
+    pub(super) relations: Vec<&'static str>,
+    pub(super) line: usize,
+    /// The line as printed.
+    pub(super) raw: String,
+    /// Found between sentences.
+    pub(super) loose: bool,
+    /// Marked as a formula all the same.
+    pub(super) marked: bool,
+}
+
+/// Rows of aligned formulas; one that begins with a sign or a relation continues the row before.
+pub(super) fn rows(items: Vec<Item>) -> Vec<Vec<Item>> {
+    let mut rows: Vec<Vec<Item>> = vec![Vec::new()];
+    for item in items {
+        match item.ink {
+            Ink::Break => rows.push(Vec::new()),
+            Ink::Tab | Ink::Empty if item.is_bare() => {}
+            _ => {
+                if let Some(row) = rows.last_mut() {
+                    row.push(item);
+                }
+            }
+        }
+    }
+    let mut out: Vec<Vec<Item>> = Vec::new();
+    for row in rows.into_iter().filter(|r| r.iter().any(|i| i.ink != Ink::Gap)) {
+        let first = row.iter().find(|i| i.ink != Ink::Gap).map(|i| &i.ink);
+        let relates = top_level(&row).any(|i| matches!(i.ink, Ink::Relation(_)));
+        let sign = matches!(first, Some(Ink::Mark('+' | '-' | '*') | Ink::PlusMinus));
+        let continues = matches!(first, Some(Ink::Relation(_))) || sign && !relates;
+        match out.last_mut() {
+            Some(last) if continues => last.extend(row.into_iter().filter(|i| i.ink != Ink::Gap)),
+            _ => out.push(row),
+        }
+    }
+    out
+}
+
+/// A row cut at commas, words and wide gaps; parts without a relation take the right side of the part that follows.
+pub(super) fn pieces(row: &[Item], loose: bool) -> Vec<Statement> {
+    let mut parts: Vec<Vec<Item>> = vec![Vec::new()];
+    let mut depth = 0;
+    for item in row {
+        depth += match item.ink {
+            Ink::Mark('(' | '[' | '{') => 1,
+            Ink::Mark(')' | ']' | '}') => -1,
+            _ => 0,
+        };
+        let fresh = parts.len() > 1 && parts.last().is_some_and(Vec::is_empty);
+        match &item.ink {
+            Ink::Mark(',' | ';') if depth == 0 => parts.push(Vec::new()),
+            Ink::Gap | Ink::Text(_) if depth == 0 => {
+                // `A = B \qquad C`, or the room before an equals sign
+                parts.push(Vec::new());
+            }
+            Ink::Relation(_) if fresh => {
+                parts.pop();
+                if let Some(l) = parts.last_mut() {
+                    l.push(item.clone());
+                }
+            }
+            _ => {
+                if let Some(l) = parts.last_mut() {
+                    l.push(item.clone());
+                }
+            }
+        }
+    }
+    let mut out: Vec<Statement> = Vec::new();
+    let mut heads: Vec<Vec<Item>> = Vec::new();
+    for mut part in parts.into_iter().filter(|p| !p.is_empty()) {
+        while part.last().is_some_and(|i| i.is('.') || i.is(':') || i.ink == Ink::Empty) {
+            part.pop();
+        }
+        let statement = sides(&part);
+        if statement.relations.is_empty() {
+            // `theta_4 = A or B`: the same left side
+            match out.last() {
+                Some(before) if before.sides.len() == 2 && part.len() > 1 && is_angle_function(&part) => {
+                    let first = before.sides.first().cloned().unwrap_or_default();
+                    out.push(Statement { sides: vec![first, part], relations: before.relations.clone(), ..statement });
+                }
+                _ => heads.push(part),
+            }
+            continue;
+        }
+        for head in heads.drain(..) {
+            if !loose && statement.sides.len() == 2 && matches!(head.as_slice(), [only] if only.name().is_some()) {
+                let mut copy = statement.clone();
+                if let Some(first) = copy.sides.first_mut() {
+                    *first = head;
+                }
+                out.push(copy);
+            }
+        }
+        out.push(statement);
+    }
+    out
+}
+
+fn is_angle_function(part: &[Item]) -> bool {
+    part.iter().any(|i| matches!(i.name(), Some("atan2" | "acos" | "asin" | "atan")))
+}
+
+fn sides(part: &[Item]) -> Statement {
+    let line = part.first().map_or(0, |i| i.line);
+    let mut s = Statement {
+        sides: vec![Vec::new()],
+        relations: Vec::new(),
+        line,
+        raw: String::new(),
+        loose: false,
+        marked: false,
+    };
+    let mut depth = 0;
+    for item in part {
+        depth += match item.ink {
+            Ink::Mark('(' | '[' | '{') => 1,
+            Ink::Mark(')' | ']' | '}') => -1,
+            _ => 0,
+        };
+        match item.ink {
+            Ink::Relation(r) if depth == 0 => {
+                s.relations.push(r);
+                s.sides.push(Vec::new());
+            }
+            _ => {
+                if let Some(side) = s.sides.last_mut() {
+                    side.push(item.clone());
+                }
+            }
+        }
+    }
+    s
+}
