@@ -155,6 +155,7 @@ impl<'a> Writer<'a> {
                 self.put("-");
                 self.factor(divisor)
             }
+            Ink::Mark('|') => self.absolute(),
             Ink::Mark('(' | '[' | '{') => self.bracket(),
             _ => refuse(format!("{} does not belong here", describe(item))),
         }
@@ -196,6 +197,17 @@ impl<'a> Writer<'a> {
         }
         self.put("]");
         Ok(())
+    }
+
+    /// `|x|`, the root of a square.
+    fn absolute(&mut self) -> Read<()> {
+        let rest = self.items.get(self.at + 1..).unwrap_or_default();
+        let Some(length) = rest.iter().position(|i| i.is('|')) else { return refuse("`|` does not belong here") };
+        self.put("sqrt ( (");
+        self.inner(rest.get(..length).unwrap_or_default())?;
+        self.put(") ^ 2 )");
+        self.at += length + 2;
+        self.power(rest.get(length).and_then(|i| i.sup.as_deref()))
     }
 
     /// From an opening bracket to its closing one.

@@ -329,6 +329,10 @@ impl<'a> Names<'a> {
                 _ => None,
             };
         }
+        // the place of the tip, as figures call it
+        if matches!(stem, "x" | "y") && index.is_empty() && letter.frame.is_empty() {
+            return Some(format!("{} . p{stem}", self.pose()));
+        }
         // u_{11} of a matrix U
         let capital = stem.to_uppercase();
         let matrix =

@@ -37,11 +37,13 @@ pub(super) fn finish(names: &mut Names<'_>, sheet: &mut Sheet) {
 /// Lines that may wait for a name.
 const MOST_WAITING: usize = 60;
 
-/// Is a formula nothing but numbers, one of them with decimals?
+/// Is a formula nothing but numbers, one of them with decimals, or a number that no formula comes out as by itself?
 fn is_measured(words: &[Word]) -> bool {
     let number = |w: &Word| w.token.text.starts_with(|c: char| c.is_ascii_digit());
     let mark = |w: &Word| "[](),;-+".contains(w.token.text.as_str());
-    words.iter().all(|w| number(w) || mark(w)) && words.iter().any(|w| number(w) && w.token.text.contains('.'))
+    let large = matches!(words, [w] if w.token.text.parse::<u32>().is_ok_and(|n| n > 1));
+    words.iter().all(|w| number(w) || mark(w))
+        && (large || words.iter().any(|w| number(w) && w.token.text.contains('.')))
 }
 
 /// Is it one number, with its sign?

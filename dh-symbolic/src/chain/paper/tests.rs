@@ -82,6 +82,7 @@ fn spellings() {
         ("[p_x; p_y] = [a2, a3]", "[T(0,6).px; T(0,6).py] = [a2, a3]"),
         (r"$\det\,\begin{bmatrix} a_2 & 0 \\ 0 & a_3 \end{bmatrix} = a_2a_3$", "det([a2, 0; 0, a3]) = a2*a3"),
         ("det [a2, 0; 0, a3] = a2 a3", "det([a2, 0; 0, a3]) = a2*a3"),
+        (r"$|a_2 - a_3| = \left|a_2\right|$", "sqrt((a2 - a3)^2) = sqrt((a2)^2)"),
         ("p_x ≠ 0", "T(0,6).px != 0"),
     ] {
         assert_eq!(lines(PUMA, text), [line], "{text}");
@@ -113,7 +114,7 @@ With $U = {}^0_1T^{-1}\,{}^0_6T$ we have $u_x = u_{11}$, and $u$ is its position
 For $\theta_1 = 20^\circ$, $a_3 = 0.5$ it is $p_x = 0.25$.
 $$ {}^1_6T = \begin{bmatrix} {}^1r_{11} & {}^1r_{12} & {}^1r_{13} & {}^1p_x \\ {}^1r_{21} & {}^1r_{22} & {}^1r_{23} & {}^1p_y \\
  {}^1r_{31} & {}^1r_{32} & {}^1r_{33} & {}^1p_z \\ 0 & 0 & 0 & 1 \end{bmatrix} $$
-$$ {}^1p_z = z $$";
+$$ {}^1p_z = k $$";
     let expected = [
         "let K = (norm2(T(0,6).p) - a2^2)/(2*a2) - a3",
         "a3*c3 - d4*s3 = K",
@@ -122,7 +123,7 @@ $$ {}^1p_z = z $$";
         "at q1 = 20deg",
         "at q1 = 20deg, a3 = 0.5",
         "T(0,6).px ~ 0.25",
-        "? {}^1p_z = z: `z` has no meaning here",
+        "? {}^1p_z = k: `k` has no meaning here",
     ];
     assert_eq!(lines(PUMA, text), expected);
 }
