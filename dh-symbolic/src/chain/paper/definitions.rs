@@ -63,6 +63,10 @@ impl Statement {
         if !self.loose {
             return false;
         }
+        let number = matches!(right.as_slice(), [Item { ink: Ink::Number(_), .. }]);
+        if number && matches!(left.as_slice(), [only] if only.is_bare() && matches!(only.name(), Some("x" | "y"))) {
+            return true;
+        }
         let zero = self.sides.len() == 2 && matches!(right.as_slice(), [Item { ink: Ink::Number(n), .. }] if n == "0");
         let Ok(variable) = formula(left, names) else { return false };
         let variable = names.variable(&text(&variable)).is_some();

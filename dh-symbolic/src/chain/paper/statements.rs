@@ -73,7 +73,10 @@ impl Statement {
     }
 
     pub(super) fn tell(&self, names: &mut Names<'_>, sheet: &mut Sheet) {
-        if self.is_legend(names) || self.is_index() || self.is_pattern() || self.is_condition(names) {
+        if self.is_condition(names) {
+            return;
+        }
+        if self.is_legend(names) || self.is_index() || self.is_pattern() {
             sheet.mark(self.line);
             return;
         }
