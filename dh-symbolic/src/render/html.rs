@@ -21,7 +21,8 @@ table.data { border-collapse: collapse; margin: 1rem auto; border-block: 1px sol
 table.data th { border-bottom: 1px solid; }\ntable.data th, table.data td { padding: 0.2rem 0.8rem; text-align: center; }\n\
 div.display { overflow-x: auto; margin: 1rem 0; }\n\
 figure { margin: 1.5rem 0; text-align: center; }\nfigure svg { max-width: 100%; height: auto; }\nfigcaption { font-size: 0.9em; }\n\
-mtd.left { text-align: right; }\nmtd.right { text-align: left; }\n";
+mtd.left { text-align: right; }\nmtd.right { text-align: left; }\n\
+mtd.left, mtd.right { padding-inline: 0.12em; }\nmtd.number { padding-inline-start: 3em; }\n";
 
 /// A block as HTML.
 pub(super) fn block(b: &Block) -> String {
@@ -66,7 +67,7 @@ fn equations(list: &[Equation]) -> String {
                 _ => String::new(),
             };
             rows.push_str(&format!(
-                "<mtr><mtd class=\"left\">{left}</mtd><mtd class=\"right\">{sign}{}</mtd><mtd>{number}</mtd></mtr>\n",
+                "<mtr><mtd class=\"left\">{left}</mtd><mtd class=\"right\">{sign}{}</mtd><mtd class=\"number\">{number}</mtd></mtr>\n",
                 math(line)
             ));
         }

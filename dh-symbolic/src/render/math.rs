@@ -102,13 +102,17 @@ impl Math {
         }))
     }
 
-    /// A base with an exponent.
+    /// A base with an exponent; a base that has one goes into brackets.
     #[must_use]
     pub fn above(self, index: Math) -> Math {
         Math::Script(Box::new(match self {
             Math::Script(mut s) if s.sup.is_none() => {
                 s.sup = Some(index);
                 *s
+            }
+            Math::Script(s) => {
+                let base = Math::Script(s).in_brackets();
+                Script { base, sub: None, sup: Some(index), before_sub: None, before_sup: None }
             }
             base => Script { base, sub: None, sup: Some(index), before_sub: None, before_sup: None },
         }))

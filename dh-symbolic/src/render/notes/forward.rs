@@ -67,8 +67,8 @@ impl Writer<'_> {
             })
             .collect();
         self.say(Phrase::General, vec![]);
-        let right = Math::equation(side_by_side(product), Math::Matrix(cells));
-        self.display(self.notation.transform(Frame::Before, Frame::General), right);
+        let left = self.notation.transform(Frame::Before, Frame::General);
+        self.display_product(left, Some(side_by_side(product)), Math::Matrix(cells));
     }
 
     pub(super) fn forward(&mut self, kinematics: &Kinematics) {

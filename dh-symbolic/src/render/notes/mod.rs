@@ -93,6 +93,9 @@ impl Options {
     }
 }
 
+/// Glyphs of a left side that costs the right one nothing.
+const NAME: usize = 8;
+
 /// Glyphs of a short product that stands beside a matrix of full width.
 const PRODUCT: usize = 10;
 
@@ -151,7 +154,9 @@ impl<'a> Writer<'a> {
 
     /// `left = formula`, cut into lines.
     fn equation(&self, left: Math, right: Math) -> Equation {
-        Equation { left, right: right.lines(self.options.width), number: None }
+        let width = self.options.width;
+        let room = (width + NAME).saturating_sub(left.glyphs()).clamp(width / 3, width);
+        Equation { left, right: loosened(right, room).lines(room), number: None }
     }
 
     /// A displayed equation with a number.
@@ -240,6 +245,18 @@ impl<'a> Writer<'a> {
             self.blocks.push(Block::Equations(list));
         }
         entries.into_iter().flatten().collect()
+    }
+}
+
+/// A fraction that is too wide as a product, which can be cut: 1/2 [...].
+fn loosened(m: Math, width: usize) -> Math {
+    match m {
+        Math::Fraction(above, below) if above.glyphs() > width => {
+            let one = Math::Fraction(Box::new(Math::number(1)), below);
+            Math::Row(vec![one, Math::Open('['), *above, Math::Close(']')])
+        }
+        Math::Row(list) => Math::Row(list.into_iter().map(|m| loosened(m, width)).collect()),
+        other => other,
     }
 }
 
