@@ -222,7 +222,6 @@ fn greek(c: char) -> Option<&'static str> {
         'ψ' => "\\psi",
         'ω' => "\\omega",
         'Δ' => "\\Delta",
-        '∗' => "\\ast",
         _ => return None,
     })
 }

@@ -31,6 +31,15 @@ pub(super) fn steps(chain: &Chain) -> Vec<Step> {
     steps
 }
 
+/// Numbers of the equations of the pose and of the Jacobian in a note with all its parts.
+pub(in crate::render) fn equation_numbers(chain: &Chain) -> (usize, usize) {
+    let (base, tool) = (!chain.base.is_empty(), !chain.tool.is_empty());
+    // One row in general, all rows, the products; base, tool and the product with them.
+    let constants = usize::from(base) + usize::from(tool) + usize::from(base || tool);
+    let pose = 1 + chain.links.len() + steps(chain).len() + constants;
+    (pose, pose + 1)
+}
+
 /// The products that were asked for, in that order; each is made of the fewest factors among rows and products formed before it.
 pub(super) fn asked(n: usize, products: &[(usize, usize)]) -> Vec<Step> {
     let mut known: Vec<(usize, usize)> = (0..n).map(|i| (i, i + 1)).collect();

@@ -120,3 +120,122 @@ fn closed_forms_for_rustdoc() {
         .collect();
     insta::with_settings!({ omit_expression => true }, { insta::assert_snapshot!("rustdoc", all) });
 }
+
+const CUP: &str = "
+pub struct Cup;
+convention = modified;
+unit = mm;
+base = tz(373mm);
+tool = tz(206mm) * ry(90deg) * rz(180deg);
+| alpha  | a   | d   | theta |
+|--------|-----|-----|-------|
+|   0    | 0   | 0   | q1    |
+| -90deg | -30 | 0   | q2    |
+|   0    | 340 | 0   | q3    |
+| -90deg | -40 | 338 | q4    |
+|  90deg | 0   | 0   | q5    |
+| -90deg | 0   | 0   | q6    |
+";
+
+/// The slides print 381.3, 151.8, 19.5 and 21.8, -52.2, 2.5, -20, -42, 15 degrees.
+#[test]
+fn the_cup_task_comes_out_as_on_the_slides() {
+    let mut options = Options { parts: vec![Part::Example], ..Options::default() };
+    options.set("--pose", "tx(830)*ty(20)*tz(330) * tx(-280)*ty(250)*tz(62.5)*rz(35deg)").unwrap();
+    options.set("--frames", "b=W,e=C").unwrap();
+    options.set("--near", "q1=20deg,q2=-50deg,q3=0,q4=-20deg,q5=-40deg,q6=15deg").unwrap();
+    let chain = chain(CUP);
+    assert_eq!(options.check(&chain), Ok(()));
+    let text = notes(&chain, &options).print(Format::Text);
+    for part in ["381.25", "151.84", "19.50", "find 8 joint vectors", "is solution 4."] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    let row = text.lines().find(|l| l.trim_start().starts_with("4 ")).unwrap();
+    let values: Vec<&str> = row.split_whitespace().skip(1).collect();
+    assert_eq!(values, ["21.72°", "−52.19°", "2.48°", "−20.05°", "−42.07°", "15.16°"]);
+}
+
+/// Tasks with freedom, a chosen joint, coupled motors: the joint vector that made the pose is among the solutions.
+#[test]
+fn examples_of_every_kind_of_arm() {
+    let position = PLANAR.replace("unit = mm;", "unit = mm; task = planar;");
+    let axis =
+        CUP.replace("unit = mm;", "unit = mm; task = axis;").replace("| -90deg | -40 | 338 | q4    |\n", "").replace(
+            "|  90deg | 0   | 0   | q5    |\n| -90deg | 0   | 0   | q6    |",
+            "|  90deg | 0   | 0   | q4    |\n| -90deg | 0   | 0   | q5    |",
+        );
+    let coupled = "pub struct Leg; convention = modified; let p: length = 0.02;
+        | alpha | a | d | theta |\n|-|-|-|-|\n| 0 | 0 | 0 | q1 |\n| -90deg | 0 | p*(q2 - q1) | 0 |";
+    let options = Options { parts: vec![Part::Example], ..Options::default() };
+    for (table, first) in [
+        (position.as_str(), "20.00° −35.00° 50.00°"),
+        (axis.as_str(), "20.00° −35.00° 50.00°"),
+        (PANDA, "20.00° −35.00° 50.00°"),
+        (coupled, "20.00°"),
+        (ODD, "20.00° −35.00°"),
+    ] {
+        let text = notes(&chain(table), &options).print(Format::Text);
+        let mut rows = text.lines().map(|l| l.split_whitespace().collect::<Vec<_>>().join(" "));
+        assert!(
+            rows.any(|r| r.split_once(' ').is_some_and(|(_, values)| values.starts_with(first))),
+            "{first}: {text}"
+        );
+    }
+}
+
+/// Radii of a planar arm against its joint space, searched at random.
+#[test]
+fn rings_hold_all_places_and_nothing_more() {
+    let lengths = [[5.0, 2.0, 1.0], [1.0, 1.0, 0.3], [1.0, 0.5, 2.0]];
+    let expected = [["8", "2", "4 ≤ ρ ≤ 6"], ["2.3", "0", "ρ ≤ 1.7"], ["3.5", "0.5", "no such place"]];
+    for (l, e) in lengths.iter().zip(expected) {
+        let table = format!(
+            "pub struct Arm; convention = modified; task = planar; let a: length = {}; let b: length = {}; let c: length = {};
+             tool = tx(c);\n| alpha | a | d | theta |\n|-|-|-|-|\n| 0 | 0 | 0 | q1 |\n| 0 | a | 0 | q2 |\n| 0 | b | 0 | q3 |",
+            l[0], l[1], l[2]
+        );
+        let options = Options { parts: vec![Part::Workspace], ..Options::default() };
+        let text = notes(&chain(&table), &options).print(Format::Text);
+        let value = |name: &str| {
+            let line = text.lines().find(|l| l.contains(name)).unwrap_or_else(|| panic!("{name}: {text}"));
+            line.rsplit("= ").next().unwrap().to_string()
+        };
+        assert_eq!((value("ρ_max").as_str(), value("ρ_min").as_str()), (e[0], e[1]));
+        assert!(text.contains(e[2]), "{text}");
+        let (mut least, mut most) = (f64::INFINITY, 0.0f64);
+        for i in 0..200 {
+            for j in 0..200 {
+                let (s, t) = (f64::from(i) * 0.0314159 * 1.0001, f64::from(j) * 0.0314159);
+                let x = l[0] + l[1] * s.cos() + l[2] * (s + t).cos();
+                let y = l[1] * s.sin() + l[2] * (s + t).sin();
+                (least, most) = (least.min(x.hypot(y)), most.max(x.hypot(y)));
+            }
+        }
+        let near = |text: String, x: f64| (text.parse::<f64>().unwrap() - x).abs() < 0.03;
+        assert!(near(value("ρ_max"), most) && near(value("ρ_min"), least), "{least} {most}");
+    }
+}
+
+/// The generated code names the equations of the default note.
+#[test]
+fn equations_have_the_numbers_that_the_code_names() {
+    for (name, table) in ALL {
+        let chain = chain(table);
+        let document = notes(&chain, &Options::default());
+        let all = document.blocks.iter().filter_map(|b| match b {
+            Block::Equations(list) => Some(list),
+            _ => None,
+        });
+        let numbered: Vec<(usize, String)> =
+            all.flatten().filter_map(|e| Some((e.number?, crate::render::text::math(&e.left)))).collect();
+        let (pose, jacobian) = equation_numbers(&chain);
+        let left = |n: usize| numbered.iter().find(|e| e.0 == n).map(|e| e.1.as_str());
+        let end = if chain.tool.is_empty() { chain.links.len().to_string() } else { "e".into() };
+        let start = if chain.base.is_empty() { "0" } else { "b" };
+        let notation = Notation::textbook(&chain);
+        let frame = |text: &str| text.parse().map_or(if text == "b" { Frame::Base } else { Frame::Tool }, Frame::Row);
+        let expected = crate::render::text::math(&notation.transform(frame(start), frame(&end)));
+        assert_eq!(left(pose), Some(expected.as_str()), "{name}");
+        assert_eq!(left(jacobian), Some("J"), "{name}");
+    }
+}

@@ -33,10 +33,11 @@ pub(super) fn functions(chain: &Chain, forward: &Forward) -> String {
     let (n, f) = (chain.dof(), scalar_name(chain.scalar));
     let unit = chain.unit.name;
     let mut out = String::new();
+    let (number, next) = crate::render::notes::equation_numbers(chain);
     let body = Body::new(chain, &forward.pose, chain.scalar);
     out.push_str(&format!(
         "/// Pose of the last frame (with the tool) in the base; angles in radians, lengths in {unit}.\n///\n/// \
-         Cost: {}. Proven equal to the product of the link transforms.\n#[inline]\n#[must_use]\n\
+         Cost: {}. Proven equal to the product of the link transforms; equation ({number}) of the robot's notes.\n#[inline]\n#[must_use]\n\
          pub fn forward(&self, q: &[{f}; {n}]) -> ::dh_robot::nalgebra::IsometryMatrix3<{f}> {{\n{}\n{}\n}}\n",
         cost(&forward.pose),
         body.lines.join("\n"),
@@ -61,7 +62,7 @@ pub(super) fn functions(chain: &Chain, forward: &Forward) -> String {
         .collect();
     out.push_str(&format!(
         "/// Geometric Jacobian: rows 0..3 linear ({unit} per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the\n\
-         /// origin of the last frame (or tool).\n///\n/// Cost: {}.\n#[inline]\n#[must_use]\n\
+         /// origin of the last frame (or tool); equation ({next}) of the robot's notes.\n///\n/// Cost: {}.\n#[inline]\n#[must_use]\n\
          pub fn jacobian(&self, q: &[{f}; {n}]) -> ::dh_robot::nalgebra::SMatrix<{f}, 6, {n}> {{\n{}\n\
          ::dh_robot::nalgebra::SMatrix::from_data(::dh_robot::nalgebra::ArrayStorage([{}]))\n}}\n",
         cost(&jacobian),
