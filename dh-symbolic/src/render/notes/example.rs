@@ -55,15 +55,15 @@ impl Start {
 }
 
 /// The arm in numbers.
-struct Arm {
-    chain: Chain,
-    plan: Plan,
+pub(super) struct Arm {
+    pub(super) chain: Chain,
+    pub(super) plan: Plan,
     pose: Transform,
 }
 
 /// One solution.
-struct Found {
-    q: Vec<f64>,
+pub(super) struct Found {
+    pub(super) q: Vec<f64>,
     in_range: bool,
     free: bool,
 }
@@ -80,7 +80,7 @@ impl Arm {
         self.chain.dof()
     }
 
-    fn turns(&self, k: usize) -> bool {
+    pub(super) fn turns(&self, k: usize) -> bool {
         matches!(self.chain.joints.get(k).map(|j| j.coordinate), Some(Coordinate::Angle(_)))
     }
 
@@ -145,7 +145,7 @@ impl Arm {
     }
 
     /// Joint coordinates of the variables.
-    fn coordinates(&self, q: &[f64]) -> Vec<f64> {
+    pub(super) fn coordinates(&self, q: &[f64]) -> Vec<f64> {
         (0..self.dof())
             .map(|k| self.shift(k) + q.iter().enumerate().map(|(j, q)| self.drive(k, j) * q).sum::<f64>())
             .collect()
@@ -294,6 +294,7 @@ impl Writer<'_> {
         self.solutions(&arm, &found, worst);
         let list: Vec<Vec<f64>> = found.iter().map(|f| arm.coordinates(&f.q)).collect();
         self.postures(&Kinematics::new(self.chain), &list);
+        self.tree(&arm, &found);
         self.choice(&arm, &found, &near);
     }
 
@@ -323,8 +324,13 @@ impl Writer<'_> {
         if plain { self.coordinate(k) } else { Math::Letter('q').below(Math::number(k + 1)) }
     }
 
+    /// A value of a step.
+    pub(super) fn plain_value(&self, arm: &Arm, x: f64, turns: bool) -> Math {
+        if turns { self.notation.decimal_angle(x, 2) } else { decimal(x, self.places(arm)) }
+    }
+
     fn number_of(&self, arm: &Arm, k: usize, x: f64, places: usize) -> Math {
-        if arm.turns(k) { self.notation.decimal_angle(x, places) } else { decimal(x, self.places(arm)) }
+        if arm.turns(k) { self.notation.decimal_angle(x, places) } else { entry(x, self.places(arm)) }
     }
 
     fn value_of(&self, arm: &Arm, k: usize, x: f64, places: usize) -> Math {

@@ -15,6 +15,7 @@ mod steps;
 mod table;
 #[cfg(test)]
 mod tests;
+mod tree;
 pub(super) mod words;
 mod workspace;
 

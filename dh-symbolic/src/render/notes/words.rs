@@ -125,6 +125,8 @@ phrases! {
     ExampleClosest: "Closest to {} is solution {}.", "距 {} 最近的是第 {} 组解。";
     ExampleClosestInRange: " Of those in range it is solution {}.", "在范围内的解中，最近的是第 {} 组。";
     ExampleNoneInRange: " None is in range.", "没有一组在范围内。";
+    Tree: "The same as a tree, in the order of the steps; an empty cell repeats the one above:", "按求解步骤排成树；空格与上一行相同：";
+    TreeSolution: "solution", "解";
     InRange: "in range", "范围内";
     Yes: "yes", "是";
     No: "no", "否";
