@@ -1,5 +1,6 @@
 //! Writes what is made from the example robots: `expanded/<robot>.rs`, exactly what the macro leaves behind, formatted;
-//! `notes/<robot>.md`, their lecture notes; and `notes/errata.md`, what is wrong in the documents that they come from.
+//! `notes/<robot>.md`, their lecture notes with their figures beside them, for one robot `notes/<robot>.html`, its interactive
+//! page; and `notes/errata.md`, what is wrong in the documents that they come from.
 //!
 //! `cargo regen` writes, `cargo regen --check` compares and fails where a file is stale.
 
@@ -13,12 +14,14 @@ use std::{fs, io};
 use dh_symbolic::chain::Chain;
 use dh_symbolic::chain::table::parse;
 use dh_symbolic::render::rust::pretty;
-use dh_symbolic::render::{Options, notes};
+use dh_symbolic::render::{Options, notes, page};
 use generated_examples::corpus;
 use generated_examples::source::{self, Source};
 use proc_macro2::TokenStream;
 
 const COMMAND: &str = "cargo regen";
+/// Robots whose interactive page is kept, to be opened without building anything.
+const PAGES: [&str; 1] = ["puma560"];
 /// Folders whose files are all generated.
 const FOLDERS: [&str; 2] = ["expanded", "notes"];
 
@@ -61,6 +64,9 @@ fn files() -> io::Result<Files> {
     for source in source::all()? {
         modules.push_str(&format!("pub mod {};\n", source.module));
         files.insert(format!("expanded/{}.rs", source.module).into(), expanded(&source)?);
+        if PAGES.contains(&source.module.as_str()) {
+            files.insert(format!("notes/{}.html", source.module).into(), interactive(&source)?);
+        }
         let (text, figures) = lecture(&source)?;
         files.insert(format!("notes/{}.md", source.module).into(), text);
         for (name, figure) in figures {
@@ -93,6 +99,13 @@ fn lecture(source: &Source) -> io::Result<(String, Vec<(String, String)>)> {
     let (text, figures) = notes(&chain, &options).linked_markdown(&source.module);
     let text = format!("<!-- The notes of src/{}.rs. Made by `{COMMAND}`; do not edit. -->\n\n{text}", source.module);
     Ok((text, figures))
+}
+
+/// The interactive page.
+fn interactive(source: &Source) -> io::Result<String> {
+    let parsed = parse(tokens(source)?);
+    let spec = parsed.spec.ok_or_else(|| fail(source, &"the table has errors"))?;
+    page(&Chain::new(spec), &Options::default()).map_err(|e| fail(source, &e))
 }
 
 /// What the macro leaves behind.

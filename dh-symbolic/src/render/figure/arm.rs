@@ -123,7 +123,11 @@ fn prism(camera: &Camera, axis: &Axis, along: f64, across: f64, thick: f64) -> V
     let u = cross(axis.along, side);
     let u = u.map(|x| x / dot(u, u).sqrt());
     let v = cross(axis.along, u);
-    let corners = if axis.slides { 4 } else { 20 };
+    let corners = match axis.slides {
+        true => 4,
+        false if thick < 1.0 => 12,
+        false => 20,
+    };
     let ring = |end: f64| -> Vec<[f64; 2]> {
         let turn = |i: usize| std::f64::consts::TAU * (i as f64 + 0.5) / corners as f64;
         let at = |t: f64| plus(plus(plus(axis.at, axis.along, end), u, across * t.cos()), v, across * t.sin());

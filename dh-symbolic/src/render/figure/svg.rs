@@ -8,7 +8,7 @@ pub fn element(d: &Drawing, title: &str) -> String {
     let [w, h] = d.size;
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}pt\" height=\"{1}pt\" viewBox=\"0 0 {0} {1}\" role=\"img\" \
-         font-family=\"Latin Modern Math, STIX Two Text, New Computer Modern, Times New Roman, serif\" font-size=\"{LETTER}\">\n",
+         stroke-linecap=\"round\" stroke-linejoin=\"round\" font-family=\"Latin Modern Math, STIX Two Text, New Computer Modern, Times New Roman, serif\" font-size=\"{LETTER}\">\n",
         number(w),
         number(h)
     );
@@ -53,7 +53,7 @@ fn line(shape: &Shape) -> String {
                 low = run.low;
             }
             format!(
-                "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" fill=\"{}\" stroke=\"#ffffff\" stroke-width=\"2\" stroke-linejoin=\"round\" paint-order=\"stroke\">{text}</text>\n",
+                "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" fill=\"{}\" stroke=\"#ffffff\" stroke-width=\"2\" paint-order=\"stroke\">{text}</text>\n",
                 number(at[0]),
                 number(at[1] + 0.33 * LETTER),
                 color(*fill)
@@ -74,11 +74,7 @@ fn list(points: &[[f64; 2]]) -> String {
 fn edge(pen: Option<Pen>) -> String {
     let Some(pen) = pen else { return String::new() };
     let dashes = if pen.dashed { " stroke-dasharray=\"3 3\"" } else { "" };
-    format!(
-        " stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\" stroke-linejoin=\"round\"{dashes}",
-        color(pen.color),
-        number(pen.width)
-    )
+    format!(" stroke=\"{}\" stroke-width=\"{}\"{dashes}", color(pen.color), number(pen.width))
 }
 
 fn color(Color(r, g, b): Color) -> String {

@@ -130,6 +130,7 @@ function fillSolutions() {
   if (!answer) return;
   const list = answer.solutions, inside = (s) => s.q.every((x, k) => inRange(arm.joints[k], x));
   byId("count").textContent = list.length > 0 ? WORDS.found.replace("{n}", list.length).replace("{m}", list.filter(inside).length) : why(answer.why);
+  byId("red").hidden = list.every(inside);
   const places = (joint) => (joint.angle && inDegrees() ? 1 : 3);
   const parts = PARTS.filter((part) => list.some((s) => s.branch?.[part])), free = list.some((s) => s.free.length > 0);
   const head = make("tr", {}, make("th"), ...[...arm.joints.map((j) => j.name), ...parts.map((part) => WORDS[part]), ...(free ? [""] : [])].map((name) => make("th", {}, name)));

@@ -26,7 +26,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("pitch", "pitch", "俯仰"),
     ("yaw", "yaw", "偏航"),
     ("phi", "angle", "角度"),
-    ("found", "{n} solutions, {m} within the joints' ranges", "{n} 个解，其中 {m} 个在关节范围内"),
+    ("found", "Solutions: {n}; within the joints' ranges: {m}.", "共 {n} 个解，其中 {m} 个在关节范围内。"),
     ("free", "{q} free", "{q} 任取"),
     ("red", "Red values are out of a joint's range.", "红色数值超出关节范围。"),
     ("shoulder", "shoulder", "肩"),
@@ -69,6 +69,7 @@ const WORDS: &[(&str, &str, &str)] = &[
         "No closed form was found for this arm. The solutions are found by Newton's method from many starts: some may be missing.",
         "没有找到该机械臂的封闭解。解由多个初值的牛顿法求得，可能不全。",
     ),
+    ("given", "{q} keeps the value of its slider.", "{q} 取滑块的值。"),
     ("unwanted", "The table asks for no inverse (ik = none).", "该表不要求逆解（ik = none）。"),
     ("formulas", "Formulas", "公式"),
 ];
