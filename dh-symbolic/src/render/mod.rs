@@ -4,7 +4,8 @@
 //!
 //! Formulas go from the normal form to an [`expression::Expression`] in the textbook's shape ([`grouping`]), get their names
 //! ([`notation`]) and become typeset [`math`] ([`typeset`](notation::Notation::typeset)), which stands in a [`document`] and
-//! is printed as [`text`], [`latex`], [`markdown`], [`typst`] or [`html`].
+//! is printed as [`text`], [`latex`], [`markdown`], [`typst`] or [`html`]. [`figure`] draws; [`javascript`] and [`mod@page`] make the
+//! interactive page.
 //!
 //! **Never here:** decisions about kinematics.
 
