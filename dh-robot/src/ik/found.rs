@@ -24,6 +24,20 @@ pub enum Outcome {
     Free,
 }
 
+impl Outcome {
+    /// Is a step without a root possibly one with a root that rounding hides, or a loss of rank?
+    ///
+    /// A right-hand side that is clearly out of reach isn't, unless the coefficients on the other side are next to nothing; the roots of
+    /// polynomials don't say by how much they are not real.
+    pub fn may_hide_a_root(&self) -> bool {
+        match *self {
+            Self::OutOfReach { needed, available } => !(needed > 1.05 * available && available > 1e-4),
+            Self::NoRealRoot => true,
+            Self::Regular | Self::Touching | Self::Free => false,
+        }
+    }
+}
+
 /// Up to `N` solutions, and the reason for their number; derefs to a slice.
 #[derive(Clone, Copy, Debug)]
 pub struct Found<T, const N: usize> {

@@ -5,7 +5,7 @@ use super::list::List;
 use super::math::sqrt;
 use super::newton2::polish_pair;
 use super::sincos::solve_sincos;
-use super::tolerance::{ACCEPT, BOUNDARY, DOUBLE, SAME, ZERO};
+use super::tolerance::{ACCEPT, BLUR, BOUNDARY, DOUBLE, SAME, ZERO};
 use super::trig_poly::TrigPoly;
 
 /// A length and an angle `[cos, sin]`.
@@ -16,6 +16,7 @@ pub type LengthAngle = (f64, [f64; 2]);
 /// `q = -(b + sign(b) sqrt(b^2 - 4 a c)) / 2`, then `x = q / a` and `x = c / q` (Press et al., *Numerical Recipes*, section 5.6).
 ///
 /// - `|a| <= tol`: the linear equation; `|a|` and `|b|` at most `tol`: [`Outcome::Free`] if `|c|` is too, else no solution.
+///   A linear equation no larger than [`BLUR`] whose root is out of any reach: [`Outcome::Free`].
 ///   `tol` is absolute: scale the unknown so that it is of order one.
 /// - A discriminant within [`BOUNDARY`] (relative) below zero counts as zero: one root, [`Outcome::Touching`].
 #[inline]
@@ -30,6 +31,9 @@ pub fn solve_quadratic(a: f64, b: f64, c: f64, tol: f64) -> Found<f64, 2> {
                 Outcome::OutOfReach { needed, available: 0.0 }
             });
         }
+        if b.abs() <= BLUR && c.abs() <= BLUR && c.abs() > 4.0 * b.abs() {
+            return Found::none(Outcome::Free);
+        }
         roots.push(-c / b);
         return Found { roots, outcome: Outcome::Regular };
     }
@@ -38,7 +42,8 @@ pub fn solve_quadratic(a: f64, b: f64, c: f64, tol: f64) -> Found<f64, 2> {
     if !(discriminant >= -BOUNDARY * size && size < f64::INFINITY && a.abs() < f64::INFINITY) {
         return Found::none(Outcome::NoRealRoot);
     }
-    if discriminant <= DOUBLE * size {
+    // Roots that differ by less than 1e-7 are one: the square root of rounding.
+    if discriminant <= DOUBLE * size.max(a * a) {
         roots.push(-0.5 * b / a);
         return Found { roots, outcome: Outcome::Touching };
     }

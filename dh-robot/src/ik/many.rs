@@ -4,7 +4,7 @@ use super::found::{Angles, Outcome};
 use super::list::List;
 use super::math::sqrt;
 use super::sincos::solve_sincos;
-use super::tolerance::{CONTRADICTION, RANK};
+use super::tolerance::{BLUR, CONTRADICTION, RANK};
 
 /// The angle with `a cos t + b sin t = c` for every row `[a, b, c]`.
 ///
@@ -15,7 +15,7 @@ use super::tolerance::{CONTRADICTION, RANK};
 /// - Rank 2: one root (normalised), [`Outcome::Regular`]; rows that contradict each other by more than [`CONTRADICTION`]
 ///   (relative) give [`Outcome::OutOfReach`] with the residual as `needed` and the size of the rows as `available`.
 /// - Rank 1 (second singular value below [`RANK`] times the first): the one equation that is left, up to two roots.
-/// - Nothing above `tol` (absolute): [`Outcome::Free`].
+/// - Nothing above `tol` (absolute), or a contradiction between rows no larger than [`BLUR`]: [`Outcome::Free`].
 pub fn solve_many<const M: usize>(rows: &[[f64; 3]; M], tol: f64) -> Angles<2> {
     // Triangle by Givens rotations: rows (p, q, g) and (0, r, h), and what is left of the right-hand sides.
     let ([mut p, mut q, mut g], [mut r, mut h]) = ([0.0; 3], [0.0; 2]);
@@ -54,7 +54,9 @@ pub fn solve_many<const M: usize>(rows: &[[f64; 3]; M], tol: f64) -> Angles<2> {
     if !(first < f64::INFINITY && rest < f64::INFINITY) {
         return Angles::none(Outcome::OutOfReach { needed: f64::NAN, available: first });
     }
-    let contradiction = |residual: f64| Angles::none(Outcome::OutOfReach { needed: residual, available: first });
+    let blurred = first <= BLUR && g * g + h * h + rest * rest <= BLUR * BLUR;
+    let none = |outcome: Outcome| Angles::none(if blurred { Outcome::Free } else { outcome });
+    let contradiction = |residual: f64| none(Outcome::OutOfReach { needed: residual, available: first });
     if !(rest <= CONTRADICTION * (first + sqrt(g * g + h * h))) {
         return contradiction(rest);
     }
@@ -77,7 +79,7 @@ pub fn solve_many<const M: usize>(rows: &[[f64; 3]; M], tol: f64) -> Angles<2> {
     let norm = sqrt(c * c + s * s);
     // A norm that is off by `d` leaves a residual between d times the smaller and d times the larger singular value.
     if !(norm > RANK && (norm - 1.0).abs() * det.abs() <= CONTRADICTION * first * first) {
-        return Angles::none(Outcome::OutOfReach { needed: norm, available: 1.0 });
+        return none(Outcome::OutOfReach { needed: norm, available: 1.0 });
     }
     let mut roots = List::new();
     roots.push([c / norm, s / norm]);

@@ -4,7 +4,7 @@ use super::found::{Angles, Outcome};
 use super::list::List;
 use super::many::solve_many;
 use super::math::sqrt;
-use super::tolerance::{CONTRADICTION, RANK};
+use super::tolerance::{BLUR, CONTRADICTION, RANK};
 
 /// The angle with `a1 cos t + b1 sin t = c1` and `a2 cos t + b2 sin t = c2`, by Cramer's rule and normalised.
 ///
@@ -12,7 +12,8 @@ use super::tolerance::{CONTRADICTION, RANK};
 ///   [`CONTRADICTION`] (the equations have no common angle), [`Outcome::OutOfReach`] carries the norm as
 ///   `needed`, and 1 as `available`.
 /// - Dependent equations (relative to their size, see [`RANK`]): what [`solve_many`] does, two roots at most.
-/// - All coefficients at most `tol` (absolute, in their unit): [`Outcome::Free`], no root.
+/// - All coefficients at most `tol` (absolute, in their unit), or equations without a common angle and no larger than [`BLUR`]:
+///   [`Outcome::Free`], no root.
 #[inline]
 pub fn solve_pair(a1: f64, b1: f64, c1: f64, a2: f64, b2: f64, c2: f64, tol: f64) -> Angles<2> {
     let det = a1 * b2 - a2 * b1;
@@ -26,6 +27,9 @@ pub fn solve_pair(a1: f64, b1: f64, c1: f64, a2: f64, b2: f64, c2: f64, tol: f64
     let off = norm - det.abs();
     // The error of the norm grows with the condition number, size / |det|.
     if !(off.abs() <= CONTRADICTION * size) {
+        if size <= BLUR * BLUR && c1 * c1 + c2 * c2 <= BLUR * BLUR {
+            return Angles::none(Outcome::Free);
+        }
         return Angles::none(Outcome::OutOfReach { needed: norm / det.abs(), available: 1.0 });
     }
     if norm <= RANK * size {

@@ -189,6 +189,8 @@ pub fn levenberg_marquardt<const N: usize, const M: usize>(
     const FIRST: f64 = 1e-2;
     /// Tries with more and more damping before giving up.
     const TRIES: usize = 12;
+    /// Steps after which slow progress means a multiple root.
+    const PATIENCE: usize = 6;
     /// Square of an error below which a step that doesn't help much is rounding noise.
     const FLOOR: f64 = 1e-26;
     let square = |e: &[f64; M]| e.iter().map(|x| x * x).sum::<f64>();
@@ -223,9 +225,23 @@ pub fn levenberg_marquardt<const N: usize, const M: usize>(
                 // A full reduction is what Newton promises; then trust it more.
                 weight = if then < 0.25 * now { weight * 0.1 } else { weight };
                 helped = then < 0.25 * now || now > FLOOR;
-                *q = next;
-                e = e_next;
-                now = then;
+                let before = now;
+                (*q, e, now) = (next, e_next, then);
+                // Towards a root of order n, Newton's steps are too short by the factor n.
+                if taken >= PATIENCE && then > 1e-4 * before {
+                    for _ in 0..3 {
+                        let mut next = *q;
+                        for i in 0..N {
+                            next[i] += step[i];
+                        }
+                        let e_next = error(&next);
+                        let then = square(&e_next);
+                        if !(then < now) {
+                            break;
+                        }
+                        (*q, e, now) = (next, e_next, then);
+                    }
+                }
                 break;
             }
             if now <= FLOOR {

@@ -3,7 +3,7 @@
 use super::found::{Angles, Outcome};
 use super::list::List;
 use super::math::sqrt;
-use super::tolerance::{BOUNDARY, DOUBLE};
+use super::tolerance::{BLUR, BOUNDARY, DOUBLE};
 
 /// All angles with `a cos t + b sin t = c`.
 ///
@@ -19,7 +19,8 @@ use super::tolerance::{BOUNDARY, DOUBLE};
 /// - `h` and `|c|` at most `tol`: [`Outcome::Free`], no root. `tol` is absolute, in the unit of the coefficients: take
 ///   [`ZERO`](super::tolerance::ZERO) times the size of the terms that made them.
 /// - `h` at most `tol`, `|c|` above it, or `|c|` larger than `h` by more than [`BOUNDARY`] (relative):
-///   [`Outcome::OutOfReach`] with `needed = |c|`, `available = h`. Input that isn't finite ends here too.
+///   [`Outcome::OutOfReach`] with `needed = |c|`, `available = h`; input that isn't finite ends here too. [`Outcome::Free`] if neither
+///   exceeds [`BLUR`].
 /// - `|c|` within [`BOUNDARY`] above `h`, or within [`DOUBLE`] below: one root, [`Outcome::Touching`].
 /// - otherwise two roots, [`Outcome::Regular`].
 #[inline]
@@ -32,6 +33,9 @@ pub fn solve_sincos(a: f64, b: f64, c: f64, tol: f64) -> Angles<2> {
     let gap = h - needed;
     // Written so that NaN ends here.
     if !(h > tol && gap >= -BOUNDARY * h && h < f64::INFINITY) {
+        if h <= BLUR && needed <= BLUR {
+            return Angles::none(Outcome::Free);
+        }
         return Angles::none(Outcome::OutOfReach { needed, available: h });
     }
     let inverse = 1.0 / h;

@@ -28,6 +28,11 @@ pub const RANK: f64 = 1e-9;
 /// led to them has no solution. Generous, because a wrong candidate costs one forward kinematics and a lost one is lost.
 pub const CONTRADICTION: f64 = 1e-3;
 
+/// Absolute size of the coefficients (rotation entries, lengths over the reach) of an equation below which a contradiction says
+/// nothing: a root of multiplicity four in a step before is good to the fourth root of rounding, and what vanishes there is as large
+/// as this. The unknown counts as free then, and forward kinematics has the last word.
+pub const BLUR: f64 = 1e-4;
+
 /// Residual (relative to the largest coefficient) at which a polished solution of two equations counts as one. Generous,
 /// for targets that lie on the boundary up to rounding; forward kinematics has the last word.
 pub const ACCEPT: f64 = 1e-8;

@@ -9,30 +9,34 @@ use crate::{FreeJoints, Why};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Pick(u8);
 
-/// Cosines and sines of multiples of 30 degrees, far ones first.
-const ANGLES: [[f64; 2]; 12] = {
-    const H: f64 = 0.866_025_403_784_438_6;
-    [
-        [1.0, 0.0],
-        [0.0, 1.0],
-        [-1.0, 0.0],
-        [0.0, -1.0],
-        [H, 0.5],
-        [-0.5, H],
-        [-H, -0.5],
-        [0.5, -H],
-        [0.5, H],
-        [-H, 0.5],
-        [-0.5, -H],
-        [H, -0.5],
-    ]
-};
+/// Cosines and sines: zero, then angles of no special kind, about 30 degrees apart and far ones first.
+const ANGLES: [[f64; 2]; 12] = [
+    [1.0, 0.0],
+    [-0.224_951_054_343_865, 0.974_370_064_785_235_2],
+    [-0.453_990_499_739_546_75, -0.891_006_524_188_367_9],
+    [0.819_152_044_288_991_8, -0.573_576_436_351_046],
+    [0.694_658_370_458_997_3, 0.719_339_800_338_651_1],
+    [-0.987_688_340_595_137_8, -0.156_434_465_040_230_87],
+    [0.309_016_994_374_947_45, -0.951_056_516_295_153_5],
+    [-0.838_670_567_945_424, 0.544_639_035_015_027_1],
+    [0.956_304_755_963_035_4, 0.292_371_704_722_736_7],
+    [0.241_921_895_599_667_73, 0.970_295_726_275_996_5],
+    [-0.798_635_510_047_292_9, -0.601_815_023_152_048_2],
+    [0.992_546_151_641_322, -0.121_869_343_405_147_48],
+];
 /// Lengths over the reach.
-const LENGTHS: [f64; 12] = [0.0, 0.25, -0.25, 0.5, -0.5, 0.75, -0.75, 1.0, -1.0, 1.5, -1.5, 2.0];
+const LENGTHS: [f64; 12] = [0.0, 0.27, -0.23, 0.51, -0.48, 0.76, -0.74, 1.03, -0.97, 1.52, -1.46, 2.1];
 
 impl Pick {
     /// Zero everywhere.
     pub const FIRST: Self = Self(0);
+
+    /// Choice number `n`.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn nth(n: u8) -> Self {
+        Self(n)
+    }
 
     /// All choices but the first.
     pub(super) fn others() -> impl Iterator<Item = Self> {
@@ -65,6 +69,8 @@ pub struct Attempt {
     pub degenerate: bool,
     /// A value that was chosen for a free unknown led to nothing: another one might lead to something.
     pub lost: bool,
+    /// Rounding, or an elimination that lost its rank, may have hidden a root.
+    pub doubt: bool,
     pub(super) why: Why<f64>,
 }
 
@@ -79,7 +85,7 @@ impl Attempt {
     #[inline]
     #[must_use]
     pub fn new() -> Self {
-        Attempt { degenerate: false, lost: false, why: Why::NoSolution }
+        Attempt { degenerate: false, lost: false, doubt: false, why: Why::NoSolution }
     }
 
     /// Notes how a step without roots ended, where `free` are the joints for which values were chosen before. `scale` turns the
@@ -91,6 +97,7 @@ impl Attempt {
             return;
         }
         self.lost |= !free.is_empty();
+        self.doubt |= outcome.may_hide_a_root();
         match outcome {
             Outcome::OutOfReach { needed, available } => {
                 let why = Why::OutOfReach { step, needs: needed * scale, has: available * scale, unit };
@@ -117,6 +124,7 @@ impl Attempt {
     ) {
         let Outcome::OutOfReach { available, .. } = outcome else { return self.note(outcome, free, step, 1.0, unit) };
         self.lost |= !free.is_empty();
+        self.doubt |= outcome.may_hide_a_root();
         let limit = (square - rest + if rest > 0.0 { available } else { -available }).max(0.0);
         let (needs, has) = (crate::math::sqrt(square) * reach, crate::math::sqrt(limit) * reach);
         self.why = self.why.or_nearer(Why::OutOfReach { step, needs, has, unit });
@@ -135,7 +143,7 @@ mod tests {
             assert_eq!((all[0], Pick::FIRST.length(step)), ([1.0, 0.0], 0.0));
             for (i, a) in all.iter().enumerate() {
                 assert!((a[0].hypot(a[1]) - 1.0).abs() < 1e-15);
-                assert!(all[..i].iter().all(|b| (a[0] - b[0]).hypot(a[1] - b[1]) > 0.5));
+                assert!(all[..i].iter().all(|b| (a[0] - b[0]).hypot(a[1] - b[1]) > 0.1));
             }
         }
     }

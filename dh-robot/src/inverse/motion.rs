@@ -1,58 +1,89 @@
 //! Which joints are free at a solution: the motions of the arm that leave the target reached.
 
-use super::Verifier;
+use super::verifier::Verifier;
 use crate::ik::Kinematics;
 use crate::{FreeJoints, Real};
 
 /// A pivot below this (position over reach, rotation in rad, per rad or reach) counts as zero: a singular pose.
 const SINGULAR: f64 = 1e-7;
-/// Length of the trial step along a motion.
-const STEP: f64 = 0.05;
+/// Length of the first trial step along a motion that isn't straight (rad, or reach): long enough to tell a curve of solutions from a
+/// double one.
+const FIRST: f64 = 0.05;
+/// Length of the further steps, and their number.
+const STRIDE: f64 = 0.25;
+const FOLLOWED: usize = 8;
+/// Steps along a straight motion.
+const STRAIGHT: [f64; 3] = [0.9, -2.2, 1.7];
 
-/// Motions that leave the task alone to first order: a basis, each with its largest entry 1.
-struct Motions<const N: usize> {
-    list: [[f64; N]; N],
-    len: usize,
+/// Motions that leave the task alone to first order: a basis, each with its largest entry 1; in rad and reach.
+pub(super) struct Motions<const N: usize> {
+    pub(super) list: [[f64; N]; N],
+    pub(super) len: usize,
+}
+
+/// What is free at a singular solution.
+pub(super) struct Freedom {
+    /// The joints that take part in motions which keep the target reached; none where the solution stands alone (the arm
+    /// stretched out).
+    pub(super) joints: FreeJoints,
+    /// Each of the motions can be followed as far as one likes, all joints at constant rates.
+    pub(super) straight: bool,
 }
 
 impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, T, N, M> {
-    /// The joints that take part in motions which keep the target reached; none at a regular solution, and none where a
-    /// singular solution stands alone (the arm stretched out). With `exact` the latter isn't looked into.
-    pub(super) fn free_joints(&mut self, q: &[f64; N], exact: bool) -> FreeJoints {
+    /// Does every motion of the arm move the target?
+    #[inline]
+    pub(super) fn is_regular(&self, q: &[f64; N]) -> bool {
+        self.motions(q).len == 0
+    }
+
+    /// What is free at a solution.
+    pub(super) fn freedom(&self, q: &[f64; N]) -> Freedom {
         let motions = self.motions(q);
-        let mut free = FreeJoints::NONE;
+        let mut freedom = Freedom { joints: FreeJoints::NONE, straight: true };
         for v in motions.list.iter().take(motions.len) {
-            if exact {
-                for k in (0..N).filter(|k| v[*k].abs() > 1e-6) {
-                    free = free.with(k);
-                }
+            let moved = if STRAIGHT.iter().all(|t| self.miss(&self.moved_by(q, v, *t)) <= self.tolerance) {
+                (0..N).filter(|k| v[*k].abs() > 1e-6).fold(FreeJoints::NONE, FreeJoints::with)
             } else {
-                free = free.union(self.moved_along(q, v));
+                let moved = self.moved_along(q, v);
+                freedom.straight &= moved.is_empty();
+                moved
+            };
+            freedom.joints = freedom.joints.union(moved);
+        }
+        freedom
+    }
+
+    /// The joints that move along the curve of solutions which a motion begins; none if there is no such curve.
+    fn moved_along(&self, q: &[f64; N], v: &[f64; N]) -> FreeJoints {
+        let mut free = FreeJoints::NONE;
+        for sign in [1.0, -1.0] {
+            let mut x = *q;
+            let mut way = v.map(|v| sign * v);
+            for stride in core::iter::once(FIRST).chain([STRIDE; FOLLOWED]) {
+                let mut next = self.moved_by(&x, &way, stride);
+                if !crate::ik::polish(self.arm, &mut next, self.task, self.setting.reach, 60).reaches(self.tolerance) {
+                    break;
+                }
+                let step = self.apart(&x, &next);
+                if !step.iter().any(|d| d.abs() > 0.1 * stride) {
+                    break;
+                }
+                free = (0..N).filter(|k| step[*k].abs() > 1e-3 * stride).fold(free, FreeJoints::with);
+                x = next;
+                way = self.within_motions(&x, &step);
+                let size = way.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+                if !(size > 1e-6) {
+                    break;
+                }
+                way = way.map(|x| x / size);
             }
         }
         free
     }
 
-    /// The joints that moved after a step along a motion and back onto the target.
-    fn moved_along(&mut self, q: &[f64; N], v: &[f64; N]) -> FreeJoints {
-        let reach = self.setting.reach;
-        let unit: [f64; N] =
-            core::array::from_fn(|k| if self.setting.joints[k].is_revolute() { STEP } else { STEP * reach });
-        for sign in [1.0, -1.0] {
-            let mut x: [f64; N] = core::array::from_fn(|k| q[k] + sign * unit[k] * v[k]);
-            if !crate::ik::polish(self.arm, &mut x, self.task, reach, 60).reaches(self.tolerance) {
-                continue;
-            }
-            let moved = |k: usize| (x[k] - q[k]).abs() / unit[k];
-            if (0..N).any(|k| moved(k) > 0.1) {
-                return (0..N).filter(|k| moved(*k) > 1e-3).fold(FreeJoints::NONE, FreeJoints::with);
-            }
-        }
-        FreeJoints::NONE
-    }
-
     /// The null space of the task's Jacobian, by Gauss-Jordan elimination with full pivoting.
-    fn motions(&self, q: &[f64; N]) -> Motions<N> {
+    pub(super) fn motions(&self, q: &[f64; N]) -> Motions<N> {
         let reach = self.setting.reach;
         let (pose, j) = self.arm.forward_and_jacobian(q);
         let mut j = self.task.rows(&pose, j, reach);

@@ -1,6 +1,7 @@
 //! Where the closed form degenerates: other values for what it left free, nearby poses, and at last a search from many starts.
 
-use super::{Attempt, Pick, Verifier};
+use super::verifier::Verifier;
+use super::{Attempt, Pick};
 use crate::ik::{Kinematics, Pose, pose};
 use crate::{Branch, FreeJoints, Real};
 
@@ -8,6 +9,9 @@ use crate::{Branch, FreeJoints, Real};
 const STEPS: usize = 60;
 /// Starts of the search for an arm whose plan chooses a value that no closed form can judge.
 const STARTS: usize = 60;
+
+/// Further values for free unknowns that are always tried.
+const PROBES: usize = 2;
 
 /// Small motions in directions of no special kind.
 const MOTIONS: [[f64; 6]; 6] = [
@@ -27,54 +31,58 @@ pub(super) fn rescue<A: Kinematics<N>, T: Real, const N: usize, const M: usize>(
     first: &Attempt,
     candidates: &impl Fn(&Pose, Pick, &mut dyn FnMut([f64; N], Branch, FreeJoints)) -> Attempt,
 ) {
+    let mut lost = verifier.lost || first.lost || verifier.out.is_empty();
     if first.degenerate {
-        for pick in Pick::others() {
-            let earlier = verifier.out.len();
-            candidates(frame, pick, &mut |q, branch, free| {
-                if !free.is_empty() {
-                    verifier.take_rough(q, branch, earlier);
-                }
-            });
+        for (i, pick) in Pick::others().enumerate() {
+            // Zero may be a special value: another one or two show whether it stands for all of them.
+            if i >= PROBES && !lost {
+                break;
+            }
+            verifier.news = false;
+            let run = candidates(frame, pick, &mut |q, branch, _| verifier.take_rough(q, branch));
+            lost |= verifier.news || run.lost;
         }
     }
-    if verifier.setting.few {
-        // Few joints cannot follow a small motion of the target.
-        if first.degenerate {
-            search(verifier, true);
-        }
+    if !lost {
         return;
     }
-    for size in [1e-4, 1e-2] {
+    let mut doubt = first.degenerate || first.doubt;
+    // Few joints cannot follow a motion of the target, but the equations of the plan hold well enough after a small one.
+    for size in if verifier.setting.few { [1e-6, 1e-4] } else { [1e-4, 1e-2] } {
         for motion in &MOTIONS {
-            let earlier = verifier.out.len();
             let near = moved(frame, motion, size);
-            candidates(&near, Pick::FIRST, &mut |q, branch, _| verifier.take_rough(q, branch, earlier));
-        }
-        if !verifier.out.is_empty() {
-            return;
+            let mut any = false;
+            let run = candidates(&near, Pick::FIRST, &mut |q, branch, _| {
+                any = true;
+                verifier.take_rough(q, branch);
+            });
+            doubt |= any || run.degenerate;
         }
     }
-    if first.degenerate {
-        search(verifier, false);
+    if verifier.out.is_empty() && doubt || verifier.setting.few && first.degenerate {
+        search(verifier);
     }
 }
 
 impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, T, N, M> {
     /// A candidate that need not be near a solution.
-    fn take_rough(&mut self, mut q: [f64; N], branch: Branch, earlier: usize) {
+    fn take_rough(&mut self, mut q: [f64; N], branch: Branch) {
         if self.polish(&mut q, STEPS) {
-            let free = self.free_joints(&q, false);
-            self.insert(q, branch, free, earlier);
+            if self.is_regular(&q) {
+                self.insert(q, branch);
+            } else {
+                self.take_singular(q, branch);
+            }
         }
     }
 }
 
-/// Damped Newton steps from starts all over the joint space, until one arrives, or from all of them.
-fn search<A: Kinematics<N>, T: Real, const N: usize, const M: usize>(verifier: &mut Verifier<'_, A, T, N, M>, all: bool) {
+/// Damped Newton steps from starts all over the joint space.
+fn search<A: Kinematics<N>, T: Real, const N: usize, const M: usize>(verifier: &mut Verifier<'_, A, T, N, M>) {
     // Additive recurrence with the powers of the root of x^(N+1) = x + 1 for N = 6: evenly spread in six dimensions.
     const RATIOS: [f64; 7] = [0.898_654, 0.807_579, 0.725_734, 0.652_184, 0.586_087, 0.526_690, 0.473_312];
     for start in 1..=STARTS {
-        let mut q: [f64; N] = core::array::from_fn(|k| {
+        let q: [f64; N] = core::array::from_fn(|k| {
             if let Some((_, value)) = verifier.setting.given.filter(|g| g.0 == k) {
                 return value;
             }
@@ -82,14 +90,7 @@ fn search<A: Kinematics<N>, T: Real, const N: usize, const M: usize>(verifier: &
             let x = 2.0 * (x - crate::math::floor(x)) - 1.0;
             if verifier.setting.joints[k].is_revolute() { x * core::f64::consts::PI } else { x * verifier.setting.reach }
         });
-        if verifier.polish(&mut q, STEPS) {
-            let free = verifier.free_joints(&q, false);
-            let known = verifier.out.len();
-            verifier.insert(q, Branch::ANY, free, known);
-            if !all {
-                return;
-            }
-        }
+        verifier.take_rough(q, Branch::ANY);
     }
 }
 

@@ -10,10 +10,12 @@
 //! **Never here:** prose, tokens. Reasons are data; `render` words them.
 
 mod axes;
+mod bound;
 mod equation;
 #[path = "kernels/mod.rs"]
 pub mod kernels;
 mod known;
+mod mobility;
 mod plane;
 pub mod pool;
 mod sample;
@@ -25,6 +27,7 @@ mod structure;
 pub use axes::{Axes, Hop};
 pub(crate) use axes::{generic_parameter, numeric};
 pub use known::{Collected, Knowledge, Known, KnownPose, Part};
+pub use mobility::Mobility;
 pub use plane::tilting_joints;
 pub use pool::{Equation, Scalar};
 pub(crate) use sample::joint_vectors;

@@ -5,14 +5,16 @@
 //! unknowns; at last the general elimination. Ties go to the shorter formula.
 
 use super::axes::Axes;
+use super::bound::bound;
 use super::equation::exact;
 use super::known::{Collected, Knowledge, Part};
+use super::mobility::Mobility;
 use super::pool::{Equation, Family, Scalar, families};
 use super::sample::{Sample, joint_vectors};
 use super::span::{Form, Span, numbers};
 use super::step::{Plan, Refusal, Step, StepKind};
 use crate::algebra::Poly;
-use crate::chain::{Chain, Handle, Role, Task};
+use crate::chain::{Chain, Handle, Role};
 
 /// Most equations of one unknown that are looked at.
 const LOOK: usize = 14;
@@ -43,46 +45,10 @@ pub fn search(chain: &Chain) -> Result<Plan, Refusal> {
         }
         return Err(s.refusal());
     }
-    let max_solutions = bound(chain, &s.steps);
-    Ok(Plan { axes: s.axes, knowledge: s.knowledge, given, steps: s.steps, max_solutions })
-}
-
-/// Bound of the number of isolated solutions.
-///
-/// Where the arm has as many joints as the task has dimensions, special poses have no more isolated solutions than generic ones,
-/// multiplicities counted. With fewer joints generic poses of the arm fix everything, and only special ones leave a choice: there
-/// every pair of equations counts two that can become one.
-fn bound(chain: &Chain, steps: &[Step]) -> usize {
-    let dimensions = match chain.task {
-        Task::Pose => 6,
-        Task::Position | Task::Planar => 3,
-        Task::Axis => 5,
-    };
-    let few = chain.dof() - usize::from(chain.redundant.is_some()) < dimensions;
-    let roots = |s: &Step| match s.kind {
-        StepKind::AtanPair if few && may_become_one(chain, &s.collected) => 2,
-        _ => s.roots,
-    };
-    // Six turning joints (prismatic ones count as their limits) never have more than 16 solutions (Primrose 1986).
-    steps.iter().map(roots).fold(1_usize, usize::saturating_mul).clamp(1, 16)
-}
-
-/// Can equations in the cosine and sine of one angle become multiples of one of them, without all of them vanishing?
-fn may_become_one(chain: &Chain, rows: &[Collected]) -> bool {
-    let slopes: Vec<[Poly; 2]> = rows
-        .iter()
-        .map(|r| [Part::Cos(1), Part::Sin(1)].map(|p| r.get(&vec![p]).cloned().unwrap_or_default()))
-        .collect();
-    let pairs = || slopes.iter().enumerate().flat_map(|(i, a)| slopes[..i].iter().map(move |b| (a, b)));
-    // A determinant of parameters only, or the square sum of a vector and itself turned by a quarter.
-    let parameter = |h: Handle| chain.parameters.iter().any(|x| x.handle == h);
-    let fixed = |p: &Poly| {
-        !p.is_zero()
-            && p.symbols().into_iter().all(|s| parameter(Handle::Length(s)))
-            && p.angles().into_iter().all(|v| parameter(Handle::Angle(v)))
-    };
-    let turned = |[a, b]: &[Poly; 2], [c, d]: &[Poly; 2]| (*c == -b && d == a) || (c == b && *d == -a);
-    !pairs().any(|(u, v)| fixed(&(&(&u[0] * &v[1]) - &(&u[1] * &v[0]))) || turned(u, v))
+    let mobility = Mobility::new(chain, &s.axes);
+    let max_solutions = bound(chain, &mobility, &s.knowledge, &s.steps, &s.samples(4, 0));
+    let few = mobility.misses_its_task();
+    Ok(Plan { axes: s.axes, knowledge: s.knowledge, given, steps: s.steps, max_solutions, few })
 }
 
 struct Search<'a> {

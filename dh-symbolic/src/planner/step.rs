@@ -60,6 +60,8 @@ pub struct Plan {
     pub steps: Vec<Step>,
     /// Bound of the number of solutions.
     pub max_solutions: usize,
+    /// Has the task directions in which the arm cannot move the tool at all? Then its targets lie on what it reaches up to rounding only.
+    pub few: bool,
 }
 
 /// Why no plan was found.

@@ -28,6 +28,8 @@ pub struct Attempt {
     pub degenerate: bool,
     /// Did a chosen value lead to nothing?
     pub lost: bool,
+    /// Did a step end without a root in a way that may hide one?
+    pub doubt: bool,
 }
 
 /// The value that a step takes for a free unknown.
@@ -199,9 +201,11 @@ impl<'a> Run<'a> {
         };
         let rows = numbers(solver, values);
         let turns = solver.finds.first().is_some_and(|k| inverse.plan.knowledge.known[*k].turns);
-        let (roots, is_free) = solve_step((i, turns, solver), &rows, inverse, self.pick);
+        let (roots, outcome) = solve_step((i, turns, solver), &rows, inverse, self.pick);
+        let is_free = outcome == ik::Outcome::Free;
         self.found.degenerate |= is_free;
         self.found.lost |= roots.is_empty() && !self.free.is_empty();
+        self.found.doubt |= roots.is_empty() && outcome.may_hide_a_root();
         for (r, root) in roots.into_iter().enumerate() {
             let mut next = values.to_vec();
             self.branch.push(r);
@@ -253,30 +257,30 @@ fn nine(row: &[f64]) -> [f64; 9] {
     std::array::from_fn(|i| row.get(i).copied().unwrap_or(0.0))
 }
 
-/// The roots of one step, and whether they stand for a continuum.
+/// The roots of one step, and why there are as many.
 fn solve_step(
     (step, turns, solver): (usize, bool, &Solver),
     rows: &[Vec<f64>],
     inverse: &Inverse,
     pick: Pick<'_>,
-) -> (Vec<Vec<Pair>>, bool) {
+) -> (Vec<Vec<Pair>>, ik::Outcome) {
     let (angle, length) = pick(step);
     let second = pick(step + 1).0;
     let angles = |found: ik::Angles<2>| {
-        let free = found.is_free();
-        (found.or_if_free(angle).iter().map(|r| vec![*r]).collect(), free)
+        let outcome = found.outcome;
+        (found.or_if_free(angle).iter().map(|r| vec![*r]).collect(), outcome)
     };
     match solver.kind {
         StepKind::Linear => {
             let (a, b) = (rows[0][0], rows[0][1]);
             let found = ik::solve_quadratic(0.0, a, b, NOISE);
-            let free = found.is_free();
-            (found.or_if_free(length).iter().map(|d| vec![[*d, *d]]).collect(), free)
+            let outcome = found.outcome;
+            (found.or_if_free(length).iter().map(|d| vec![[*d, *d]]).collect(), outcome)
         }
         StepKind::Quadratic => {
             let found = ik::solve_quadratic(rows[0][0], rows[0][1], rows[0][2], NOISE);
-            let free = found.is_free();
-            (found.or_if_free(length).iter().map(|d| vec![[*d, *d]]).collect(), free)
+            let outcome = found.outcome;
+            (found.or_if_free(length).iter().map(|d| vec![[*d, *d]]).collect(), outcome)
         }
         StepKind::HalfTurn => angles(ik::solve_sincos(rows[0][0], rows[0][1], 0.0, NOISE)),
         StepKind::SinCos => angles(ik::solve_sincos(rows[0][0], rows[0][1], -rows[0][2], NOISE)),
@@ -292,27 +296,28 @@ fn solve_step(
             let r = &rows[0];
             let p = ik::TrigPoly::<2> { constant: r[0], cos: [r[1], r[3]], sin: [r[2], r[4]] };
             let found = p.roots::<4>(NOISE);
-            let free = found.is_free();
-            (found.or_if_free(angle).iter().map(|r| vec![*r]).collect(), free)
+            let outcome = found.outcome;
+            (found.or_if_free(angle).iter().map(|r| vec![*r]).collect(), outcome)
         }
         StepKind::Bilinear => {
             let found = ik::solve_bilinear_choosing(&nine(&rows[0]), &nine(&rows[1]), [angle, second], NOISE);
-            let free = found.is_free();
-            (found.iter().map(|r| r.to_vec()).collect(), free)
+            let outcome = found.outcome;
+            (found.iter().map(|r| r.to_vec()).collect(), outcome)
         }
         StepKind::SlideAndTurn => {
             let (e1, e2) = (nine(&rows[0]), nine(&rows[1]));
             let found = ik::solve_length_squared_and_angle_choosing(&e1, &e2, (length, second), NOISE);
-            let free = found.is_free();
-            (found.iter().map(|r| vec![[r.0, r.0], r.1]).collect(), free)
+            let outcome = found.outcome;
+            (found.iter().map(|r| vec![[r.0, r.0], r.1]).collect(), outcome)
         }
-        StepKind::Choose => (vec![vec![if turns { angle } else { [length, length] }]], true),
+        StepKind::Choose => (vec![vec![if turns { angle } else { [length, length] }]], ik::Outcome::Free),
         StepKind::General => {
             let links = std::array::from_fn(|r| pose_of(&rows[r]));
             let cuts = inverse.choices.map(ik::general::Choice::new);
             let arm = ik::general::General6R::with_slides(&links, &inverse.slides, cuts);
             let count = solver.finds.len();
-            (arm.find(&pose_of(&rows[6])).iter().map(|r| r[..count].to_vec()).collect(), false)
+            let found = arm.find(&pose_of(&rows[6]));
+            (found.iter().map(|r| r[..count].to_vec()).collect(), found.outcome)
         }
     }
 }

@@ -18,7 +18,7 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
     let pass = if chain.redundant.is_some() { ", given.into()" } else { "" };
     let fits = lanes::fits(chain, inverse);
     let fixed = chain.redundant.map_or("None".into(), |k| format!("Some(({k}, given.into()))"));
-    let few = n + usize::from(chain.redundant.is_none()) <= 6 && chain.task == Task::Pose;
+    let few = inverse.plan.few;
     let robust = format!(
         "{frame}\nlet setting = ::dh_robot::inverse::Setting {{ joints: &Self::JOINTS, reach: {reach}, few: {few}, given: {fixed} }};\n\
          let task = {task};\n\

@@ -1,0 +1,94 @@
+//! Do two solutions belong to one continuum: does a motion of the arm lead from one to the other while the target stays reached?
+
+use super::verifier::Verifier;
+use crate::ik::{Kinematics, polish};
+use crate::{Real, math};
+
+/// Most steps along a continuum.
+const WALK: usize = 40;
+/// Longest step (rad, or reach).
+const STRIDE: f64 = 0.3;
+/// Joint vectors nearer than this are the same.
+const ARRIVED: f64 = 1e-4;
+
+impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, T, N, M> {
+    /// The shortest way from `p` to `q`, in rad and reach.
+    pub(super) fn apart(&self, p: &[f64; N], q: &[f64; N]) -> [f64; N] {
+        core::array::from_fn(|k| {
+            let x = q[k] - p[k];
+            if self.setting.joints[k].is_revolute() {
+                x - core::f64::consts::TAU * math::floor(x / core::f64::consts::TAU + 0.5)
+            } else {
+                x / self.setting.reach
+            }
+        })
+    }
+
+    /// `p` after a step in rad and reach.
+    pub(super) fn moved_by(&self, p: &[f64; N], step: &[f64; N], size: f64) -> [f64; N] {
+        core::array::from_fn(|k| {
+            let unit = if self.setting.joints[k].is_revolute() { 1.0 } else { self.setting.reach };
+            p[k] + size * unit * step[k]
+        })
+    }
+
+    /// Are the joint vectors on the straight way from `p` to `q` solutions too?
+    pub(super) fn straight_way(&self, p: &[f64; N], q: &[f64; N]) -> bool {
+        let way = self.apart(p, q);
+        [0.5, 0.3, 0.85].iter().all(|t| self.miss(&self.moved_by(p, &way, *t)) <= self.tolerance)
+    }
+
+    /// Walks from `p` towards `q` among the solutions; says whether it arrives.
+    pub(super) fn walk(&self, p: &[f64; N], q: &[f64; N]) -> bool {
+        let size = |v: &[f64; N]| math::sqrt(v.iter().map(|x| x * x).sum::<f64>());
+        let mut x = *p;
+        let mut way = self.apart(&x, q);
+        let mut left = size(&way);
+        for _ in 0..WALK {
+            if left <= ARRIVED {
+                return true;
+            }
+            let step = self.within_motions(&x, &way);
+            let length = size(&step);
+            if length < 0.02 * left {
+                return false;
+            }
+            let stride = (STRIDE / length).min(1.0);
+            let mut next = self.moved_by(&x, &step, stride);
+            if !polish(self.arm, &mut next, self.task, self.setting.reach, 20).reaches(self.tolerance) {
+                return false;
+            }
+            way = self.apart(&next, q);
+            let then = size(&way);
+            if then > left - 0.1 * stride * length.min(left) {
+                return false;
+            }
+            (x, left) = (next, then);
+        }
+        false
+    }
+
+    /// The part of a direction that leaves the target reached, to first order.
+    pub(super) fn within_motions(&self, x: &[f64; N], way: &[f64; N]) -> [f64; N] {
+        let mut basis = self.motions(x);
+        let dot = |a: &[f64; N], b: &[f64; N]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let mut part = [0.0; N];
+        for i in 0..basis.len {
+            // Gram-Schmidt.
+            let mut v = basis.list[i];
+            for u in basis.list.iter().take(i) {
+                let along = dot(&v, u);
+                for k in 0..N {
+                    v[k] -= along * u[k];
+                }
+            }
+            let h: f64 = math::sqrt(dot(&v, &v));
+            basis.list[i] = if h > 1e-9 { v.map(|x| x / h) } else { [0.0; N] };
+            let along = dot(way, &basis.list[i]);
+            for k in 0..N {
+                part[k] += along * basis.list[i][k];
+            }
+        }
+        part
+    }
+}

@@ -1,0 +1,144 @@
+//! Takes candidates, keeps what reaches the target, each solution and each continuum once.
+
+use super::Setting;
+use crate::ik::{Kinematics, Task, polish, same_solution};
+use crate::{Branch, FreeJoints, Real, Solution, Solutions};
+
+/// Residual (position over reach, rotation in rad) up to which a candidate is taken as it is: rounding of a chain of seven links.
+const EXACT: f64 = 1e-13;
+/// Residual up to which a polished candidate is a solution.
+const REACHED: f64 = 1e-10;
+/// The same for arms with fewer joints than the task has dimensions: their targets are rounded off what the arm can do.
+const REACHED_FEW: f64 = 1e-9;
+/// The same for `f32`, whose targets are rounded to 6e-8.
+const REACHED_SINGLE: f64 = 2e-6;
+/// Joint vectors nearer than this in every joint are one solution (rad, or table units over reach).
+const SAME: f64 = 1e-6;
+/// Damped Newton steps for a candidate of the plan, which is near a solution if it belongs to one.
+const STEPS: usize = 12;
+
+/// Takes candidates, keeps what reaches the target.
+pub(super) struct Verifier<'a, A, T: 'static, const N: usize, const M: usize> {
+    pub(super) arm: &'a A,
+    pub(super) setting: Setting<T, N>,
+    pub(super) task: &'a Task,
+    /// Residual up to which a joint vector is a solution.
+    pub(super) tolerance: f64,
+    pub(super) out: Solutions<T, N, M>,
+    /// The smallest miss so far.
+    pub(super) nearest: f64,
+    /// Other solutions may be missing: a chosen value led to no solution, or to one where nothing is free, or there is a continuum
+    /// that one chosen value need not stand for.
+    pub(super) lost: bool,
+    /// Something was found that was not known.
+    pub(super) news: bool,
+}
+
+impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a, A, T, N, M> {
+    pub(super) fn new(arm: &'a A, setting: Setting<T, N>, task: &'a Task) -> Self {
+        let tolerance = if T::EPSILON > T::of(1e-10) {
+            REACHED_SINGLE
+        } else if setting.few {
+            REACHED_FEW
+        } else {
+            REACHED
+        };
+        let out = Solutions::new(setting.joints);
+        Verifier { arm, setting, task, tolerance, out, nearest: f64::INFINITY, lost: false, news: false }
+    }
+
+    /// By how much a joint vector misses the target.
+    #[inline]
+    pub(super) fn miss(&self, q: &[f64; N]) -> f64 {
+        let error = self.task.error(&self.arm.forward(q), self.setting.reach);
+        error.iter().fold(0.0_f64, |m, x| if x.abs() <= m { m } else { x.abs() })
+    }
+
+    /// Polishes; says whether the target is reached.
+    pub(super) fn polish(&mut self, q: &mut [f64; N], steps: usize) -> bool {
+        let polished = polish(self.arm, q, self.task, self.setting.reach, steps);
+        self.nearest = self.nearest.min(polished.position.max(polished.rotation));
+        polished.reaches(self.tolerance)
+    }
+
+    /// A candidate of the first run, with the joints for which values were chosen.
+    #[inline]
+    pub(super) fn take(&mut self, mut q: [f64; N], branch: Branch, chosen: FreeJoints) {
+        let miss = self.miss(&q);
+        if !(miss <= EXACT) {
+            self.nearest = self.nearest.min(miss);
+            if !(miss < 0.5) || !self.polish(&mut q, STEPS) {
+                self.lost |= !chosen.is_empty();
+                return;
+            }
+        }
+        if self.is_regular(&q) {
+            self.lost |= !chosen.is_empty();
+            self.insert(q, branch);
+        } else {
+            let free = self.take_singular(q, branch);
+            self.lost |= free.is_empty() != chosen.is_empty();
+        }
+    }
+
+    /// A singular solution: of a continuum, or a double one that stands alone. Gives back the joints that are free.
+    #[cold]
+    pub(super) fn take_singular(&mut self, q: [f64; N], branch: Branch) -> FreeJoints {
+        let near = |p: &[f64; N], _| same_solution(self.arm, self.task, self.setting.reach, p, &q);
+        if let Some(i) = self.find(near) {
+            return self.out[i].free;
+        }
+        let along = |p: &[f64; N], free: FreeJoints| !free.is_empty() && self.straight_way(p, &q);
+        if let Some(i) = self.find(along) {
+            let way = self.apart(&self.out[i].q.map(T::to_f64), &q);
+            let moved = (0..N).filter(|k| way[*k].abs() > 1e-6).fold(FreeJoints::NONE, FreeJoints::with);
+            return self.free_at(i, moved);
+        }
+        let freedom = self.freedom(&q);
+        self.lost |= !freedom.straight;
+        let free = freedom.joints;
+        if free.is_empty() {
+            self.push(Solution::new(q.map(T::of), branch));
+            return free;
+        }
+        let walk = |p: &[f64; N], free: FreeJoints| !free.is_empty() && self.walk(&q, p);
+        if let Some(i) = self.find(walk) {
+            return self.free_at(i, free);
+        }
+        if !self.push(Solution::new(q.map(T::of), branch).with_free(free)) {
+            // Several curves that cross may be more than there are places: they count as one where the joints that move tell.
+            let crossing = |p: &[f64; N], known: FreeJoints| {
+                let way = self.apart(p, &q);
+                let moves = known.union(free);
+                !known.is_empty() && (0..N).all(|k| moves.contains(k) || way[k].abs() < 1e-4)
+            };
+            if let Some(i) = self.find(crossing) {
+                self.free_at(i, free);
+            }
+        }
+        free
+    }
+
+    /// The first solution of which this is true.
+    fn find(&self, same: impl Fn(&[f64; N], FreeJoints) -> bool) -> Option<usize> {
+        self.out.iter().position(|s| same(&s.q.map(T::to_f64), s.free))
+    }
+
+    /// Notes free joints of a known solution; gives back all of them.
+    fn free_at(&mut self, i: usize, free: FreeJoints) -> FreeJoints {
+        let Some(known) = self.out.get_mut(i) else { return free };
+        known.free = known.free.union(free);
+        known.free
+    }
+
+    /// Adds a regular solution.
+    pub(super) fn insert(&mut self, q: [f64; N], branch: Branch) {
+        self.push(Solution::new(q.map(T::of), branch));
+    }
+
+    fn push(&mut self, solution: Solution<T, N>) -> bool {
+        let new = self.out.insert(solution, T::of(SAME));
+        self.news |= new;
+        new
+    }
+}
