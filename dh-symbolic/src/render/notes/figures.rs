@@ -1,6 +1,7 @@
 //! Figures of a note: the arm with its frames, the postures of one pose, the workspace.
 
-use super::example::{Start, generic_degrees};
+use super::arm::{generic_degrees, slide};
+use super::example::Start;
 use super::{Block, Math, Phrase, Span, Text, Writer, given};
 use crate::chain::{Chain, Coordinate};
 use crate::kinematics::Kinematics;
@@ -79,7 +80,7 @@ fn coordinates(chain: &Chain, start: Option<&Start>) -> Vec<f64> {
     let turns = |k: usize| chain.joints.get(k).is_some_and(|j| matches!(j.coordinate, Coordinate::Angle(_)));
     let q: Vec<f64> = (0..chain.dof())
         .map(|k| {
-            let x = if turns(k) { generic_degrees(k).to_radians() } else { super::example::slide(reach) };
+            let x = if turns(k) { generic_degrees(k).to_radians() } else { slide(reach) };
             let range = chain.joints.get(k).and_then(|j| j.range.as_ref());
             let inside = range.map(|(a, b)| (given::bound(a), given::bound(b))).filter(|(a, b)| x < *a || x > *b);
             let usual = inside.map_or(x, |(a, b)| a + 0.4 * (b - a));

@@ -3,6 +3,7 @@
 //! **In:** a [`Chain`]. **Out:** a [`Document`]. Prose is in `words`, formulas come from the algebra through
 //! [`Order`] and [`Notation`]; nothing here knows a robot.
 
+mod arm;
 mod example;
 mod figures;
 mod forward;

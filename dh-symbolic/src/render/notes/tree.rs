@@ -1,6 +1,6 @@
 //! The solutions of the example as a tree: which value each step found after which.
 
-use super::example::{Arm, Found};
+use super::arm::{Arm, Found};
 use super::{Block, Math, Phrase, Span, Text, Writer};
 use crate::planner::Form;
 use crate::render::story::Story;
