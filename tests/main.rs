@@ -1,6 +1,7 @@
 //! All integration tests in one binary, so that there is one link.
 
 mod agreement;
+mod arms;
 mod browser;
 mod claims;
 mod closure;
