@@ -10,7 +10,8 @@ pub fn document(d: &Document) -> String {
     let figures = if d.blocks.iter().any(|b| matches!(b, Block::Figure(_))) { "\\usepackage{tikz}\n" } else { "" };
     let mut out = format!(
         "\\documentclass[a4paper,11pt]{{{class}}}\n\\usepackage{{amsmath}}\n{figures}\\usepackage[margin=25mm]{{geometry}}\n\
-         \\setcounter{{MaxMatrixCols}}{{20}}\n\\allowdisplaybreaks\n\\title{{{}}}\n\\author{{}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n",
+         \\setcounter{{MaxMatrixCols}}{{20}}\n\\allowdisplaybreaks\n\\setlength{{\\parindent}}{{0pt}}\n\
+         \\setlength{{\\parskip}}{{0.5em}}\n\\title{{{}}}\n\\author{{}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n",
         escape(&d.title)
     );
     for b in &d.blocks {
