@@ -2,7 +2,6 @@
 //! are in range, and the closest one to where the arm is.
 
 use super::arm::{Arm, Found};
-use super::figures::generic_degrees;
 use super::given;
 use super::{Block, Math, Phrase, Sign, Span, Text, Writer};
 use crate::algebra::Transform;

@@ -9,14 +9,6 @@ use crate::planner::Axes;
 use crate::render::document::Figure;
 use crate::render::figure::{self, Drawing, Posture};
 
-/// Degrees of the example's joints, one after the other; awkward enough to be in general position.
-const DEGREES: [i64; 8] = [20, -35, 50, 40, -60, 75, 30, -25];
-
-/// Degrees of variable `k` in general position.
-pub(super) fn generic_degrees(k: usize) -> f64 {
-    DEGREES[k % DEGREES.len()] as f64
-}
-
 /// Most postures that stand side by side.
 const POSTURES: usize = 16;
 
