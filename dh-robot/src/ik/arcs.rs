@@ -45,12 +45,14 @@ pub(super) struct Search<const C: usize> {
     pub(super) touch: f64,
     /// An extremum beyond zero by less isn't beyond zero.
     pub(super) noise: f64,
+    /// An extremum that misses zero by more certainly isn't a root, only near one.
+    pub(super) doubt: f64,
     /// An arc whose coefficients are all smaller is a root of higher order.
     pub(super) nothing: f64,
     /// Arcs with one root. More than the degree of them would be an artefact of rounding.
     pub(super) brackets: List<Bracket, C>,
-    /// Roots that only touch, each once.
-    pub(super) touching: List<[f64; 2], C>,
+    /// Roots that only touch, each once; `true` where rounding may hide two roots or none, `false` for near misses.
+    pub(super) touching: List<([f64; 2], bool), C>,
 }
 
 /// What the coefficients of an arc say.
@@ -66,7 +68,8 @@ enum Verdict {
 impl<const C: usize> Search<C> {
     /// A search among coefficients of this size, with a relative limit for touching.
     pub(super) fn new(scale: f64, touch: f64) -> Self {
-        let mut search = Self { touch: 0.0, noise: 0.0, nothing: 0.0, brackets: List::new(), touching: List::new() };
+        let mut search =
+            Self { touch: 0.0, noise: 0.0, doubt: 0.0, nothing: 0.0, brackets: List::new(), touching: List::new() };
         search.rescale(scale, touch, 0.0);
         search
     }
@@ -75,6 +78,7 @@ impl<const C: usize> Search<C> {
     pub(super) fn rescale(&mut self, scale: f64, touch: f64, error: f64) {
         self.touch = error.max(touch * scale);
         self.noise = 1e-15 * scale;
+        self.doubt = error.max(1e-14 * scale);
         self.nothing = error.max(1e-14 * scale);
     }
 
@@ -134,7 +138,7 @@ impl<const C: usize> Search<C> {
         let small = b.iter().all(|b| b.abs() <= self.nothing);
         if small || arc.depth >= MAX_DEPTH {
             // A root of higher order, or as good as one.
-            self.touches(point(&arc.ends, 0.5));
+            self.touches(point(&arc.ends, 0.5), 0.0);
             if (b[0] < 0.0) != (b[n] < 0.0) {
                 self.bracket(arc, 0.0, 1.0, 0.5, b[0] < 0.0);
             }
@@ -166,10 +170,10 @@ impl<const C: usize> Search<C> {
             // The extremum of a touching polynomial may sit on the end itself, where rounding puts it on the wrong side.
             let flat = 1e-4 * (most - least).abs().max(least.abs());
             if b[0].abs() <= self.touch && first.abs() <= flat {
-                self.touches(point(&arc.ends, 0.0));
+                self.touches(point(&arc.ends, 0.0), b[0]);
             }
             if b[n].abs() <= self.touch && last.abs() <= flat {
-                self.touches(point(&arc.ends, 1.0));
+                self.touches(point(&arc.ends, 1.0), b[n]);
             }
             return true;
         }
@@ -180,7 +184,7 @@ impl<const C: usize> Search<C> {
             let (low, high) = if left { (0.0, x) } else { (x, 1.0) };
             self.bracket(arc, low, high, 0.5 * (low + high), b[0] < 0.0);
             if value.abs() <= self.touch {
-                self.touches(point(&arc.ends, x));
+                self.touches(point(&arc.ends, x), value);
             }
         } else if (value < 0.0) != (b[0] < 0.0) && value.abs() > self.noise {
             // Two roots. Start where the parabola through extremum and ends crosses zero.
@@ -188,7 +192,7 @@ impl<const C: usize> Search<C> {
             self.bracket(arc, 0.0, x, x - x * reach(b[0]), b[0] < 0.0);
             self.bracket(arc, x, 1.0, x + (1.0 - x) * reach(b[n]), value < 0.0);
         } else if value.abs() <= self.touch {
-            self.touches(point(&arc.ends, x));
+            self.touches(point(&arc.ends, x), value);
         }
         true
     }
@@ -200,13 +204,18 @@ impl<const C: usize> Search<C> {
         self.brackets.push(Bracket { ends, rising, at: point(&arc.ends, x), last: 0.0 });
     }
 
-    /// Notes a touching root, unless it was seen from another arc.
-    pub(super) fn touches(&mut self, at: [f64; 2]) {
+    /// Notes a root that touches within `value`, unless it was seen from another arc.
+    pub(super) fn touches(&mut self, at: [f64; 2], value: f64) {
         /// Two touching roots nearer than this are one.
         const SAME: f64 = 1e-6;
-        if !self.touching.iter().any(|t| (t[0] - at[0]).abs() + (t[1] - at[1]).abs() < SAME) {
-            self.touching.push(at);
+        let doubtful = value.abs() <= self.doubt;
+        for (t, known) in self.touching.as_mut_slice() {
+            if (t[0] - at[0]).abs() + (t[1] - at[1]).abs() < SAME {
+                *known |= doubtful;
+                return;
+            }
         }
+        self.touching.push((at, doubtful));
     }
 }
 

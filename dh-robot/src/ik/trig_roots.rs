@@ -79,7 +79,7 @@ impl<const D: usize> TrigPoly<D> {
         for bracket in &search.brackets {
             found((bracket.at, false));
         }
-        for &at in &search.touching {
+        for &(at, _) in &search.touching {
             found((at, true));
         }
     }

@@ -22,6 +22,17 @@ pub(super) struct Determinant<const D: usize, const C: usize, const K: usize> {
     pub(super) regularity: f64,
 }
 
+/// Kinds of roots.
+#[derive(Clone, Copy)]
+pub(super) enum Root {
+    /// The determinant changes its sign between two half-angle vectors, once.
+    Crossing([[f64; 2]; 2]),
+    /// It comes so near to zero that rounding hides whether there are two roots or none.
+    Doubtful,
+    /// It comes near to zero, but stays clear of it by more than rounding.
+    NearMiss,
+}
+
 /// What finding the roots took.
 pub(super) struct Effort {
     /// Determinants computed.
@@ -78,11 +89,11 @@ impl<const D: usize, const C: usize, const K: usize> Determinant<D, C, K> {
         Self { polynomial, noise: if size > 0.0 { noise / size } else { 1.0 }, regularity }
     }
 
-    /// Calls `found` with every real root of the determinant, and whether it only touches zero.
+    /// Calls `found` with every real root of the determinant, or what may be one.
     ///
     /// Where the polynomial is so small that its coefficients don't determine it (several roots lie close together), the
     /// determinant is evaluated again at points of that arc alone.
-    pub(super) fn each_root(&self, dialytic: &Dialytic, mut found: impl FnMut([f64; 2], bool)) -> Effort {
+    pub(super) fn each_root(&self, dialytic: &Dialytic, mut found: impl FnMut([f64; 2], Root)) -> Effort {
         let touch = TOUCH.max(10.0 * self.noise);
         let size = self.polynomial.size();
         // Roots that the polynomial itself may refine, and roots of arcs that were computed anew.
@@ -100,7 +111,7 @@ impl<const D: usize, const C: usize, const K: usize> Determinant<D, C, K> {
                     scale = largest(&arc);
                 }
                 let search = if scale == size { &mut plain } else { &mut fresh };
-                search.rescale(scale, touch, error);
+                search.rescale(scale, touch, error.max(10.0 * self.noise * scale));
                 if !search.settle(&arc) {
                     let [left, right] = search.halves(&arc);
                     stack.push((right, [scale, error]));
@@ -110,11 +121,11 @@ impl<const D: usize, const C: usize, const K: usize> Determinant<D, C, K> {
         }
         self.polynomial.refine(plain.brackets.as_mut_slice());
         for search in [&plain, &fresh] {
-            for &Bracket { at, .. } in &search.brackets {
-                found(at, false);
+            for &Bracket { at, ends, .. } in &search.brackets {
+                found(at, Root::Crossing(ends));
             }
-            for &at in &search.touching {
-                found(at, true);
+            for &(at, doubtful) in &search.touching {
+                found(at, if doubtful { Root::Doubtful } else { Root::NearMiss });
             }
         }
         Effort { determinants: count * C, exhausted: count == MAX_NODES }

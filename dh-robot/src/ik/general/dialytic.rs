@@ -9,6 +9,7 @@
 //!
 //! which have a solution other than zero only where the determinant vanishes. If the joint of `y` slides, `(1, y, y^2)` does as well.
 
+use super::super::arcs::point;
 use super::super::math::{sin_cos, sqrt};
 use super::super::{Blank, List};
 use super::choice::Choice;
@@ -108,6 +109,32 @@ impl Dialytic {
     /// The determinant at a hidden angle, and the smallest pivot on the way.
     pub(super) fn determinant(&self, at: [f64; 2]) -> (f64, f64) {
         determinant(self.at(at))
+    }
+
+    /// The angle between two half-angle vectors where the determinant changes its sign, by bisection and regula falsi (the Illinois
+    /// variant) in turn.
+    pub(super) fn crossing(&self, ends: &[[f64; 2]; 2]) -> [f64; 2] {
+        let value = |x: f64| self.determinant(point(ends, x)).0;
+        let (mut low, mut high) = ((0.0, value(0.0)), (1.0, value(1.0)));
+        if (low.1 < 0.0) == (high.1 < 0.0) {
+            return point(ends, 0.5);
+        }
+        for k in 0..40 {
+            let secant = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);
+            let x = if k % 3 == 2 || !(secant > low.0 && secant < high.0) { 0.5 * (low.0 + high.0) } else { secant };
+            let y = value(x);
+            if (y < 0.0) == (low.1 < 0.0) {
+                low = (x, y);
+                high.1 *= 0.5;
+            } else {
+                high = (x, y);
+                low.1 *= 0.5;
+            }
+            if high.0 - low.0 < 1e-13 || y == 0.0 {
+                break;
+            }
+        }
+        point(ends, 0.5 * (low.0 + high.0))
     }
 
     /// The same determinant from columns in the opposite order, so that rounding differs.

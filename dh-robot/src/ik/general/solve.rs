@@ -1,5 +1,6 @@
 //! From the determinant of a loop to the joint vectors of the arm.
 
+use super::super::arcs::square;
 use super::super::math::{atan2, sin_cos, wrapped};
 use super::super::pose::{Chain, IDENTITY, Pose, compose, inverse, slide, turn};
 use super::super::tolerance::REACHED;
@@ -8,11 +9,13 @@ use super::super::{
 };
 use super::choice::{Choice, best_conditioned};
 use super::closure::Closure;
-use super::determinant::Determinant;
+use super::determinant::{Determinant, Root};
 use super::dialytic::{Dialytic, Refined};
 
 /// Steps of polishing.
 const STEPS: usize = 12;
+/// Mean work of a bisection.
+const BISECTION: usize = 20;
 /// Starting points of the very last resort.
 const STARTS: usize = 64;
 /// Steps of the eigenvalue iteration.
@@ -200,23 +203,29 @@ impl General6R {
             return attempt;
         }
         let (mut clean, mut phantoms) = (true, false);
-        let (mut roots, mut found, mut work) = (0, 0, 0);
-        let effort = determinant.each_root(dialytic, |root, touches| {
+        let (mut roots, mut found, mut extra, mut work, mut bisections) = (0, 0, 0, 0, 0);
+        let effort = determinant.each_root(dialytic, |root, kind| {
             let mut try_from = |refined: &Refined| {
                 let mut q = self.joints(closure, choice, target, refined);
                 let done = polish(&self.arm, &mut q, &Task::Pose(*target), 1.0, STEPS);
                 work += 1 + done.steps;
                 let reached = done.reaches(REACHED);
-                if reached {
-                    found += usize::from(self.add(target, solutions, self.wrapped(q)));
-                }
-                reached
+                (reached, reached && self.add(target, solutions, self.wrapped(q)))
             };
-            let refined = dialytic.refined(root, REFINEMENTS);
-            if refined.settled() && refined.fits() && !touches {
-                roots += 1;
-                clean &= try_from(&refined);
-                return;
+            let mut refined = dialytic.refined(root, REFINEMENTS);
+            if let Root::Crossing(ends) = kind {
+                if !(refined.settled() && inside(&ends, refined.hidden)) {
+                    // Drawn away by a neighbour.
+                    refined = dialytic.refined(dialytic.crossing(&ends), 0);
+                    bisections += 1;
+                }
+                if refined.settled() && refined.fits() {
+                    let (reached, new) = try_from(&refined);
+                    roots += 1;
+                    found += usize::from(new);
+                    clean &= reached;
+                    return;
+                }
             }
             let nullity = if refined.settled() { dialytic.nullity(refined.hidden) } else { 1 };
             if nullity == 2 && dialytic.vanishes_to(refined.hidden, 2) {
@@ -225,7 +234,9 @@ impl General6R {
                 if pair.iter().all(Refined::fits) && !pair.is_empty() {
                     roots += pair.len();
                     for refined in &pair {
-                        clean &= try_from(refined);
+                        let (reached, new) = try_from(refined);
+                        found += usize::from(new);
+                        clean &= reached;
                     }
                     return;
                 }
@@ -238,16 +249,18 @@ impl General6R {
                 phantoms = true;
                 return;
             }
-            clean = false;
-            try_from(&refined);
+            // A target that is out of reach by rounding only misses its double root nearly: worth a try, but nothing is missing otherwise.
+            clean &= matches!(kind, Root::NearMiss);
+            extra += usize::from(try_from(&refined).1);
             for by in NEIGHBOURS {
                 let (s, c) = sin_cos(by);
-                try_from(&dialytic.refined([root[0] * c - root[1] * s, root[0] * s + root[1] * c], REFINEMENTS));
+                let root = [root[0] * c - root[1] * s, root[0] * s + root[1] * c];
+                extra += usize::from(try_from(&dialytic.refined(root, REFINEMENTS)).1);
             }
         });
-        attempt.work += effort.determinants + work;
+        attempt.work += effort.determinants + work + BISECTION * bisections;
         // Later eliminations may only confirm what is known.
-        if clean && !effort.exhausted && (found == roots || solutions.len() == roots) {
+        if clean && !effort.exhausted && (found == roots || solutions.len() == roots + extra) {
             attempt.account = if phantoms { Account::WithPhantoms } else { Account::Full };
         }
         attempt
@@ -298,6 +311,13 @@ impl General6R {
         values[drop] = [rest[0][0] + rest[1][1], rest[1][0] - rest[0][1]];
         core::array::from_fn(|j| if self.arm.slides[j] { values[j][0] } else { atan2(values[j][1], values[j][0]) })
     }
+}
+
+/// Is an angle between two half-angle vectors, less than half a turn apart?
+fn inside(ends: &[[f64; 2]; 2], at: [f64; 2]) -> bool {
+    let [from, to] = ends.map(square);
+    let (above, below) = (from[0] * at[1] - from[1] * at[0], at[0] * to[1] - at[1] * to[0]);
+    above >= 0.0 && below >= 0.0 && from[0] * at[0] + from[1] * at[1] > 0.0
 }
 
 /// A pose with lengths over `reach`.
