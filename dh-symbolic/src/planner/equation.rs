@@ -10,6 +10,20 @@ pub(super) fn fold(axes: &Axes, knowledge: &Knowledge, e: &Equation) -> (usize, 
     (knowledge.prefix(axes).min(e.a), knowledge.suffix(axes).max(e.b))
 }
 
+/// About how many terms the products of an equation have before any are put together.
+pub(super) fn weight(axes: &Axes, knowledge: &Knowledge, e: &Equation) -> usize {
+    let (left, right) = fold(axes, knowledge, e);
+    let size =
+        |t: &Transform| -> usize { t.r.iter().flatten().chain(&t.p).map(|p| p.terms().len()).max().unwrap_or(0) };
+    let before = size(&axes.between(left, e.a));
+    let after = axes.between(e.b, right);
+    let direct = axes.between(e.a, e.b);
+    match e.scalar {
+        Scalar::Distance => (before * size(&after)).max(size(&after).pow(2)).max(size(&direct).pow(2)),
+        _ => before * size(&after),
+    }
+}
+
 /// Left minus right.
 pub(super) fn exact(axes: &Axes, knowledge: &mut Knowledge, e: &Equation) -> Poly {
     let (left, right) = fold(axes, knowledge, e);

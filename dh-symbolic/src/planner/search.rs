@@ -6,7 +6,7 @@
 
 use super::axes::Axes;
 use super::bound::bound;
-use super::equation::exact;
+use super::equation::{exact, weight};
 use super::known::{Collected, Knowledge, Part};
 use super::mobility::Mobility;
 use super::pool::{Equation, Family, Scalar, families};
@@ -18,6 +18,9 @@ use crate::chain::{Chain, Handle, Role};
 
 /// Most equations of one unknown that are looked at.
 const LOOK: usize = 14;
+/// Equations with more terms than this, before any are put together, are left out: written out they take seconds, and nobody could read
+/// them. (Joints that a task leaves open, behind twists of no simple angle; those of usual arms stay below 1500.)
+const HEAVY: usize = 4000;
 
 /// Finds a plan.
 ///
@@ -122,7 +125,8 @@ impl Search<'_> {
             }
         }
         list.sort_unstable();
-        list.into_iter().map(|x| x.1).take(LOOK).collect()
+        let light = |e: &Equation| weight(&self.axes, &self.knowledge, e) <= HEAVY;
+        list.into_iter().map(|x| x.1).filter(light).take(LOOK).collect()
     }
 
     /// The candidates for an unknown: plain joint coordinates and the sums that the equations name.
