@@ -216,3 +216,22 @@ fn documents_are_checked_line_by_line() {
     assert!(code == 2 && out.is_empty() && err.contains("/nowhere.tex"), "{err}");
     std::fs::remove_dir_all(folder).ok();
 }
+
+/// The protocol of mdBook's preprocessors.
+#[test]
+fn a_book_gets_its_notes() {
+    assert_eq!(dh(&["mdbook", "supports", "html"], "").0, 0);
+    assert_eq!(dh(&["mdbook", "supports", "epub"], "").0, 1);
+    assert_eq!(dh(&["mdbook", "serve"], "").0, 2);
+    let book = |table: &str| {
+        let content = format!("# Arm\n\n```dh parts=forward\n{table}```\n").replace('\n', "\\n");
+        format!(
+            "[{{\"root\":\".\",\"config\":{{}}}},{{\"sections\":[{{\"Chapter\":{{\"content\":\"{content}\",\"path\":\"a.md\"}}}}]}}]"
+        )
+    };
+    let (code, out, err) = dh(&["mdbook"], &book(PLANAR));
+    assert_eq!((code, err.as_str()), (0, ""), "{out}");
+    assert!(out.contains("## Forward kinematics") && out.contains("<math"), "{out}");
+    let (code, out, err) = dh(&["mdbook"], &book(&PLANAR.replace("| 0     | l1 |", "| 0     | l9 |")));
+    assert!(code == 2 && out.is_empty() && err.contains("a.md:12:") && err.contains("^^"), "{err}");
+}

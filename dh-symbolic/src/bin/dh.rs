@@ -9,7 +9,7 @@ use dh_symbolic::diagnostic::lex;
 use dh_symbolic::kinematics::claims;
 use dh_symbolic::pipeline::compile;
 use dh_symbolic::render::notes::{Options, notes};
-use dh_symbolic::render::{Document, Format, javascript, page, plan, rust::pretty, verdict};
+use dh_symbolic::render::{Document, Format, javascript, mdbook, page, plan, rust::pretty, verdict};
 use std::io::{Read, Write};
 use std::path::Path;
 use std::process::ExitCode;
@@ -24,6 +24,7 @@ dh: kinematics from a Denavit-Hartenberg table
                      (LaTeX, Markdown, plain text) line by line: proven, wrong, not understood
   dh plan   [FILE]   the steps of the inverse kinematics
   dh expand [FILE]   the Rust code that dh_robot! leaves behind
+  dh mdbook          preprocessor for mdBook: fenced `dh` blocks become notes
 
   --to text|latex|markdown|typst|html   format of notes and plans; plans also: mermaid; notes also: page;
                                         expand: rust, javascript
@@ -107,6 +108,9 @@ fn run(arguments: &[String]) -> Answer {
     if arguments.iter().any(|a| a == "--version" || a == "-V") {
         return Answer::good(format!("dh {}\n", env!("CARGO_PKG_VERSION")));
     }
+    if arguments.first().is_some_and(|a| a == "mdbook") {
+        return book(&arguments[1..]);
+    }
     let request = match request(arguments) {
         Ok(r) => r,
         Err(message) => return Answer::bad(format!("error: {message}\n\n{}", usage())),
@@ -146,6 +150,23 @@ fn run(arguments: &[String]) -> Answer {
     };
     answer.to = request.out;
     answer
+}
+
+/// What mdBook asks a preprocessor: whether it serves a renderer, or for the book.
+fn book(arguments: &[String]) -> Answer {
+    match arguments {
+        [] => match read(None).map_err(|e| format!("error: {e}\n")).and_then(|input| mdbook::preprocess(&input)) {
+            Ok(book) => Answer::good(book),
+            Err(errors) => Answer::bad(errors),
+        },
+        [word, renderer] if word == "supports" => {
+            let served = mdbook::RENDERERS.contains(&renderer.as_str());
+            Answer { code: u8::from(!served), ..Answer::good(String::new()) }
+        }
+        _ => Answer::bad(
+            "error: `dh mdbook` reads the book from standard input; or `dh mdbook supports RENDERER`\n".into(),
+        ),
+    }
 }
 
 /// Text, or the defect of this crate that was found while making it.

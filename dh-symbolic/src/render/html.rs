@@ -77,7 +77,8 @@ fn equations(list: &[Equation]) -> String {
     )
 }
 
-fn text(t: &Text) -> String {
+/// Running text as HTML.
+pub(super) fn text(t: &Text) -> String {
     t.0.iter()
         .map(|s| match s {
             Span::Plain(words) => escape(words),

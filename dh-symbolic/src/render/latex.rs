@@ -14,9 +14,15 @@ pub fn document(d: &Document) -> String {
          \\setlength{{\\parskip}}{{0.5em}}\n\\title{{{}}}\n\\author{{}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n",
         escape(&d.title)
     );
+    let mut before: Option<&Block> = None;
     for b in &d.blocks {
-        out.push('\n');
+        // an empty line before a display would end its paragraph, with too much room above
+        let display = matches!(b, Block::Equations(_));
+        if !(display && matches!(before, Some(Block::Paragraph(_)))) {
+            out.push('\n');
+        }
         out.push_str(&block(b));
+        before = Some(b);
     }
     out.push_str("\n\\end{document}\n");
     out

@@ -19,6 +19,8 @@ pub mod javascript;
 pub mod latex;
 pub mod markdown;
 pub mod math;
+#[cfg(feature = "cli")]
+pub mod mdbook;
 mod name;
 pub mod notation;
 pub mod notes;

@@ -69,6 +69,9 @@ pub(super) fn read(item: &Item, names: &Names<'_>) -> Option<Result<Found, Unkno
     Some(between(&from, &to, names).map(|meaning| Found { meaning: format!("{meaning}{part}"), power }))
 }
 
+/// The number of the frame at the tip, where the document gives its pose.
+pub(super) const TIP: usize = usize::MAX;
+
 /// The last frame of a transform from frame 0, as written.
 pub(super) fn last_frame(item: &Item) -> Option<usize> {
     let text = |part: &Option<Vec<Item>>| part.as_ref().and_then(|p| index_text(p));
@@ -76,7 +79,10 @@ pub(super) fn last_frame(item: &Item) -> Option<usize> {
         (Some(i), Some(j), None, None) | (Some(i), None, None, Some(j)) | (None, None, Some(i), Some(j)) => (i, j),
         _ => return None,
     };
-    if item.name() == Some("T") && from == "0" { to.parse().ok() } else { None }
+    if item.name() != Some("T") || from != "0" {
+        return None;
+    }
+    if matches!(to.as_str(), "e" | "E" | "H" | "h" | "tool") { Some(TIP) } else { to.parse().ok() }
 }
 
 /// `06`, `0,6`.
@@ -104,6 +110,7 @@ fn frame(label: &str, names: &Names<'_>) -> Option<Frame> {
     match label {
         "b" | "B" | "W" | "w" if names.chain.base.is_empty() => Some(Frame::Number(0, false)),
         "b" | "B" | "W" | "w" => Some(Frame::Base),
+        "e" | "E" | "H" | "h" | "tool" if names.given_pose(TIP).is_some() => Some(Frame::Number(TIP, false)),
         "e" | "E" | "H" | "h" | "tool" | "n" if names.chain.tool.is_empty() => Some(Frame::Number(n, false)),
         "n" => Some(Frame::Number(n, false)),
         "e" | "E" | "H" | "h" | "tool" => Some(Frame::Tool),
