@@ -40,7 +40,7 @@ impl Statement {
             names.waiting_pose = Some((frame, factors));
             return;
         };
-        let name = if frame == transforms::TIP { "T_0_e".to_string() } else { format!("T_0_{frame}") };
+        let name = if frame == transforms::TIP { "T_0_e".to_string() } else { format!("T_0_{}", frame % 1000) };
         let mut line: Vec<Word> = ["let", name.as_str(), "="].iter().map(|w| Word::new(w, self.line)).collect();
         line.extend(words.into_iter().map(|w| Word { line: self.line, ..w }));
         sheet.put(line);

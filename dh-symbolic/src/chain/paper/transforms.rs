@@ -72,6 +72,9 @@ pub(super) fn read(item: &Item, names: &Names<'_>) -> Option<Result<Found, Unkno
 /// The number of the frame at the tip, where the document gives its pose.
 pub(super) const TIP: usize = usize::MAX;
 
+/// The numbers of primed frames begin here, where the document gives their pose.
+const PRIMED: usize = 1000;
+
 /// The last frame of a transform from frame 0, as written.
 pub(super) fn last_frame(item: &Item) -> Option<usize> {
     let text = |part: &Option<Vec<Item>>| part.as_ref().and_then(|p| index_text(p));
@@ -82,7 +85,13 @@ pub(super) fn last_frame(item: &Item) -> Option<usize> {
     if item.name() != Some("T") || from != "0" {
         return None;
     }
-    if matches!(to.as_str(), "e" | "E" | "H" | "h" | "tool") { Some(TIP) } else { to.parse().ok() }
+    if matches!(to.as_str(), "e" | "E" | "H" | "h" | "tool") {
+        return Some(TIP);
+    }
+    match to.strip_suffix('\'') {
+        Some(number) => number.parse::<usize>().ok().map(|k| k + PRIMED),
+        None => to.parse().ok(),
+    }
 }
 
 /// `06`, `0,6`.
@@ -104,7 +113,10 @@ fn frame(label: &str, names: &Names<'_>) -> Option<Frame> {
         Some(head) => (head, true),
         None => (label, false),
     };
-    if let Ok(k) = digits.parse() {
+    if let Ok(k) = digits.parse::<usize>() {
+        if primed && names.given_pose(k.saturating_add(PRIMED)).is_some() {
+            return Some(Frame::Number(k + PRIMED, false));
+        }
         return Some(Frame::Number(k, primed));
     }
     match label {
