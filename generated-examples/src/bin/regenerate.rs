@@ -75,7 +75,26 @@ fn files() -> io::Result<Files> {
     }
     files.insert("expanded/mod.rs".into(), modules);
     files.insert("notes/errata.md".into(), corpus::errata_page()?);
+    files.insert("notes/README.md".into(), gallery()?);
     Ok(files)
+}
+
+/// The page that links all notes.
+fn gallery() -> io::Result<String> {
+    let mut out = format!("<!-- Made by `{COMMAND}`; do not edit. -->\n\n# Gallery of the example robots\n\n");
+    out.push_str("Everything here is made from the tables alone. `cargo dh page FILE --out arm.html` makes the interactive page of a table,\n");
+    out.push_str("`cargo dh notes FILE --to latex --lang zh` the notes in other formats and in Chinese.\n\n");
+    out.push_str("| robot | notes | table | generated code |\n|---|---|---|---|\n");
+    for source in source::all()? {
+        let about = source.body.lines().find_map(|l| l.trim().strip_prefix("///")).unwrap_or(&source.module);
+        let m = &source.module;
+        out.push_str(&format!(
+            "| {} | [notes]({m}.md) | [table](../src/{m}.rs) | [code](../expanded/{m}.rs) |\n",
+            about.trim()
+        ));
+    }
+    out.push_str("\n[Errata](errata.md): what is wrong in the documents that many of these robots come from.\n");
+    Ok(out)
 }
 
 fn fail(source: &Source, error: &dyn std::fmt::Display) -> io::Error {
