@@ -21,11 +21,16 @@ const CLEAR: f64 = 1e-7;
 const FIRM: f64 = 1e-5;
 
 /// `a cos u + b sin u = 0`: cosine and sine of one root (the other is half a turn away), and a margin that is negative where the
-/// equation is nearly empty.
+/// equation is nearly empty. Of several such equations the one with the largest coefficients counts.
 #[inline(always)]
 #[must_use]
-pub fn half_turn(a: f64, b: f64) -> ([f64; 2], f64) {
-    let h2 = a * a + b * b;
+pub fn half_turn<const R: usize>(rows: [[f64; 2]; R]) -> ([f64; 2], f64) {
+    let (mut a, mut b, mut h2) = (0.0, 0.0, -1.0);
+    for [x, y] in rows {
+        let size = x * x + y * y;
+        let larger = size > h2;
+        (a, b, h2) = (if larger { x } else { a }, if larger { y } else { b }, if larger { size } else { h2 });
+    }
     let h = 1.0 / crate::math::sqrt(h2);
     // The same order as `ik::solve_sincos`: (-b, a) first.
     ([-b * h, a * h], h2 - FIRM * FIRM)

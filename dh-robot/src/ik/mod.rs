@@ -43,7 +43,7 @@ pub use pair::{solve_pair, solve_turn};
 pub use polish::{Kinematics, Polished, Task, levenberg_marquardt, polish, same_solution};
 pub use pose::{Chain, Pose};
 pub use rescue::{add_polished, solve_from_everywhere, solve_nearby};
-pub use sincos::solve_sincos;
+pub use sincos::{solve_half_turn, solve_sincos};
 pub use trig_poly::TrigPoly;
 
 #[cfg(test)]

@@ -53,6 +53,16 @@ pub fn solve_sincos(a: f64, b: f64, c: f64, tol: f64) -> Angles<2> {
     Angles { roots, outcome: Outcome::Regular }
 }
 
+/// The angle, up to half a turn, of two equations `a cos t + b sin t = 0` that hold together: by the one with the larger coefficients.
+///
+/// On an arm with fewer joints than its task has dimensions such equations say the same, but not where one of them vanishes: the
+/// first joint of a five-axis arm follows from the direction of its tool, and from its position where the tool points straight down.
+#[inline]
+pub fn solve_half_turn(p: [f64; 2], q: [f64; 2], tol: f64) -> Angles<2> {
+    let [a, b] = if p[0] * p[0] + p[1] * p[1] >= q[0] * q[0] + q[1] * q[1] { p } else { q };
+    solve_sincos(a, b, 0.0, tol)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -77,6 +87,18 @@ mod tests {
             let nearest = found.iter().map(|r| (r[0] - t.cos()).hypot(r[1] - t.sin())).fold(f64::INFINITY, f64::min);
             assert!(nearest < 1e-7, "{nearest}");
         }
+    }
+
+    #[test]
+    fn the_firmer_of_two_equations_decides() {
+        let direct = solve_sincos(0.3, -0.4, 0.0, 1e-12);
+        for weak in [[0.0, 0.0], [1e-17, 1e-17], [0.03, -0.04]] {
+            for found in [solve_half_turn([0.3, -0.4], weak, 1e-12), solve_half_turn(weak, [0.3, -0.4], 1e-12)] {
+                assert_eq!(found.roots.as_slice(), direct.roots.as_slice());
+            }
+        }
+        assert!(solve_half_turn([0.0; 2], [0.0; 2], 1e-12).is_free());
+        assert!(solve_half_turn([f64::NAN; 2], [0.0; 2], 1e-12).is_empty());
     }
 
     #[test]

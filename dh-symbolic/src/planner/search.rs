@@ -264,9 +264,10 @@ impl Search<'_> {
                 options
                     .push(Option1 { rank: (4, size(&row.1), first_joint), step: step(StepKind::SinCos, 2, vec![row]) });
             } else {
+                let second = self.second_half_turn(row, &first);
                 options.push(Option1 {
                     rank: (2, size(&row.1), first_joint),
-                    step: step(StepKind::HalfTurn, 2, vec![row]),
+                    step: step(StepKind::HalfTurn, 2, std::iter::once(*row).chain(second).collect()),
                 });
             }
         }
@@ -277,6 +278,22 @@ impl Search<'_> {
             });
         }
         options
+    }
+
+    /// The shortest other equation without a constant term that still fixes the angle where this one vanishes, at some special pose.
+    fn second_half_turn<'r>(
+        &self,
+        row: &(Equation, Collected),
+        rows: &[&'r (Equation, Collected)],
+    ) -> Option<&'r (Equation, Collected)> {
+        let value = |row: &Collected, part, s: &Sample<'_>| row.get(&vec![part]).map_or(0.0, |p| s.evaluate(p));
+        let slope = |row: &Collected, s: &Sample<'_>| value(row, Part::Cos(1), s).hypot(value(row, Part::Sin(1), s));
+        let mut empty = self.samples(0, 32);
+        empty.retain(|s| slope(&row.1, s) < 1e-9);
+        rows.iter()
+            .filter(|r| !r.1.contains_key(&vec![Part::One]) && empty.iter().any(|s| slope(&r.1, s) > 1e-3))
+            .min_by_key(|r| self.size(&r.1))
+            .copied()
     }
 
     /// Numbers at joint vectors: generic ones, then special ones.

@@ -12,7 +12,7 @@ pub enum StepKind {
     Linear,
     /// a d^2 + b d + c = 0.
     Quadratic,
-    /// a cos u + b sin u = 0: a half turn apart, never out of reach.
+    /// a cos u + b sin u = 0: a half turn apart, never out of reach. A second such equation decides where the first one vanishes.
     HalfTurn,
     /// a cos u + b sin u + c = 0.
     SinCos,

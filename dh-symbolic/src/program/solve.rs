@@ -282,7 +282,10 @@ fn solve_step(
             let outcome = found.outcome;
             (found.or_if_free(length).iter().map(|d| vec![[*d, *d]]).collect(), outcome)
         }
-        StepKind::HalfTurn => angles(ik::solve_sincos(rows[0][0], rows[0][1], 0.0, NOISE)),
+        StepKind::HalfTurn => angles(match rows {
+            [p, q, ..] => ik::solve_half_turn([p[0], p[1]], [q[0], q[1]], NOISE),
+            _ => ik::solve_sincos(rows[0][0], rows[0][1], 0.0, NOISE),
+        }),
         StepKind::SinCos => angles(ik::solve_sincos(rows[0][0], rows[0][1], -rows[0][2], NOISE)),
         StepKind::AtanPair => {
             let r = |i: usize| rows.get(i).map_or([0.0; 3], |r| [r[0], r[1], -r[2]]);

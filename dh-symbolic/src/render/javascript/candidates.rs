@@ -153,6 +153,9 @@ fn call((step, turns, solver): (usize, bool, &Solver), body: &Body<'_>) -> Call 
     let (text, representative) = match solver.kind {
         StepKind::Linear => (format!("solveQuadratic(0, {}, NOISE)", list(0, 2)), length),
         StepKind::Quadratic => (format!("solveQuadratic({}, NOISE)", list(0, 3)), length),
+        StepKind::HalfTurn if solver.rows.len() == 2 => {
+            (format!("solveHalfTurn([{}], [{}], NOISE)", list(0, 2), list(1, 2)), angle)
+        }
         StepKind::HalfTurn => (format!("solveSinCos({}, 0, NOISE)", list(0, 2)), angle),
         StepKind::SinCos => (format!("solveSinCos({}, {}, NOISE)", list(0, 2), minus(0, 2)), angle),
         StepKind::AtanPair if solver.rows.len() == 2 => {

@@ -22,6 +22,12 @@ function solveSinCos(a, b, c, tol) {
   return found(REGULAR, [[ua * uc - ub * r, ub * uc + ua * r], [ua * uc + ub * r, ub * uc - ua * r]]);
 }
 
+// a cos t + b sin t = 0 twice, by the equation with the larger coefficients
+function solveHalfTurn(p, q, tol) {
+  const [a, b] = p[0] * p[0] + p[1] * p[1] >= q[0] * q[0] + q[1] * q[1] ? p : q;
+  return solveSinCos(a, b, 0, tol);
+}
+
 // a1 cos t + b1 sin t = c1 and a2 cos t + b2 sin t = c2
 function solvePair(a1, b1, c1, a2, b2, c2, tol) {
   const det = a1 * b2 - a2 * b1, size = a1 * a1 + b1 * b1 + a2 * a2 + b2 * b2;

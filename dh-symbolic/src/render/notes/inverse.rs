@@ -203,6 +203,9 @@ impl Writer<'_> {
             text.0.push(Span::Plain(space.to_string()));
             text.0.extend(more.0);
         };
+        if s.second {
+            add(Text::from(self.words(Phrase::SecondInstead)));
+        }
         if let Some(radicand) = &s.radicand {
             add(Text::fill(self.words(Phrase::NoneWhere), vec![Span::Math(radicand.clone())]));
         }

@@ -106,6 +106,8 @@ phrases! {
     Sum: "with {}.", "其中 {}。";
     OneSolution: "One solution.", "一个解。";
     Solutions: "Up to {} solutions.", "最多 {} 个解。";
+    SecondInstead: "Where the coefficients of the first equation vanish, the second one gives the angle in the same way.",
+        "第一个方程的系数为零时，由第二个方程按同样方法求角。";
     NoneWhere: "There is none where {} is negative: the pose is out of reach.", "当 {} 为负时无解：位姿不可达。";
     FreeWhereOne: "Where {} vanishes, the arm is singular and {} is free.", "当 {} 为零时机械臂奇异，{} 可任取。";
     FreeWhere: "Where {} vanish together, the arm is singular and {} is free.", "当 {} 同时为零时机械臂奇异，{} 可任取。";

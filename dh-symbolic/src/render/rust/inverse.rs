@@ -465,6 +465,10 @@ fn call((step, turns, solver): (usize, bool, &Solver), body: &Body<'_>, inverse:
             picked_length,
             length,
         ),
+        StepKind::HalfTurn if solver.rows.len() == 2 => {
+            let row = |r: usize| format!("[{}, {}]", v(r, 0), v(r, 1));
+            (format!("::dh_robot::ik::solve_half_turn({}, {}, {noise})", row(0), row(1)), picked, angle)
+        }
         StepKind::HalfTurn => {
             (format!("::dh_robot::ik::solve_sincos({}, {}, 0.0, {noise})", v(0, 0), v(0, 1)), picked, angle)
         }

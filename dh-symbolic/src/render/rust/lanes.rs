@@ -339,7 +339,8 @@ impl<'a> Writer<'a> {
         let text = match solver.kind {
             StepKind::HalfTurn => {
                 second = [format!("-{x}"), format!("-{y}")];
-                format!("let ([{x}, {y}], m{i}) = ::dh_robot::lanes::half_turn({}, {});\n", v(0, 0), v(0, 1))
+                let rows: Vec<String> = (0..solver.rows.len()).map(|r| format!("[{}, {}]", v(r, 0), v(r, 1))).collect();
+                format!("let ([{x}, {y}], m{i}) = ::dh_robot::lanes::half_turn([{}]);\n", rows.join(", "))
             }
             StepKind::SinCos => {
                 second = [format!("z{i}"), format!("w{i}")];

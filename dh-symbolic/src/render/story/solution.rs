@@ -23,6 +23,8 @@ pub(crate) struct Solution {
     pub(crate) abbreviations: Vec<(Math, Math)>,
     /// The unknown.
     pub(crate) formulas: Vec<(Math, Math)>,
+    /// Does another equation give the unknown in the same way where this one vanishes?
+    pub(crate) second: bool,
     /// What must not be negative for a real solution.
     pub(crate) radicand: Option<Math>,
     /// What must not vanish all at once: where it does, the unknown is free.
@@ -42,7 +44,7 @@ pub(super) fn solution(story: &Story<'_>, number: usize, step: &Step, rows: &[Ro
     match (step.kind, rows) {
         (StepKind::Linear, [row]) => w.linear(unknown, row),
         (StepKind::Quadratic, [row]) => w.quadratic(unknown, row),
-        (StepKind::HalfTurn, [row]) => w.half_turn(unknown, row),
+        (StepKind::HalfTurn, [row, more @ ..]) => w.half_turn(unknown, row, more),
         (StepKind::SinCos, [row]) => w.sin_cos(unknown, row),
         (StepKind::AtanPair, [first, second, ..]) => w.atan_pair(unknown, rows, first, second),
         _ => {}
@@ -175,7 +177,7 @@ impl Writer<'_, '_> {
     }
 
     /// a cos + b sin = 0.
-    fn half_turn(&mut self, unknown: Math, row: &Row) {
+    fn half_turn(&mut self, unknown: Math, row: &Row, more: &[Row]) {
         let (a, b) = (row.coefficient(Part::Cos(1)), row.coefficient(Part::Sin(1)));
         let (x, y) = (self.short(&a), self.short(&b));
         let right = Math::Row(vec![
@@ -185,7 +187,10 @@ impl Writer<'_, '_> {
             atan2(self.typeset(&x), self.typeset(&-&y)),
         ]);
         self.out.formulas.push((unknown, right));
-        self.degenerate(&[&a, &b]);
+        let others: Vec<Poly> =
+            more.iter().flat_map(|row| [row.coefficient(Part::Cos(1)), row.coefficient(Part::Sin(1))]).collect();
+        self.out.second = !more.is_empty();
+        self.degenerate(&[&a, &b].into_iter().chain(&others).collect::<Vec<_>>());
     }
 
     /// A letter only where the formula is long.
