@@ -58,7 +58,7 @@ impl CupArm {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in mm.
     ///
-    /// Cost: 44 multiplications, 24 additions, 6 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 44 multiplications, 24 additions, 6 sine-cosine pairs. Proven equal to the product of the link transforms; equation (15) of the robot's notes.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
@@ -167,7 +167,7 @@ impl CupArm {
         ]
     }
     /// Geometric Jacobian: rows 0..3 linear (mm per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the
-    /// origin of the last frame (or tool).
+    /// origin of the last frame (or tool); equation (16) of the robot's notes.
     ///
     /// Cost: 50 multiplications, 20 additions, 5 sine-cosine pairs.
     #[inline]
@@ -612,10 +612,12 @@ impl CupArm {
     ) -> bool {
         let t_2 = t[2][3] - 0.39098532494758914 - t[2][0] * 0.2159329140461216;
         let t_3 = t_2 * t_2;
-        let ([x0, y0], m0) = ::dh_robot::lanes::half_turn(
-            -(t[1][3] - t[1][0] * 0.2159329140461216),
-            t[0][3] - t[0][0] * 0.2159329140461216,
-        );
+        let ([x0, y0], m0) = ::dh_robot::lanes::half_turn([
+            [
+                -(t[1][3] - t[1][0] * 0.2159329140461216),
+                t[0][3] - t[0][0] * 0.2159329140461216,
+            ],
+        ]);
         let c1_ = [x0, -x0];
         let s1_ = [y0, -y0];
         let g0_ = ::dh_robot::lanes::angles(&[y0, -y0], &[x0, -x0]);
@@ -709,7 +711,7 @@ impl CupArm {
             let t_23 = 0.35639412997903563 * c2;
             let t_24 = 0.35639412997903563 * s2;
             let v68 = v68_[l];
-            let ([c4, s4], m3) = ::dh_robot::lanes::half_turn(-v68, t_22);
+            let ([c4, s4], m3) = ::dh_robot::lanes::half_turn([[-v68, t_22]]);
             let g3 = ::dh_robot::lanes::angle(s4, c4);
             let v56 = v56_[l];
             let v62 = v62_[l];

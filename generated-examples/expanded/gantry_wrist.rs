@@ -45,7 +45,7 @@ impl GantryWrist {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
     ///
-    /// Cost: 17 multiplications, 9 additions, 3 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 17 multiplications, 9 additions, 3 sine-cosine pairs. Proven equal to the product of the link transforms; equation (12) of the robot's notes.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
@@ -115,7 +115,7 @@ impl GantryWrist {
         ]
     }
     /// Geometric Jacobian: rows 0..3 linear (m per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the
-    /// origin of the last frame (or tool).
+    /// origin of the last frame (or tool); equation (13) of the robot's notes.
     ///
     /// Cost: 8 multiplications, 0 additions, 2 sine-cosine pairs.
     #[inline]
@@ -466,10 +466,12 @@ impl GantryWrist {
         let q3 = q3;
         let g2 = q3 * 0.30000000000000004;
         let t_7 = 0.3333333333333333 + q3;
-        let ([c6, s6], m3) = ::dh_robot::lanes::half_turn(
-            -(t[1][0] * 0.5 + t[1][1] * 0.8660254037844386),
-            -(t[1][0] * 0.8660254037844386 - t[1][1] * 0.5),
-        );
+        let ([c6, s6], m3) = ::dh_robot::lanes::half_turn([
+            [
+                -(t[1][0] * 0.5 + t[1][1] * 0.8660254037844386),
+                -(t[1][0] * 0.8660254037844386 - t[1][1] * 0.5),
+            ],
+        ]);
         let g3 = ::dh_robot::lanes::angle(s6, c6);
         let t_8 = 0.8660254037844386 * c6 - 0.5 * s6;
         let t_9 = 0.5 * c6 + 0.8660254037844386 * s6;

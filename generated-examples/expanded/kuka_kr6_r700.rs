@@ -60,7 +60,7 @@ impl KukaKr6R700 {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
     ///
-    /// Cost: 41 multiplications, 23 additions, 6 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 41 multiplications, 23 additions, 6 sine-cosine pairs. Proven equal to the product of the link transforms; equation (12) of the robot's notes.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
@@ -166,7 +166,7 @@ impl KukaKr6R700 {
         ]
     }
     /// Geometric Jacobian: rows 0..3 linear (m per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the
-    /// origin of the last frame (or tool).
+    /// origin of the last frame (or tool); equation (13) of the robot's notes.
     ///
     /// Cost: 50 multiplications, 20 additions, 5 sine-cosine pairs.
     #[inline]
@@ -613,7 +613,7 @@ impl KukaKr6R700 {
         let t_3 = t[1][3] - t[1][2] * 0.06557377049180327;
         let t_4 = t[2][3] - t[2][2] * 0.06557377049180327 - 0.32786885245901637;
         let t_5 = t_4 * t_4;
-        let ([x0, y0], m0) = ::dh_robot::lanes::half_turn(-t_3, t_2);
+        let ([x0, y0], m0) = ::dh_robot::lanes::half_turn([[-t_3, t_2]]);
         let c1_ = [x0, -x0];
         let s1_ = [y0, -y0];
         let g0_ = ::dh_robot::lanes::angles(&[y0, -y0], &[x0, -x0]);
@@ -720,7 +720,7 @@ impl KukaKr6R700 {
             let t_34 = c1 * t_32;
             let t_35 = s1 * t_32;
             let v68 = v68_[l];
-            let ([c4, s4], m3) = ::dh_robot::lanes::half_turn(-v68, t_27);
+            let ([c4, s4], m3) = ::dh_robot::lanes::half_turn([[-v68, t_27]]);
             let g3 = ::dh_robot::lanes::angle(s4, c4);
             let v56 = v56_[l];
             let v62 = v62_[l];

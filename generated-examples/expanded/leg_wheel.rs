@@ -39,7 +39,7 @@ impl LegWheel {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
     ///
-    /// Cost: 2 multiplications, 0 additions, 1 sine-cosine pair. Proven equal to the product of the link transforms.
+    /// Cost: 2 multiplications, 0 additions, 1 sine-cosine pair. Proven equal to the product of the link transforms; equation (4) of the robot's notes.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 2]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
@@ -74,7 +74,7 @@ impl LegWheel {
         ]
     }
     /// Geometric Jacobian: rows 0..3 linear (m per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the
-    /// origin of the last frame (or tool).
+    /// origin of the last frame (or tool); equation (5) of the robot's notes.
     ///
     /// Cost: 4 multiplications, 2 additions, 1 sine-cosine pair.
     #[inline]

@@ -72,7 +72,7 @@ impl Panda {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
     ///
-    /// Cost: 68 multiplications, 36 additions, 7 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 68 multiplications, 36 additions, 7 sine-cosine pairs. Proven equal to the product of the link transforms; equation (14) of the robot's notes.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 7]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
@@ -213,7 +213,7 @@ impl Panda {
         ]
     }
     /// Geometric Jacobian: rows 0..3 linear (m per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the
-    /// origin of the last frame (or tool).
+    /// origin of the last frame (or tool); equation (15) of the robot's notes.
     ///
     /// Cost: 94 multiplications, 44 additions, 6 sine-cosine pairs.
     #[inline]

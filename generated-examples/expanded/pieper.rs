@@ -54,7 +54,7 @@ impl Pieper {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
     ///
-    /// Cost: 100 multiplications, 51 additions, 11 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 100 multiplications, 51 additions, 11 sine-cosine pairs. Proven equal to the product of the link transforms; equation (12) of the robot's notes.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
@@ -306,7 +306,7 @@ impl Pieper {
         ]
     }
     /// Geometric Jacobian: rows 0..3 linear (m per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the
-    /// origin of the last frame (or tool).
+    /// origin of the last frame (or tool); equation (13) of the robot's notes.
     ///
     /// Cost: 117 multiplications, 58 additions, 10 sine-cosine pairs.
     #[inline]

@@ -44,7 +44,7 @@ impl Planar3rCraig {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
     ///
-    /// Cost: 4 multiplications, 4 additions, 3 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 4 multiplications, 4 additions, 3 sine-cosine pairs. Proven equal to the product of the link transforms; equation (6) of the robot's notes.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
@@ -87,7 +87,7 @@ impl Planar3rCraig {
         ]
     }
     /// Geometric Jacobian: rows 0..3 linear (m per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the
-    /// origin of the last frame (or tool).
+    /// origin of the last frame (or tool); equation (7) of the robot's notes.
     ///
     /// Cost: 4 multiplications, 3 additions, 2 sine-cosine pairs.
     #[inline]

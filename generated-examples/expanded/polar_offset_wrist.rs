@@ -59,7 +59,7 @@ impl PolarOffsetWrist {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
     ///
-    /// Cost: 44 multiplications, 25 additions, 5 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 44 multiplications, 25 additions, 5 sine-cosine pairs. Proven equal to the product of the link transforms; equation (12) of the robot's notes.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
@@ -174,7 +174,7 @@ impl PolarOffsetWrist {
         ]
     }
     /// Geometric Jacobian: rows 0..3 linear (m per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the
-    /// origin of the last frame (or tool).
+    /// origin of the last frame (or tool); equation (13) of the robot's notes.
     ///
     /// Cost: 51 multiplications, 24 additions, 4 sine-cosine pairs.
     #[inline]

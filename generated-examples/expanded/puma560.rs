@@ -73,7 +73,7 @@ impl Puma560 {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
     ///
-    /// Cost: 40 multiplications, 20 additions, 6 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 40 multiplications, 20 additions, 6 sine-cosine pairs. Proven equal to the product of the link transforms; equation (12) of the robot's notes.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
@@ -176,7 +176,7 @@ impl Puma560 {
         ]
     }
     /// Geometric Jacobian: rows 0..3 linear (m per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the
-    /// origin of the last frame (or tool).
+    /// origin of the last frame (or tool); equation (13) of the robot's notes.
     ///
     /// Cost: 32 multiplications, 13 additions, 5 sine-cosine pairs.
     #[inline]
@@ -694,7 +694,7 @@ impl Puma560 {
                 + (s1 * t_24 + v306 - t[1][3]).abs()
                 + (-(t_6 * t_18 + t_7 * t_17 + t_4 * s2) - t[2][3]).abs();
             let v75 = v75_[l];
-            let ([c4, s4], m3) = ::dh_robot::lanes::half_turn(-v75, t_23);
+            let ([c4, s4], m3) = ::dh_robot::lanes::half_turn([[-v75, t_23]]);
             let g3 = ::dh_robot::lanes::angle(s4, c4);
             let v63 = v63_[l];
             let v69 = v69_[l];

@@ -41,7 +41,7 @@ impl Rpr {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
     ///
-    /// Cost: 6 multiplications, 1 addition, 2 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 6 multiplications, 1 addition, 2 sine-cosine pairs. Proven equal to the product of the link transforms; equation (6) of the robot's notes.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
@@ -81,7 +81,7 @@ impl Rpr {
         ]
     }
     /// Geometric Jacobian: rows 0..3 linear (m per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the
-    /// origin of the last frame (or tool).
+    /// origin of the last frame (or tool); equation (7) of the robot's notes.
     ///
     /// Cost: 2 multiplications, 1 addition, 1 sine-cosine pair.
     #[inline]

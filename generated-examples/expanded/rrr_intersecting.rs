@@ -52,7 +52,7 @@ impl RrrIntersecting {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
     ///
-    /// Cost: 12 multiplications, 5 additions, 3 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 12 multiplications, 5 additions, 3 sine-cosine pairs. Proven equal to the product of the link transforms; equation (8) of the robot's notes.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
@@ -101,7 +101,7 @@ impl RrrIntersecting {
         ]
     }
     /// Geometric Jacobian: rows 0..3 linear (m per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the
-    /// origin of the last frame (or tool).
+    /// origin of the last frame (or tool); equation (9) of the robot's notes.
     ///
     /// Cost: 12 multiplications, 5 additions, 3 sine-cosine pairs.
     #[inline]

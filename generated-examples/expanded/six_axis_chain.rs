@@ -65,7 +65,7 @@ impl SixAxisChain {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
     ///
-    /// Cost: 30 multiplications, 15 additions, 6 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 30 multiplications, 15 additions, 6 sine-cosine pairs. Proven equal to the product of the link transforms; equation (12) of the robot's notes.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
@@ -159,7 +159,7 @@ impl SixAxisChain {
         ]
     }
     /// Geometric Jacobian: rows 0..3 linear (m per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the
-    /// origin of the last frame (or tool).
+    /// origin of the last frame (or tool); equation (13) of the robot's notes.
     ///
     /// Cost: 22 multiplications, 8 additions, 5 sine-cosine pairs.
     #[inline]
@@ -550,7 +550,7 @@ impl SixAxisChain {
         let t_3 = self.a2 * 0.896092131359586;
         let t_4 = self.a3 * 0.896092131359586;
         let t_5 = t_3 * t_3 + t_4 * t_4;
-        let ([x0, y0], m0) = ::dh_robot::lanes::half_turn(-t[1][3], t[0][3]);
+        let ([x0, y0], m0) = ::dh_robot::lanes::half_turn([[-t[1][3], t[0][3]]]);
         let c1_ = [x0, -x0];
         let s1_ = [y0, -y0];
         let g0_ = ::dh_robot::lanes::angles(&[y0, -y0], &[x0, -x0]);
@@ -573,7 +573,7 @@ impl SixAxisChain {
             v50_[l] = t_8;
             v56_[l] = t_9;
             v59_[l] = t[0][2] * s1 - t[1][2] * c1;
-            let ([x1, y1], m1) = ::dh_robot::lanes::half_turn(-t[2][2], t_9);
+            let ([x1, y1], m1) = ::dh_robot::lanes::half_turn([[-t[2][2], t_9]]);
             f1[0][l] = x1;
             f1[1][l] = y1;
             f1[0][l + 2] = -x1;

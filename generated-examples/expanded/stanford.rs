@@ -58,7 +58,7 @@ impl Stanford {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
     ///
-    /// Cost: 36 multiplications, 16 additions, 5 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 36 multiplications, 16 additions, 5 sine-cosine pairs. Proven equal to the product of the link transforms; equation (12) of the robot's notes.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
@@ -159,7 +159,7 @@ impl Stanford {
         ]
     }
     /// Geometric Jacobian: rows 0..3 linear (m per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the
-    /// origin of the last frame (or tool).
+    /// origin of the last frame (or tool); equation (13) of the robot's notes.
     ///
     /// Cost: 26 multiplications, 8 additions, 4 sine-cosine pairs.
     #[inline]
@@ -601,7 +601,7 @@ impl Stanford {
             v62_[l] = t_9;
             v272_[l] = t_10;
             v275_[l] = t_11;
-            let ([x1, y1], m1) = ::dh_robot::lanes::half_turn(-t_3, t_2);
+            let ([x1, y1], m1) = ::dh_robot::lanes::half_turn([[-t_3, t_2]]);
             f1[0][l] = x1;
             f1[1][l] = y1;
             f1[0][l + 2] = -x1;
@@ -649,10 +649,9 @@ impl Stanford {
             let r3 = (c1 * t_15 - v272 - t[0][3]).abs()
                 + (s1 * t_15 + v275 - t[1][3]).abs()
                 + (0.7027119222241174 + c2 * q3 - t[2][3]).abs();
-            let ([c6, s6], m3) = ::dh_robot::lanes::half_turn(
-                v53 * s2 + t[2][1] * c2,
-                v47 * s2 + t[2][0] * c2,
-            );
+            let ([c6, s6], m3) = ::dh_robot::lanes::half_turn([
+                [v53 * s2 + t[2][1] * c2, v47 * s2 + t[2][0] * c2],
+            ]);
             let g3 = ::dh_robot::lanes::angle(s6, c6);
             let v50 = v50_[l];
             let v56 = v56_[l];

@@ -61,7 +61,7 @@ impl Ur5 {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
     ///
-    /// Cost: 35 multiplications, 21 additions, 6 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 35 multiplications, 21 additions, 6 sine-cosine pairs. Proven equal to the product of the link transforms; equation (12) of the robot's notes.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
@@ -166,7 +166,7 @@ impl Ur5 {
         ]
     }
     /// Geometric Jacobian: rows 0..3 linear (m per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the
-    /// origin of the last frame (or tool).
+    /// origin of the last frame (or tool); equation (13) of the robot's notes.
     ///
     /// Cost: 37 multiplications, 15 additions, 5 sine-cosine pairs.
     #[inline]
@@ -627,7 +627,7 @@ impl Ur5 {
             v69_[l] = t[0][2] * s1 - t[1][2] * c1;
             v262_[l] = t_13;
             v265_[l] = t_14;
-            let ([x1, y1], m1) = ::dh_robot::lanes::half_turn(-t[2][2], t_12);
+            let ([x1, y1], m1) = ::dh_robot::lanes::half_turn([[-t[2][2], t_12]]);
             f1[0][l] = x1;
             f1[1][l] = y1;
             f1[0][l + 2] = -x1;

@@ -49,7 +49,7 @@ impl Youbot {
     ];
     /// Pose of the last frame (with the tool) in the base; angles in radians, lengths in m.
     ///
-    /// Cost: 22 multiplications, 12 additions, 5 sine-cosine pairs. Proven equal to the product of the link transforms.
+    /// Cost: 22 multiplications, 12 additions, 5 sine-cosine pairs. Proven equal to the product of the link transforms; equation (10) of the robot's notes.
     #[inline]
     #[must_use]
     pub fn forward(&self, q: &[f64; 5]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
@@ -127,7 +127,7 @@ impl Youbot {
         ]
     }
     /// Geometric Jacobian: rows 0..3 linear (m per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the
-    /// origin of the last frame (or tool).
+    /// origin of the last frame (or tool); equation (11) of the robot's notes.
     ///
     /// Cost: 16 multiplications, 7 additions, 4 sine-cosine pairs.
     #[inline]
@@ -263,7 +263,7 @@ impl Youbot {
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 0.6875,
-            few: false,
+            few: true,
             given: None,
         };
         let task = ::dh_robot::ik::Task::Axis(p, z);
@@ -287,9 +287,13 @@ impl Youbot {
         let t_2 = t[2][3] - 0.21381818181818182;
         let t_3 = t_2 * t_2;
         let t_4 = t_2 * t[2][2] * 2.0;
-        let r0 = ::dh_robot::ik::solve_sincos(-t[1][2], t[0][2], 0.0, 1e-11);
+        let r0 = ::dh_robot::ik::solve_half_turn(
+            [-t[1][2], t[0][2]],
+            [-t[1][3], t[0][3]],
+            1e-11,
+        );
         if r0.roots.is_empty() {
-            attempt.note(r0.outcome, free, "shoulder q1", 1.0, "");
+            attempt.note(r0.outcome, free, "shoulder q1", 0.6875, "m");
         }
         let free = if r0.is_free() {
             attempt.degenerate = true;
