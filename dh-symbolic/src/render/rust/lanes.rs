@@ -353,15 +353,10 @@ impl<'a> Writer<'a> {
                     judged = false;
                     format!("let [{x}, {y}] = ::dh_robot::lanes::unit({a}, {b});\n")
                 }
-                None => format!(
-                    "let ([{x}, {y}], m{i}) = ::dh_robot::lanes::pair({}, {}, {}, {}, {}, {});\n",
-                    v(0, 0),
-                    v(0, 1),
-                    minus(0, 2),
-                    v(1, 0),
-                    v(1, 1),
-                    minus(1, 2)
-                ),
+                None => {
+                    let all: Vec<String> = (0..2).flat_map(|r| [v(r, 0), v(r, 1), minus(r, 2)]).collect();
+                    format!("let ([{x}, {y}], m{i}) = ::dh_robot::lanes::pair({});\n", all.join(", "))
+                }
             },
             _ => format!("let ({x}, m{i}) = ::dh_robot::lanes::linear({}, {});\nlet {y} = {x};\n", v(0, 0), v(0, 1)),
         };
