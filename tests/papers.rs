@@ -41,8 +41,7 @@ fn derivations_of_the_puma() {
 }
 
 /// Notes whose inverse cannot be read back in full, with what the reader does not know.
-const PARTLY: [(&str, &str); 3] = [
-    ("gantry_wrist", "its frames of the inverse are turned against those of the table, and the notes do not say how"),
+const PARTLY: [(&str, &str); 2] = [
     ("leg_wheel", "values are given for the joint coordinates, not for the motors"),
     ("pieper", "products of transforms without any structure grow too large for the checker"),
 ];

@@ -28,6 +28,7 @@ pub use axes::{Axes, Hop};
 pub(crate) use axes::{generic_parameter, numeric};
 pub use known::{Collected, Knowledge, Known, KnownPose, Part};
 pub use mobility::Mobility;
+pub(crate) use plane::constant_height;
 pub use plane::tilting_joints;
 pub use pool::{Equation, Scalar};
 pub(crate) use sample::joint_vectors;

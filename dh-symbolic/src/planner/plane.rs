@@ -5,7 +5,7 @@ use crate::chain::{Chain, Coordinate};
 use crate::kinematics::Kinematics;
 
 /// The tool's height, if no joint changes it.
-pub(super) fn constant_height(chain: &Chain) -> Option<Poly> {
+pub(crate) fn constant_height(chain: &Chain) -> Option<Poly> {
     let pose = Kinematics::new(chain).pose();
     let height = &pose.p[2];
     (!chain.joints.iter().any(|j| moves(height, &j.coordinate))).then(|| height.clone())

@@ -14,7 +14,7 @@ impl Statement {
     pub(super) fn gives_pose(&self, names: &mut Names<'_>, sheet: &mut Sheet) -> bool {
         let [left, right] = self.sides.as_slice() else { return false };
         let [only] = left.as_slice() else { return false };
-        let Some(frame) = transforms::last_frame(only) else { return false };
+        let Some((frame, from_start)) = transforms::last_frame(only) else { return false };
         let letters: Vec<Letter> = right.iter().filter_map(Letter::of).collect();
         let capital = |l: &Letter| l.index.is_empty() && l.stem.len() == 1 && l.stem.chars().all(char::is_uppercase);
         let product = letters.len() == right.len() && !letters.is_empty() && letters.iter().all(capital);
@@ -25,6 +25,7 @@ impl Statement {
         let pose = names.pose();
         names.bind(given.clone(), pose);
         names.say_pose(frame, None);
+        names.from_start = from_start;
         // more frames than the table has: some joints are the document's own
         if letters.len() > 1 || frame > names.chain.links.len() || names.on_axes {
             names.waiting_pose = Some((frame, right.clone()));

@@ -87,6 +87,8 @@ pub(super) struct Names<'a> {
     pub(super) waiting_pose: Option<(usize, Vec<super::ink::Item>)>,
     /// Do frames stand on the joint axes, each after the motion of its joint?
     pub(super) on_axes: bool,
+    /// Does the given pose begin at frame 0'?
+    pub(super) from_start: bool,
     /// Values given so far: settings of an `at` line.
     pub(super) values: Vec<(String, String)>,
 }
@@ -101,6 +103,7 @@ impl<'a> Names<'a> {
             given_pose: None,
             waiting_pose: None,
             on_axes: false,
+            from_start: false,
             values: Vec::new(),
         }
     }
@@ -378,6 +381,19 @@ impl<'a> Names<'a> {
     /// The given pose of this frame, where it is not that of the table.
     pub(super) fn given_pose(&self, frame: usize) -> Option<&str> {
         self.given_pose.as_ref().filter(|g| g.0 == frame && !g.1.starts_with("T (")).map(|g| g.1.as_str())
+    }
+
+    /// Frame 0' seen from frame 0, where the document has such a frame: moved by B from where the pose of the arm begins.
+    pub(super) fn start(&self) -> Option<String> {
+        let letter = Letter { stem: "B".into(), ..Letter::default() };
+        let moved = self.meaning(&letter).ok().filter(|_| self.from_start)?;
+        Some(if self.chain.base.is_empty() { moved } else { format!("( inv ( base ) * {moved} )") })
+    }
+
+    /// The given pose of this frame as seen from frame 0.
+    pub(super) fn placed_pose(&self, frame: usize) -> Option<String> {
+        let pose = self.given_pose(frame)?;
+        Some(self.start().map_or_else(|| pose.to_string(), |start| format!("( {start} * {pose} )")))
     }
 
     /// Is this the name of an angle?

@@ -11,6 +11,8 @@ enum Frame {
     Number(usize, bool),
     /// Before the constant transform at the base.
     Base,
+    /// On the axis of joint 1, where the document says by which B it is moved there.
+    Start,
     /// After the one at the tip.
     Tool,
     /// Any frame: `i`, `i-1`.
@@ -75,23 +77,22 @@ pub(super) const TIP: usize = usize::MAX;
 /// The numbers of primed frames begin here, where the document gives their pose.
 const PRIMED: usize = 1000;
 
-/// The last frame of a transform from frame 0, as written.
-pub(super) fn last_frame(item: &Item) -> Option<usize> {
+/// The last frame of a transform from frame 0, as written, and whether that is 0'.
+pub(super) fn last_frame(item: &Item) -> Option<(usize, bool)> {
     let text = |part: &Option<Vec<Item>>| part.as_ref().and_then(|p| index_text(p));
     let (from, to) = match (text(&item.before_sup), text(&item.before_sub), text(&item.sup), text(&item.sub)) {
         (Some(i), Some(j), None, None) | (Some(i), None, None, Some(j)) | (None, None, Some(i), Some(j)) => (i, j),
         _ => return None,
     };
-    if item.name() != Some("T") || from != "0" {
+    if item.name() != Some("T") || !matches!(from.as_str(), "0" | "0'") {
         return None;
     }
-    if matches!(to.as_str(), "e" | "E" | "H" | "h" | "tool") {
-        return Some(TIP);
-    }
-    match to.strip_suffix('\'') {
-        Some(number) => number.parse::<usize>().ok().map(|k| k + PRIMED),
-        None => to.parse().ok(),
-    }
+    let frame = match (to.as_str(), to.strip_suffix('\'')) {
+        ("e" | "E" | "H" | "h" | "tool", _) => TIP,
+        (_, Some(number)) => number.parse::<usize>().ok()?.checked_add(PRIMED)?,
+        (_, None) => to.parse().ok()?,
+    };
+    Some((frame, from != "0"))
 }
 
 /// `06`, `0,6`.
@@ -114,6 +115,9 @@ fn frame(label: &str, names: &Names<'_>) -> Option<Frame> {
         None => (label, false),
     };
     if let Ok(k) = digits.parse::<usize>() {
+        if primed && k == 0 && names.start().is_some() {
+            return Some(Frame::Start);
+        }
         if primed && names.given_pose(k.saturating_add(PRIMED)).is_some() {
             return Some(Frame::Number(k + PRIMED, false));
         }
@@ -142,6 +146,12 @@ pub(super) fn between(from: &str, to: &str, names: &Names<'_>) -> Result<String,
         return Ok(between_axes((*i, *p), (*j, *q), names));
     }
     let text = match (&i, &j) {
+        (Frame::Start, Frame::Start) => "I4".into(),
+        (Frame::Start, Frame::Number(k, false)) if names.given_pose(*k).is_some() => {
+            names.given_pose(*k).unwrap_or_default().to_string()
+        }
+        (Frame::Start, _) => format!("( inv ( {} ) * {} )", names.start().unwrap_or_default(), between("0", to, names)?),
+        (_, Frame::Start) => format!("inv ( {} )", between(to, from, names)?),
         (Frame::Any(i), Frame::Any(j)) if (i == "i-1" && j == "i") || (i == "j-1" && j == "j") => any_link(names, j),
         (Frame::Any(_), _) | (_, Frame::Any(_)) => {
             return Err(unknown(format!("T from frame {from} to {to} is general")));
@@ -154,11 +164,11 @@ pub(super) fn between(from: &str, to: &str, names: &Names<'_>) -> Result<String,
         (Frame::Base, Frame::Base) | (Frame::Tool, Frame::Tool) => "I4".into(),
         (Frame::Tool, _) | (_, Frame::Base) => format!("inv ( {} )", between(to, from, names)?),
         (Frame::Number(i, false), Frame::Number(j, false)) if names.given_pose(*j).is_some() && i != j => {
-            let pose = names.given_pose(*j).unwrap_or_default();
-            if *i == 0 { pose.to_string() } else { format!("( T ( {i} , 0 ) * {pose} )") }
+            let pose = names.placed_pose(*j).unwrap_or_default();
+            if *i == 0 { pose } else { format!("( T ( {i} , 0 ) * {pose} )") }
         }
         (Frame::Number(i, true), Frame::Number(j, false)) if names.given_pose(*j).is_some() => {
-            let pose = names.given_pose(*j).unwrap_or_default();
+            let pose = names.placed_pose(*j).unwrap_or_default();
             format!("( {} * T ( {i} , 0 ) * {pose} )", shift(names, *i, false))
         }
         (Frame::Number(i, false), Frame::Number(..)) if names.given_pose(*i).is_some() => {
@@ -183,8 +193,8 @@ pub(super) fn between(from: &str, to: &str, names: &Names<'_>) -> Result<String,
 /// the shift along the axis as well.
 fn between_axes(from: (usize, bool), to: (usize, bool), names: &Names<'_>) -> String {
     let place = |(k, primed): (usize, bool)| {
-        if let Some(pose) = names.given_pose(k) {
-            return Some(pose.to_string());
+        if let Some(pose) = names.placed_pose(k) {
+            return Some(pose);
         }
         let joint = names.chain.joints.get(k.checked_sub(1)?)?;
         let (row, number) = (joint.row, joint.row + 1);

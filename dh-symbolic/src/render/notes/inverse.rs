@@ -62,6 +62,11 @@ impl Writer<'_> {
         for (name, t) in shown {
             self.transform(name, None, t, None);
         }
+        if story.moved {
+            let from = if self.chain.base.is_empty() { Frame::Row(0) } else { Frame::Base };
+            let frames = [Frame::Primed(0), from].map(|f| self.notation.frame(f)).to_vec();
+            self.say(Phrase::StartIsMoved, [frames, vec![Math::Letter('B')]].concat());
+        }
         let open = |k| vec![story.coordinate(k)];
         match self.chain.task {
             Task::Pose => {}

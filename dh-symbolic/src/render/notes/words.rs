@@ -80,6 +80,7 @@ phrases! {
         "已知位姿 {}，其方向余弦为 {}，位置为 {}；求各关节变量。每一步使用机械臂两个坐标系之间变换的元素，它们也可由已知位姿和前面求出的关节得到。";
     FramesStandard: "Frames of the inverse stand on the joint axes: frame {} is frame {} of the table after the motion of joint {}.",
         "逆解中的坐标系位于关节轴上：坐标系 {} 是表中坐标系 {} 经关节 {} 运动后的坐标系。";
+    StartIsMoved: "Frame {} stands on the axis of joint 1: it is frame {} moved by {}.", "坐标系 {} 位于关节 1 的轴上：它由坐标系 {} 经 {} 移动得到。";
     PrimedModified: "Frame {} is frame {} without its shift along the axis.", "坐标系 {} 是去掉沿轴平移后的坐标系 {}。";
     PrimedStandard: "Frame {} is frame {} after its shift along the axis.", "坐标系 {} 是沿轴平移后的坐标系 {}。";
     EndIsTool: "Frame {} is that of the tool.", "坐标系 {} 是工具坐标系。";

@@ -29,6 +29,8 @@ pub(crate) struct Story<'a> {
     modified: bool,
     /// What the last frame is called, where it is no frame of the table.
     pub(crate) end: Option<Frame>,
+    /// Is the first frame another one than frame 0 of the table? It is called 0' then.
+    pub(crate) moved: bool,
     /// Parameters: what a formula may be divided by.
     lengths: Vec<Symbol>,
     /// Known poses in order of first use.
@@ -74,6 +76,7 @@ impl<'a> Story<'a> {
             order: Order::of(chain),
             modified: false,
             end: None,
+            moved: false,
             lengths: chain
                 .parameters
                 .iter()

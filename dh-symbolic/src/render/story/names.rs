@@ -1,16 +1,16 @@
 //! Names in a story: frames on the axes, poses that are known, unknowns, where an equation comes from.
 
 use super::Story;
-use crate::algebra::{AngleVar, Symbol};
-use crate::chain::{Chain, Convention, Coordinate};
-use crate::planner::{Equation, KnownPose, Plan, Scalar};
+use crate::algebra::{AngleVar, Symbol, Transform};
+use crate::chain::{Chain, Convention, Coordinate, Elementary, Task};
+use crate::planner::{Equation, KnownPose, Plan, Scalar, constant_height};
 use crate::render::expression::Wave;
 use crate::render::math::{Math, Sign};
 use crate::render::notation::{Name, Notation};
 use crate::render::style::Frame;
 
-/// Letters for known poses after the target's, which is r and p.
-const LETTERS: [&str; 9] = ["u", "v", "w", "h", "m", "f", "n", "o", "l"];
+/// Letters for known poses after the target's, which is r and p. M is the matrix of the singular configurations.
+const LETTERS: [&str; 8] = ["u", "v", "w", "h", "f", "n", "o", "l"];
 
 /// A known pose that some step uses.
 pub(crate) struct PoseName {
@@ -49,6 +49,13 @@ pub(super) fn notation(chain: &Chain, plan: &Plan, base: &Notation) -> Notation 
         }
     }
     notation
+}
+
+/// The motions before frame 0 of the table: the base; where the task is in a plane, the target's height is 0.
+fn to_frame_0(chain: &Chain) -> Transform {
+    let height = constant_height(chain).filter(|_| chain.task == Task::Planar);
+    let down = height.map(|h| Elementary::Translate(2, -&h));
+    down.iter().chain(&chain.base).fold(Transform::identity(), |t, e| t.times(&e.transform()))
 }
 
 /// A weighted sum of names.
@@ -137,6 +144,7 @@ impl Story<'_> {
             return end;
         }
         match self.frame(hop) {
+            (0, false) if self.moved => Frame::Primed(0),
             (joint, true) => Frame::Primed(joint),
             (joint, false) => Frame::Row(joint),
         }
@@ -186,6 +194,7 @@ impl Story<'_> {
     pub(super) fn name_poses(&mut self, chain: &Chain) {
         self.modified = chain.convention == Convention::Modified;
         self.end = self.end_of(chain);
+        self.moved = self.plan.axes.start != to_frame_0(chain);
         let mut used: Vec<usize> = Vec::new();
         for step in &self.plan.steps {
             for c in &step.collected {

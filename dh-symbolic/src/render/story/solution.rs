@@ -12,7 +12,8 @@ use crate::render::notation::Notation;
 const SHORT: usize = 14;
 /// A sum in a product gets a name sooner.
 const SHORT_SUM: usize = 5;
-const LETTERS: [char; 6] = ['K', 'L', 'M', 'N', 'P', 'Q'];
+/// Without M, the matrix of the singular configurations, and P, a position.
+const LETTERS: [char; 6] = ['K', 'L', 'N', 'Q', 'S', 'C'];
 
 /// How a step is solved.
 #[derive(Default)]
