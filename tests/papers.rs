@@ -81,6 +81,30 @@ fn printed_notes_are_read_back() {
     assert!(read > 1500, "{read}");
 }
 
+/// What stands before the first joint moves the first frame of the inverse: notes call it 0' and say by which transform.
+#[test]
+fn a_moved_first_frame_is_read_back() {
+    let slides =
+        "| d | theta | a | alpha |\n| q1 | 90deg | 0 | 90deg |\n| q2 | 90deg | 0 | 90deg |\n| q3 | 0 | 0 | 0 |\n";
+    let wrist = "| 0.1 | q4 | 0 | 90deg |\n| 0 | q5 | 0 | -90deg |\n| 0.2 | q6 | 0 | 0 |\n";
+    let turned = "| alpha | a | d | theta |\n| 90deg | 0.1 | 0.3 | q1 |\n| -90deg | 0 | 0.1 | q2 |\n| 0 | 0.4 | 0 | q3 |\n\
+        | -90deg | 0.02 | 0.4 | q4 |\n| 90deg | 0 | 0 | q5 |\n| -90deg | 0 | 0.1 | q6 |\n";
+    let base = "base = tz(0.5) * rx(30deg);";
+    for (convention, base, rows) in [
+        ("standard", "", [slides, wrist].concat()),
+        ("standard", base, [slides, wrist].concat()),
+        ("modified", "", turned.to_string()),
+        ("modified", base, turned.to_string()),
+    ] {
+        let chain = chain(&format!("pub struct Arm; convention = {convention}; {base}\n{rows}"));
+        let note = notes(&chain, &Options { parts: PARTS.to_vec(), ..Options::default() });
+        for format in [Format::Latex, Format::Text] {
+            let (paper, report) = judged(&chain, &note.print(format));
+            assert_eq!(faults(&report), (0, 0), "{convention} {base}:\n{}", paper_text(&report, &paper));
+        }
+    }
+}
+
 /// What stands before the heading of the inverse.
 fn before_inverse(text: &str) -> &str {
     &text[..text.find("Singular configurations").or(text.find("Inverse kinematics")).expect("the heading")]

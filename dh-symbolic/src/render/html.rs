@@ -19,10 +19,14 @@ pub fn document(d: &Document) -> String {
 const STYLE: &str = "body { max-width: 60rem; margin: 2rem auto; padding: 0 1rem; font-family: serif; line-height: 1.5; }\n\
 table.data { border-collapse: collapse; margin: 1rem auto; border-block: 1px solid; }\n\
 table.data th { border-bottom: 1px solid; }\ntable.data th, table.data td { padding: 0.2rem 0.8rem; text-align: center; }\n\
-div.display { overflow-x: auto; margin: 1rem 0; }\n\
-figure { margin: 1.5rem 0; text-align: center; }\nfigure svg { max-width: 100%; height: auto; }\nfigcaption { font-size: 0.9em; }\n\
-mtd.left { text-align: right; }\nmtd.right { text-align: left; }\n\
-mtd.left, mtd.right { padding-inline: 0.12em; }\nmtd.number { padding-inline-start: 3em; }\n";
+div.display { margin: 1rem 0; }\n\
+figure { margin: 1.5rem 0; text-align: center; }\nfigure svg { max-width: 100%; height: auto; }\nfigcaption { font-size: 0.9em; }\n";
+
+/// Styles of the columns left of the relation, right of it, and of numbers. They stand at each cell: a book brings its own style
+/// sheet, which knows nothing of ours and may use the same names for something else (mdBook floats what is called `left`).
+const LEFT: &str = "text-align: right; padding-inline: 0.12em";
+const RIGHT: &str = "text-align: left; padding-inline: 0.12em";
+const NUMBER: &str = "padding-inline-start: 3em";
 
 /// A block as HTML.
 pub(super) fn block(b: &Block) -> String {
@@ -67,13 +71,13 @@ fn equations(list: &[Equation]) -> String {
                 _ => String::new(),
             };
             rows.push_str(&format!(
-                "<mtr><mtd class=\"left\">{left}</mtd><mtd class=\"right\">{sign}{}</mtd><mtd class=\"number\">{number}</mtd></mtr>\n",
+                "<mtr><mtd style=\"{LEFT}\">{left}</mtd><mtd style=\"{RIGHT}\">{sign}{}</mtd><mtd style=\"{NUMBER}\">{number}</mtd></mtr>\n",
                 math(line)
             ));
         }
     }
     format!(
-        "<div class=\"display\"><math display=\"block\"><mtable displaystyle=\"true\">\n{rows}</mtable></math></div>\n"
+        "<div class=\"display\" style=\"overflow-x: auto\"><math display=\"block\"><mtable displaystyle=\"true\">\n{rows}</mtable></math></div>\n"
     )
 }
 

@@ -140,6 +140,12 @@ pub(super) fn between(from: &str, to: &str, names: &Names<'_>) -> Result<String,
     let read = |label: &str| frame(label, names).ok_or_else(|| unknown(format!("there is no frame `{label}`")));
     let (i, j) = (read(from)?, read(to)?);
     let n = names.chain.links.len();
+    // frames of the inverse are seen from 0'; what is seen from 0 are those of the table
+    if let (true, Frame::Number(0, false), Frame::Number(k @ 1.., false)) = (names.from_start, &i, &j)
+        && *k <= n
+    {
+        return Ok(format!("T ( 0 , {k} )"));
+    }
     if names.on_axes
         && let (Frame::Number(i, p), Frame::Number(j, q)) = (&i, &j)
     {
@@ -150,7 +156,13 @@ pub(super) fn between(from: &str, to: &str, names: &Names<'_>) -> Result<String,
         (Frame::Start, Frame::Number(k, false)) if names.given_pose(*k).is_some() => {
             names.given_pose(*k).unwrap_or_default().to_string()
         }
-        (Frame::Start, _) => format!("( inv ( {} ) * {} )", names.start().unwrap_or_default(), between("0", to, names)?),
+        (Frame::Start, Frame::Number(k, p)) if names.on_axes => {
+            let to = between_axes((0, false), (*k, *p), names);
+            format!("( inv ( {} ) * {to} )", names.start().unwrap_or_default())
+        }
+        (Frame::Start, _) => {
+            format!("( inv ( {} ) * {} )", names.start().unwrap_or_default(), between("0", to, names)?)
+        }
         (_, Frame::Start) => format!("inv ( {} )", between(to, from, names)?),
         (Frame::Any(i), Frame::Any(j)) if (i == "i-1" && j == "i") || (i == "j-1" && j == "j") => any_link(names, j),
         (Frame::Any(_), _) | (_, Frame::Any(_)) => {
