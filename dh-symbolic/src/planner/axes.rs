@@ -4,6 +4,8 @@
 //! one of the two. A task that leaves something open becomes virtual joints: the turn about the tool's axis for `axis`, three turns
 //! about the tool's point for `position`, a slide along z for `planar` where joints change the height.
 
+use std::sync::OnceLock;
+
 use super::kernels::pose::{self, Pose};
 use super::plane;
 use crate::algebra::{Angle, AngleVar, LinearAngle, Poly, Rational, Ring, Transform};
@@ -37,6 +39,8 @@ pub struct Axes {
     pub ring: Ring,
     /// Sum of the lengths of all constant shifts (table units), 1 if there are none.
     pub reach: f64,
+    /// Products of hops: see [`Axes::between`].
+    products: Vec<OnceLock<Transform>>,
 }
 
 /// Numeric value of a parameter; fields get their nominal value, slightly detuned so that no structure is read off a value that the
@@ -152,11 +156,12 @@ impl Axes {
             .map(|t| (0..3).map(|i| generic_value(chain, &t.p[i]).powi(2)).sum::<f64>().sqrt())
             .sum();
         let reach = if reach > 0.0 { reach } else { 1.0 };
-        let hops = hops
+        let hops: Vec<Hop> = hops
             .into_iter()
             .map(|(before, joint)| Hop { number: numeric(chain, &before, reach), before, joint })
             .collect();
-        Axes { hops, coordinates, real, start, end: pending, ring, reach }
+        let products = vec![OnceLock::new(); (hops.len() + 1).pow(2)];
+        Axes { hops, coordinates, real, start, end: pending, ring, reach, products }
     }
 
     /// Does coordinate `k` turn?
@@ -174,10 +179,17 @@ impl Axes {
         self.coordinates.len()
     }
 
-    /// Frame `b` seen from frame `a`, exact.
-    pub fn between(&self, a: usize, b: usize) -> Transform {
-        self.hops[a..b].iter().fold(Transform::identity(), |t, hop| {
-            let t = if hop.before == Transform::identity() { t } else { t.times(&hop.before) };
+    /// Frame `b` seen from frame `a`, exact. Made once: equations ask for the same products again and again.
+    ///
+    /// # Panics
+    /// Where there is no frame `b`, or `a` stands behind it.
+    pub fn between(&self, a: usize, b: usize) -> &Transform {
+        self.products[a * (self.hops.len() + 1) + b].get_or_init(|| {
+            if a == b {
+                return Transform::identity();
+            }
+            let (t, hop) = (self.between(a, b - 1), &self.hops[b - 1]);
+            let t = if hop.before == Transform::identity() { t.clone() } else { t.times(&hop.before) };
             match hop.joint.map(|j| self.motion(j)) {
                 Some(m) => t.times(&m),
                 None => t,

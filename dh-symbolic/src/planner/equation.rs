@@ -15,12 +15,12 @@ pub(super) fn weight(axes: &Axes, knowledge: &Knowledge, e: &Equation) -> usize 
     let (left, right) = fold(axes, knowledge, e);
     let size =
         |t: &Transform| -> usize { t.r.iter().flatten().chain(&t.p).map(|p| p.terms().len()).max().unwrap_or(0) };
-    let before = size(&axes.between(left, e.a));
+    let before = size(axes.between(left, e.a));
     let after = axes.between(e.b, right);
     let direct = axes.between(e.a, e.b);
     match e.scalar {
-        Scalar::Distance => (before * size(&after)).max(size(&after).pow(2)).max(size(&direct).pow(2)),
-        _ => before * size(&after),
+        Scalar::Distance => (before * size(after)).max(size(after).pow(2)).max(size(direct).pow(2)),
+        _ => before * size(after),
     }
 }
 

@@ -259,12 +259,15 @@ impl Search<'_> {
             let total = chosen.iter().map(|r| size(&r.1)).sum();
             options.push(Option1 { rank: (1, total, first_joint), step: step(StepKind::AtanPair, 1, chosen) });
         }
+        let has_constant = |r: &&(Equation, Collected)| r.1.contains_key(&vec![Part::One]);
+        let ratios: Vec<&(Equation, Collected)> = first.iter().copied().filter(|r| !has_constant(r)).collect();
+        let special = if ratios.len() > 1 { self.samples(0, 32) } else { Vec::new() };
         for row in &first {
-            if row.1.contains_key(&vec![Part::One]) {
+            if has_constant(row) {
                 options
                     .push(Option1 { rank: (4, size(&row.1), first_joint), step: step(StepKind::SinCos, 2, vec![row]) });
             } else {
-                let second = self.second_half_turn(row, &first);
+                let second = self.second_half_turn(row, &ratios, &special);
                 options.push(Option1 {
                     rank: (2, size(&row.1), first_joint),
                     step: step(StepKind::HalfTurn, 2, std::iter::once(*row).chain(second).collect()),
@@ -285,15 +288,14 @@ impl Search<'_> {
         &self,
         row: &(Equation, Collected),
         rows: &[&'r (Equation, Collected)],
+        special: &[Sample<'_>],
     ) -> Option<&'r (Equation, Collected)> {
         let value = |row: &Collected, part, s: &Sample<'_>| row.get(&vec![part]).map_or(0.0, |p| s.evaluate(p));
         let slope = |row: &Collected, s: &Sample<'_>| value(row, Part::Cos(1), s).hypot(value(row, Part::Sin(1), s));
-        let mut empty = self.samples(0, 32);
-        empty.retain(|s| slope(&row.1, s) < 1e-9);
-        rows.iter()
-            .filter(|r| !r.1.contains_key(&vec![Part::One]) && empty.iter().any(|s| slope(&r.1, s) > 1e-3))
-            .min_by_key(|r| self.size(&r.1))
-            .copied()
+        let empty: Vec<&Sample<'_>> = special.iter().filter(|s| slope(&row.1, s) < 1e-9).collect();
+        let mut others = rows.to_vec();
+        others.retain(|r| r.1 != row.1 && empty.iter().any(|s| slope(&r.1, s) > 1e-3));
+        others.into_iter().min_by_key(|r| self.size(&r.1))
     }
 
     /// Numbers at joint vectors: generic ones, then special ones.
