@@ -139,7 +139,7 @@ impl World<'_> {
 
     /// M(a, b) in numbers.
     fn between(&self, a: usize, b: usize) -> Transform {
-        self.plan.axes.between(a, b)
+        self.plan.axes.between(a, b).clone()
     }
 
     fn values(&self, story: &Story<'_>) -> Values {
