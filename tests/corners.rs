@@ -275,3 +275,26 @@ fn single_precision_finds_as_many_solutions() {
         assert!(found.iter().any(|s| there(&s.q)), "{q:?} is not among {found} ({})", found.why());
     }
 }
+
+dh_robot! {
+    /// Five axes, three of them parallel.
+    struct FiveAxes;
+
+    convention = standard;
+
+    | theta      | d     | a     | alpha  |
+    | q1         | 0.349 | 0.016 | -90deg |
+    | q2         | 0     | 0.221 |   0    |
+    | q3         | 0     | 0.221 |   0    |
+    | q4 + 90deg | 0     | 0     |  90deg |
+    | q5         | 0.145 | 0     |   0    |
+}
+
+#[test]
+fn a_tool_that_points_straight_down_does_not_leave_the_first_axis_open() {
+    // The direction of the tool says nothing about the first joint then: its position does. Stretched one way, regular the other.
+    let target = FiveAxes.forward(&[0.0, PI, 0.0, 0.5 * PI, 0.5 * PI]);
+    let solutions = FiveAxes.inverse(&target);
+    let turned = solutions.iter().filter(|s| s.q[0].abs() > 3.0).count();
+    assert_eq!((solutions.len(), turned), (3, 2), "{solutions}");
+}

@@ -624,4 +624,18 @@ mod tests {
         .join("\n\n");
         insta::assert_snapshot!(text);
     }
+
+    #[test]
+    fn a_second_ratio_stands_by_where_the_first_one_vanishes() {
+        // A tool that points straight down: its direction does not say how the first joint stands, its position does.
+        let five_axes = [
+            (-90, "0.016", "0.349", 0),
+            (0, "0.221", "0", 0),
+            (0, "0.221", "0", 0),
+            (90, "0", "0", 90),
+            (0, "0", "0.145", 0),
+        ];
+        let plan = search(&revolute_chain(Convention::Standard, &five_axes)).unwrap();
+        assert_eq!((plan.steps[0].kind, plan.steps[0].equations.len()), (StepKind::HalfTurn, 2));
+    }
 }
