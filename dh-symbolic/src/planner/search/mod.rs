@@ -1,0 +1,221 @@
+//! The search for a plan: which equations next.
+//!
+//! Rule, in order: a combination that two or more equations fix (one solution); one equation without a constant term (two solutions,
+//! never out of reach); a linear slide; one equation in sine and cosine; a quadratic; a second harmonic; then two equations in two
+//! unknowns; at last the general elimination. Ties go to the shorter formula. One unknown: `one`; two: `two`; the rest: `last`.
+
+mod last;
+mod one;
+mod two;
+
+use super::axes::Axes;
+use super::bound::bound;
+use super::equation::weight;
+use super::known::{Collected, Knowledge};
+use super::mobility::Mobility;
+use super::pool::{Equation, Family, Scalar, families};
+use super::sample::{Sample, joint_vectors};
+use super::span::{Form, Span, numbers};
+use super::step::{Plan, Refusal, Step};
+use crate::algebra::Poly;
+use crate::chain::{Chain, Handle, Role};
+
+/// Most equations of one unknown that are looked at.
+const LOOK: usize = 14;
+/// Equations with more terms than this, before any are put together, are left out: written out they take seconds, and nobody could read
+/// them. (Joints that a task leaves open, behind twists of no simple angle; those of usual arms stay below 1500.)
+const HEAVY: usize = 4000;
+
+/// Finds a plan.
+///
+/// # Errors
+/// Where the arm's equations never come down to one or two unknowns, and it is no six-axis arm with turning joints only.
+pub fn search(chain: &Chain) -> Result<Plan, Refusal> {
+    let axes = Axes::new(chain);
+    let families = families(&axes);
+    let mut s = Search { chain, knowledge: Knowledge::new(&axes), axes, families, steps: Vec::new() };
+    if let Some(r) = chain.redundant {
+        let form = s.unit(r);
+        s.knowledge.learn(&s.axes, &form);
+    }
+    let given = s.knowledge.known.len();
+    while !s.done() {
+        // What a task leaves open is only solved for where nothing else helps.
+        if s.one_unknown(false)
+            || s.two_unknowns(false)
+            || s.one_unknown(true)
+            || s.two_unknowns(true)
+            || s.general()
+            || s.choose()
+        {
+            continue;
+        }
+        return Err(s.refusal());
+    }
+    let mobility = Mobility::new(chain, &s.axes);
+    let max_solutions = bound(chain, &mobility, &s.knowledge, &s.steps, &s.samples(4, 0));
+    let few = mobility.misses_its_task();
+    Ok(Plan { axes: s.axes, knowledge: s.knowledge, given, steps: s.steps, max_solutions, few })
+}
+
+struct Search<'a> {
+    chain: &'a Chain,
+    axes: Axes,
+    families: Vec<Family>,
+    knowledge: Knowledge,
+    steps: Vec<Step>,
+}
+
+/// A way to take the next step, with its rank (lower is better).
+struct Ranked {
+    rank: (usize, usize, usize),
+    step: Step,
+}
+
+impl Search<'_> {
+    fn unit(&self, k: usize) -> Form {
+        let mut form = vec![0; self.axes.count()];
+        form[k] = 1;
+        form
+    }
+
+    fn done(&self) -> bool {
+        (0..self.axes.real).all(|k| self.knowledge.has(&self.axes, k))
+    }
+
+    fn refusal(&self) -> Refusal {
+        Refusal {
+            solved: self.knowledge.known.iter().map(|k| k.name.clone()).collect(),
+            open: (0..self.axes.real).filter(|k| !self.knowledge.has(&self.axes, *k)).collect(),
+        }
+    }
+
+    /// Families grouped by what they still depend on, with `dimension` unknown combinations.
+    fn open_groups(&self, dimension: usize) -> Vec<(Span, Vec<usize>)> {
+        let mut groups: Vec<(Vec<i32>, Span, Vec<usize>)> = Vec::new();
+        for (i, family) in self.families.iter().enumerate() {
+            let rest = family.span.modulo(&self.knowledge.span);
+            if rest.dimension() != dimension {
+                continue;
+            }
+            let key = rest.key();
+            match groups.iter_mut().find(|g| g.0 == key) {
+                Some(g) => g.2.push(i),
+                None => groups.push((key, rest, vec![i])),
+            }
+        }
+        groups.into_iter().map(|g| (g.1, g.2)).collect()
+    }
+
+    /// The equations of some families that are not known identities, short ones first.
+    fn equations(&self, families: &[usize]) -> Vec<Equation> {
+        let mut list: Vec<(usize, Equation)> = Vec::new();
+        let (prefix, suffix) = (self.knowledge.prefix(&self.axes), self.knowledge.suffix(&self.axes));
+        for f in families {
+            for e in &self.families[*f].equations {
+                let joints = |a: usize, b: usize| {
+                    self.axes.hops.get(a..b).unwrap_or(&[]).iter().filter(|h| h.joint.is_some()).count()
+                };
+                // Joints written out: those between a and b, and those outside that are not folded into the known pose.
+                let outside = joints(prefix.min(e.a), e.a) + joints(e.b, suffix.max(e.b));
+                let unfolded = joints(e.a, prefix) + joints(suffix, e.b);
+                let size = match e.scalar {
+                    Scalar::Rotation(..) => 0,
+                    Scalar::Position(_) => 1,
+                    Scalar::Back(_) => 2,
+                    Scalar::Distance => 2,
+                };
+                list.push((4 * (joints(e.a, e.b) + 2 * outside) + 6 * unfolded + size, *e));
+            }
+        }
+        list.sort_unstable();
+        let light = |e: &Equation| weight(&self.axes, &self.knowledge, e) <= HEAVY;
+        list.into_iter().map(|x| x.1).filter(light).take(LOOK).collect()
+    }
+
+    /// The candidates for an unknown: plain joint coordinates and the sums that the equations name.
+    fn unknowns(&self, rest: &Span, families: &[usize]) -> Vec<Form> {
+        let mut forms: Vec<Form> = Vec::new();
+        let mut reach = self.knowledge.span.clone();
+        for row in rest.rows() {
+            reach.add(row);
+        }
+        for f in families {
+            for row in self.families[*f].span.integer_basis().unwrap_or_default() {
+                if !self.knowledge.span.contains(&numbers(&row))
+                    && reach.contains(&numbers(&row))
+                    && !forms.contains(&row)
+                {
+                    forms.push(row);
+                }
+            }
+        }
+        for k in 0..self.axes.count() {
+            let unit = self.unit(k);
+            if !self.knowledge.has(&self.axes, k) && reach.contains(&numbers(&unit)) && !forms.contains(&unit) {
+                forms.push(unit);
+            }
+        }
+        let pure = |f: &Form| {
+            let kinds: Vec<bool> =
+                f.iter().enumerate().filter(|(_, k)| **k != 0).map(|(i, _)| self.axes.turns(i)).collect();
+            kinds.iter().all(|t| *t) || kinds.len() == 1
+        };
+        let small = |f: &Form| f.iter().all(|k| k.abs() <= 1);
+        forms.retain(|f| pure(f) && small(f));
+        forms
+    }
+
+    fn constants(&self, p: &Poly) -> bool {
+        p.symbols().iter().all(|s| {
+            self.chain.parameters.iter().any(|x| x.handle == Handle::Length(*s) && matches!(x.role, Role::Constant(_)))
+        })
+    }
+
+    /// Does a combination hold a virtual coordinate?
+    fn is_virtual(&self, form: &Form) -> bool {
+        form[self.axes.real.min(form.len())..].iter().any(|k| *k != 0)
+    }
+
+    fn take(&mut self, best: Option<Ranked>) -> bool {
+        let Some(option) = best else { return false };
+        for form in &option.step.unknown {
+            self.knowledge.learn(&self.axes, form);
+        }
+        self.steps.push(option.step);
+        true
+    }
+
+    /// Numbers at joint vectors: generic ones, then special ones.
+    fn samples(&self, generic: usize, special: usize) -> Vec<Sample<'_>> {
+        joint_vectors(&self.axes, generic, special)
+            .into_iter()
+            .map(|x| Sample::new(self.chain, &self.axes, &self.knowledge, x))
+            .collect()
+    }
+
+    /// How long an equation is: its terms, and what was found before and is needed here (so that steps which depend on the target
+    /// alone come first, and errors do not pile up).
+    fn size(&self, c: &Collected) -> usize {
+        let terms: usize = c.values().map(|p| p.terms().len()).sum();
+        let mut symbols: Vec<_> = c.values().flat_map(Poly::symbols).collect();
+        symbols.sort_unstable();
+        symbols.dedup();
+        let known =
+            self.knowledge.known.iter().filter(|k| k.symbols.iter().any(|s| symbols.binary_search(s).is_ok())).count();
+        let joints =
+            |a: usize, b: usize| self.axes.hops.get(a..b).unwrap_or(&[]).iter().filter(|h| h.joint.is_some()).count();
+        let folded = self
+            .knowledge
+            .poses
+            .iter()
+            .filter(|k| k.symbols().any(|s| symbols.binary_search(&s).is_ok()))
+            .map(|k| joints(0, k.left) + joints(k.right, self.axes.hops.len()))
+            .max()
+            .unwrap_or(0);
+        terms + 4 * (known + folded)
+    }
+}
+
+#[cfg(test)]
+mod tests;
