@@ -14,6 +14,7 @@
 
 pub mod angle;
 mod derivative;
+mod determinant;
 mod evaluate;
 mod factor;
 mod field;
@@ -28,6 +29,7 @@ mod tests;
 mod text;
 
 pub use angle::Angle;
+pub(crate) use determinant::determinant;
 pub use evaluate::Point;
 pub use field::{Element, FieldPoint};
 pub(crate) use matrix::cross;

@@ -57,7 +57,7 @@ impl Structure {
             } else {
                 Pair::Skew
             };
-            neighbours.push(Neighbours { first, pair, cells: cells(chain, axes, first, pair) });
+            neighbours.push(Neighbours { first, pair, cells: cells(chain, first, pair) });
             meeting.push((pair == Pair::Meeting).then(|| {
                 // z_i s = p + d u: solve in the plane of both.
                 let n = numeric(chain, &t, axes.reach);
@@ -81,8 +81,7 @@ fn hop_of(axes: &Axes, joint: usize) -> Option<usize> {
 }
 
 /// The cells between two joints that a relation rests on.
-fn cells(chain: &Chain, axes: &Axes, first: usize, pair: Pair) -> Vec<String> {
-    let _ = axes;
+fn cells(chain: &Chain, first: usize, pair: Pair) -> Vec<String> {
     let (Some(a), Some(b)) = (chain.joints.get(first), chain.joints.get(first + 1)) else { return Vec::new() };
     let rows = match chain.convention {
         Convention::Modified => a.row + 1..b.row + 1,

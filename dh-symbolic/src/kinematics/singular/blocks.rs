@@ -1,6 +1,4 @@
-//! Square matrices with zeros: blocks on the diagonal, determinants by expansion.
-
-use crate::algebra::Poly;
+//! Square matrices with zeros: blocks on the diagonal.
 
 /// Side of the matrices here: three linear and three angular rows.
 pub(super) const SIDE: usize = 6;
@@ -76,34 +74,6 @@ fn augment(p: &Pattern, row: usize, seen: &mut u8, row_of: &mut [Option<usize>; 
     false
 }
 
-/// Determinant of a small matrix, by the minors of its first rows; `None` where more than `budget` products of terms are needed.
-pub(super) fn determinant(m: &[Vec<Poly>], budget: usize) -> Option<Poly> {
-    let n = m.len();
-    let mut spent = 0usize;
-    let mut minors: Vec<Option<Poly>> = vec![None; 1 << n];
-    minors[0] = Some(Poly::one());
-    for set in 1usize..1 << n {
-        let row = set.count_ones() as usize - 1;
-        let mut sum = Vec::new();
-        for c in (0..n).filter(|c| set >> c & 1 == 1) {
-            let (entry, rest) = (&m[row][c], minors[set & !(1 << c)].as_ref()?);
-            if entry.is_zero() || rest.is_zero() {
-                continue;
-            }
-            spent += entry.terms().len() * rest.terms().len();
-            if spent > budget {
-                return None;
-            }
-            let product = entry * rest;
-            // Columns of the set after this one.
-            let after = (set >> (c + 1)).count_ones();
-            sum.push(if after % 2 == 1 { -&product } else { product });
-        }
-        minors[set] = Some(sum.into_iter().sum());
-    }
-    minors.pop()?
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -123,15 +93,5 @@ mod tests {
         assert_eq!(sizes, [2, 4]);
         p[3] = 0;
         assert_eq!(blocks(&p), None);
-    }
-
-    #[test]
-    fn determinants_of_numbers() {
-        let m = |rows: &[[i64; 3]; 3]| -> Vec<Vec<Poly>> {
-            rows.iter().map(|r| r.iter().map(|x| Poly::int(*x)).collect()).collect()
-        };
-        assert_eq!(determinant(&m(&[[2, -1, 0], [3, 5, 7], [-4, 1, 6]]), 99), Some(Poly::int(92)));
-        assert_eq!(determinant(&m(&[[0, 0, 1], [0, 1, 0], [1, 0, 0]]), 99), Some(Poly::int(-1)));
-        assert_eq!(determinant(&m(&[[2, -1, 3], [3, 5, 7], [-4, 1, 6]]), 5), None);
     }
 }

@@ -17,7 +17,7 @@ pub use meaning::{Kind, Meaning, Place};
 pub use stand::Stand;
 
 use super::{Kinematics, jacobian};
-use crate::algebra::{Element, FieldPoint, Poly, Rational, Vector};
+use crate::algebra::{Element, FieldPoint, Poly, Rational, Vector, determinant};
 use crate::chain::{Chain, Coordinate, Task};
 use blocks::{Pattern, SIDE};
 pub(in crate::kinematics) use stand::seen;
@@ -137,7 +137,7 @@ fn gram(chain: &Chain, k: &Kinematics) -> Option<Singular> {
         &crate::algebra::dot(&a.0, &b.0) + &crate::algebra::dot(&a.1, &b.1)
     };
     let m: Vec<Vec<Poly>> = columns.iter().map(|a| columns.iter().map(|b| product(a, b)).collect()).collect();
-    let value = blocks::determinant(&m, BUDGET)?;
+    let value = determinant(&m, BUDGET)?;
     let positive = value.is_sum_of_squares() && value.terms().iter().any(|(m, _)| m.is_one());
     (value.terms().len() <= SHORT).then_some(Singular::Gram(value, positive))
 }
@@ -145,7 +145,7 @@ fn gram(chain: &Chain, k: &Kinematics) -> Option<Singular> {
 /// Determinant of the coupling: the factor between the motors' and the joints' Jacobian.
 pub fn coupling(chain: &Chain) -> Option<Poly> {
     let whole = chain.dof() <= SIDE && chain.redundant.is_none() && !chain.is_direct();
-    whole.then(|| blocks::determinant(&chain.drive, BUDGET)).flatten()
+    whole.then(|| determinant(&chain.drive, BUDGET)).flatten()
 }
 
 /// Which motions may be left out of account so that six columns remain; in order of preference.
@@ -362,7 +362,7 @@ fn derive(
     for b in &blocks {
         let row = |r: &usize| b.columns.iter().map(|c| entry(&columns, *r, *c)).collect();
         let m: Vec<Vec<Poly>> = b.rows.iter().map(row).collect();
-        let value = blocks::determinant(&m, BUDGET).ok_or(m.len())?;
+        let value = determinant(&m, BUDGET).ok_or(m.len())?;
         let (x, list) = value.factors();
         number = &number * &x;
         for (p, n) in list {
@@ -387,7 +387,7 @@ fn derive(
 pub fn minor(d: &Determinant, b: &Block) -> Poly {
     let entry = |r: &usize, c: &usize| d.columns.get(*c).map_or_else(Poly::zero, |x| x[*r].clone());
     let m: Vec<Vec<Poly>> = b.rows.iter().map(|r| b.columns.iter().map(|c| entry(r, c)).collect()).collect();
-    blocks::determinant(&m, BUDGET).unwrap_or_default()
+    determinant(&m, BUDGET).unwrap_or_default()
 }
 
 impl Determinant {

@@ -6,7 +6,8 @@ use crate::algebra::{Poly, Transform};
 use crate::chain::{Chain, Convention, Coordinate, Handle, Joint, Role, Scalar, Task};
 use crate::program::{Forward, Graph, Program};
 use crate::render::rust::body::{Body, Dialect};
-use crate::render::rust::{bound, inverse as rust_inverse, literal};
+use crate::render::rust::target::plane;
+use crate::render::rust::{bound, literal};
 
 /// The class `Arm`.
 pub fn class(chain: &Chain, forward: &Forward, solver: &Solver) -> String {
@@ -78,7 +79,7 @@ fn data(chain: &Chain, solver: &Solver) -> String {
     out.push_str(&format!("this.redundant = {};\n", chain.redundant.map_or("null".into(), |k| k.to_string())));
     out.push_str(&format!("this.reach = {};\n", number(reach)));
     if chain.task == Task::Planar {
-        out.push_str(&format!("this.plane = {};\n", rust_inverse::plane(chain)));
+        out.push_str(&format!("this.plane = {};\n", plane(chain)));
     }
     out
 }

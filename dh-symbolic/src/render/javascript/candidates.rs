@@ -5,7 +5,8 @@ use crate::chain::{Chain, Scalar};
 use crate::planner::StepKind;
 use crate::program::{Inverse, Solver, Value};
 use crate::render::rust::body::{Body, Dialect};
-use crate::render::rust::inverse::{combination, identifier, inputs, joints_of, motors, part_of, reported};
+use crate::render::rust::drive::motors;
+use crate::render::rust::steps::{combination, identifier, inputs, joints_of, part_of, reported};
 use crate::render::rust::{literal, shift_expression};
 
 /// The method that runs the plan: it calls `take` with every candidate.

@@ -6,11 +6,12 @@
 use std::collections::BTreeSet;
 
 use super::body::Body;
-use super::inverse::{branch, combination, identifier, inputs, motors};
+use super::drive::motors;
 use super::literal;
 use super::loops::{KINDS, Layout, Loops, joined};
 use super::ranges::into_range;
 use super::segments::{Item, What, needs, segments};
+use super::steps::{branch, combination, identifier, inputs};
 use super::twin::Twin;
 use crate::algebra::Poly;
 use crate::chain::{Chain, Scalar, Task};

@@ -5,9 +5,11 @@
 //! their spans.
 
 pub(in crate::render) mod body;
+mod candidates;
 mod docs;
+pub(in crate::render) mod drive;
 mod forward;
-pub(in crate::render) mod inverse;
+mod inverse;
 mod lanes;
 mod loops;
 mod names;
@@ -15,9 +17,12 @@ mod names;
 mod pretty;
 mod ranges;
 mod segments;
+pub(in crate::render) mod steps;
 mod structure;
 mod stub;
+pub(in crate::render) mod target;
 mod twin;
+mod verify;
 
 pub use inverse::inverse;
 #[cfg(feature = "cli")]

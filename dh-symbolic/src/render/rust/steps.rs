@@ -1,0 +1,120 @@
+//! What both backends say of a plan's steps: names, sums of angles, branches, and what is reported where a step has no root.
+
+use super::body::Body;
+use super::literal;
+use crate::algebra::Symbol;
+use crate::chain::{Chain, Scalar};
+use crate::planner::{Form, StepKind};
+use crate::program::Inverse;
+
+/// Names of the target's entries and of known combinations.
+pub(in crate::render) fn inputs(inverse: &Inverse) -> Vec<(Symbol, String)> {
+    let mut inputs: Vec<(Symbol, String)> = Vec::new();
+    for (i, s) in inverse.target.iter().enumerate() {
+        let (row, column) = if i < 9 { (i / 3, i % 3) } else { (i - 9, 3) };
+        inputs.push((*s, format!("t[{row}][{column}]")));
+    }
+    for k in &inverse.plan.knowledge.known {
+        for s in k.symbols {
+            inputs.push((s, identifier(inverse.plan.knowledge.ring.symbol_name(s))));
+        }
+    }
+    inputs
+}
+
+/// How a step without roots is reported.
+pub(in crate::render) struct Reported {
+    /// What it decides, and the unknowns.
+    pub(in crate::render) name: String,
+    /// Expression of what turns the numbers of the equation into the unit.
+    pub(in crate::render) scale: String,
+    /// The unit; empty for pure numbers.
+    pub(in crate::render) unit: &'static str,
+    /// For a law of cosines: the squared distance, and the side of the equation without the unknown.
+    pub(in crate::render) square: Option<(String, String)>,
+}
+
+/// What is said of a step without roots.
+pub(in crate::render) fn reported(chain: &Chain, inverse: &Inverse, i: usize, body: &Body<'_>) -> Reported {
+    let (plan, solver) = (&inverse.plan, &inverse.solvers[i]);
+    let step = &plan.steps[i];
+    let names: Vec<String> = step.unknown.iter().map(|f| plan.knowledge.form_name(&plan.axes, f)).collect();
+    let reach = literal(plan.axes.reach, Scalar::F64);
+    let part = part_of(inverse, i).map_or("", |p| ["shoulder ", "elbow ", "wrist "][p]);
+    let name = format!("{part}{}", names.join(", "));
+    if let (StepKind::SinCos, [crate::planner::Equation { scalar: crate::planner::Scalar::Distance, .. }]) =
+        (step.kind, step.equations.as_slice())
+    {
+        let one = step.collected[0].get(&vec![crate::planner::Part::One]);
+        let squared = plan.knowledge.poses.iter().find(|k| one.is_some_and(|p| p.has_symbol(k.square)));
+        if let Some(square) = squared.and_then(|k| inverse.graph.bound_to(k.square)) {
+            let square = Some((body.value(square), body.negative(solver.rows[0][2])));
+            return Reported { name, scale: reach, unit: chain.unit.name, square };
+        }
+    }
+    let length = step.equations.iter().any(|e| !matches!(e.scalar, crate::planner::Scalar::Rotation(..)));
+    let (scale, unit) = if length { (reach, chain.unit.name) } else { ("1.0".into(), "") };
+    Reported { name, scale, unit, square: None }
+}
+
+/// Which part of an arm with six joints a step with two roots decides: 0 shoulder, 1 elbow, 2 wrist; each part once.
+pub(in crate::render) fn part_of(inverse: &Inverse, i: usize) -> Option<usize> {
+    let part = |i: usize| {
+        let step = &inverse.plan.steps[i];
+        let joint = joints_of(step.unknown.first()?, inverse.plan.axes.real).first().copied()?;
+        (step.roots == 2).then_some(match joint {
+            0 => 0,
+            1 | 2 => 1,
+            _ => 2,
+        })
+    };
+    let own = part(i)?;
+    (!(0..i).any(|k| part(k) == Some(own))).then_some(own)
+}
+
+/// Which root each step took, with the names that robot controllers use.
+pub(super) fn branch(inverse: &Inverse) -> String {
+    let mut out = String::from("::dh_robot::Branch::ANY");
+    for (place, (i, _)) in inverse.plan.steps.iter().enumerate().filter(|(_, s)| s.roots > 1).enumerate() {
+        if place < 8 {
+            out.push_str(&format!(".with_step({place}, i{i})"));
+        }
+        let (setter, first, second) = match part_of(inverse, i) {
+            Some(0) => ("shoulder", "Shoulder::Left", "Shoulder::Right"),
+            Some(1) => ("elbow", "Elbow::Up", "Elbow::Down"),
+            Some(_) => ("wrist", "Wrist::NoFlip", "Wrist::Flip"),
+            None => continue,
+        };
+        out.push_str(&format!(
+            ".with_{setter}(if i{i} == 0 {{ ::dh_robot::{first} }} else {{ ::dh_robot::{second} }})"
+        ));
+    }
+    out
+}
+
+pub(in crate::render) fn joints_of(form: &Form, real: usize) -> Vec<usize> {
+    (0..real).filter(|k| form[*k] != 0).collect()
+}
+
+pub(in crate::render) fn combination(form: &[i8], angles: &[String]) -> String {
+    let mut out = String::new();
+    for (k, a) in form.iter().zip(angles).filter(|(k, _)| **k != 0) {
+        let sign = match (out.is_empty(), *k < 0) {
+            (true, false) => "",
+            (true, true) => "-",
+            (false, false) => " + ",
+            (false, true) => " - ",
+        };
+        out.push_str(sign);
+        if k.unsigned_abs() > 1 {
+            out.push_str(&format!("{:?} * ", f64::from(k.unsigned_abs())));
+        }
+        out.push_str(a);
+    }
+    if out.is_empty() { "0.0".into() } else { out }
+}
+
+/// A symbol's name as an identifier of generated code.
+pub(in crate::render) fn identifier(name: &str) -> String {
+    name.replace(|c: char| !c.is_ascii_alphanumeric() && c != '_', "_")
+}

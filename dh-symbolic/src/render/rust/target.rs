@@ -1,0 +1,104 @@
+//! The target of `inverse`: its type, and the statements that make a frame and a task of it.
+
+use super::{literal, scalar_name};
+use crate::algebra::Poly;
+use crate::chain::{Chain, Coordinate, Scalar, Task};
+
+/// What `inverse` takes, and what it makes of that.
+pub(super) struct Target {
+    /// The parameter, with its type.
+    pub(super) parameter: String,
+    /// The statements that make `frame`, or return with the reason why there is none.
+    pub(super) frame: String,
+    /// Expression of the task that solutions are measured by.
+    pub(super) task: String,
+    /// The target's type in the trait.
+    pub(super) kind: String,
+}
+
+impl Target {
+    /// The target of a chain's task; `reach` is its reach as a literal.
+    pub(super) fn of(chain: &Chain, reach: &str) -> Target {
+        let f = scalar_name(chain.scalar);
+        let refuse = "return ::dh_robot::Solutions::none(&Self::JOINTS, why)";
+        let finite = |list: &str| {
+            format!(
+                "if !{list}.iter().all(|x: &f64| x.is_finite()) {{ return ::dh_robot::Solutions::none(&Self::JOINTS, ::dh_robot::Why::NotFinite); }}"
+            )
+        };
+        match chain.task {
+            Task::Pose => Target {
+                parameter: format!("target: &::dh_robot::nalgebra::IsometryMatrix3<{f}>"),
+                frame: format!(
+                    "let frame = match ::dh_robot::inverse::frame_of(target, {reach}) {{ Ok(frame) => frame, Err(why) => {refuse} }};"
+                ),
+                task: format!("::dh_robot::ik::Task::Pose(::dh_robot::inverse::in_units(&frame, {reach}))"),
+                kind: format!("::dh_robot::nalgebra::IsometryMatrix3<{f}>"),
+            },
+            Task::Position => Target {
+                parameter: format!("target: &::dh_robot::nalgebra::Point3<{f}>"),
+                frame: format!(
+                    "let p: [f64; 3] = [target.x.into(), target.y.into(), target.z.into()];\n{}\n\
+                     let frame = ::dh_robot::inverse::frame_of_axis(p.map(|x| x / {reach}), [0.0, 0.0, 1.0]);",
+                    finite("p")
+                ),
+                task: "::dh_robot::ik::Task::Position(p)".into(),
+                kind: format!("::dh_robot::nalgebra::Point3<{f}>"),
+            },
+            Task::Planar => Target {
+                parameter: format!("target: ({f}, {f}, {f})"),
+                frame: format!(
+                    "let (x, y, phi): (f64, f64, f64) = (target.0.into(), target.1.into(), target.2.into());\n{}\n\
+                     let frame = ::dh_robot::inverse::frame_of_plane([x / {reach}, y / {reach}], phi, {});",
+                    finite("[x, y, phi]"),
+                    plane(chain)
+                ),
+                task: "::dh_robot::ik::Task::Planar(x, y, phi)".into(),
+                kind: format!("({f}, {f}, {f})"),
+            },
+            Task::Axis => Target {
+                parameter: format!(
+                    "target: (&::dh_robot::nalgebra::Point3<{f}>, &::dh_robot::nalgebra::UnitVector3<{f}>)"
+                ),
+                frame: format!(
+                    "let p: [f64; 3] = [target.0.x.into(), target.0.y.into(), target.0.z.into()];\n\
+                     let z: [f64; 3] = [target.1.x.into(), target.1.y.into(), target.1.z.into()];\n{}\n{}\n\
+                     let frame = ::dh_robot::inverse::frame_of_axis(p.map(|x| x / {reach}), z);",
+                    finite("p"),
+                    finite("z")
+                ),
+                task: "::dh_robot::ik::Task::Axis(p, z)".into(),
+                kind: format!("(::dh_robot::nalgebra::Point3<{f}>, ::dh_robot::nalgebra::UnitVector3<{f}>)"),
+            },
+        }
+    }
+}
+
+/// Pose of the tool of a planar arm with all joints at zero: its rotation and height are the same at every configuration up to a
+/// turn about z (and slides along it).
+pub(in crate::render) fn plane(chain: &Chain) -> String {
+    let kinematics = crate::kinematics::Kinematics::new(chain);
+    let at_zero = |p: &Poly| {
+        let value = p.evaluate(&crate::algebra::Point {
+            symbol: &|s| {
+                if chain.joints.iter().any(|j| j.coordinate == Coordinate::Length(s)) {
+                    0.0
+                } else {
+                    chain.nominal(crate::chain::Handle::Length(s))
+                }
+            },
+            angle: &|v| {
+                if chain.joints.iter().any(|j| j.coordinate == Coordinate::Angle(v)) {
+                    0.0
+                } else {
+                    chain.nominal(crate::chain::Handle::Angle(v))
+                }
+            },
+        });
+        literal(value, Scalar::F64)
+    };
+    let t = kinematics.pose();
+    let rows: Vec<String> =
+        (0..3).map(|i| format!("[{}]", (0..3).map(|j| at_zero(&t.r[i][j])).collect::<Vec<_>>().join(", "))).collect();
+    format!("[{}]", rows.join(", "))
+}
