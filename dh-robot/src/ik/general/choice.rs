@@ -17,11 +17,19 @@ pub struct Choice(u8);
 
 impl Choice {
     /// The number of choices.
-    pub const COUNT: u8 = 72;
+    pub const COUNT: u8 = 84;
+
+    /// How many of them eliminate with the dialytic matrix; the others need two parallel neighbours and two neighbours that meet.
+    const GENERAL: u8 = 72;
 
     /// The choice with this number, counted modulo [`Choice::COUNT`]. Numbers are stable: generated code holds them.
     pub const fn new(number: u8) -> Self {
         Self(number % Self::COUNT)
+    }
+
+    /// Does it need the structure of `pairs.rs`?
+    pub(super) const fn is_pairs(self) -> bool {
+        self.0 >= Self::GENERAL
     }
 
     /// Its number.
@@ -31,12 +39,12 @@ impl Choice {
 
     /// Does the loop run against the order of the joints?
     pub(super) const fn reversed(self) -> bool {
-        self.0 >= 36
+        self.0 % Self::GENERAL >= if self.is_pairs() { 6 } else { 36 }
     }
 
     /// The joints (counted from 0) in the order of their parts: two linear ones, three others, and the one that drops out.
     pub const fn joints(self) -> [usize; 6] {
-        let first = (self.0 % 36 / 6) as usize;
+        let first = (if self.is_pairs() { self.0 % 6 } else { self.0 % 36 / 6 }) as usize;
         let mut joints = [0; 6];
         let mut i = 0;
         while i < 6 {
@@ -73,7 +81,7 @@ impl Choice {
 
     /// The joint (counted from 0) whose angle is found first.
     pub const fn hidden_joint(self) -> usize {
-        self.joints()[2 + self.middle()[0]]
+        self.joints()[if self.is_pairs() { 5 } else { 2 + self.middle()[0] }]
     }
 }
 
@@ -191,6 +199,9 @@ fn exponent(x: f64) -> i32 {
 
 /// How well a choice works at a pose: the least relevant pivot over the largest, at the solution and elsewhere.
 fn condition(arm: &Chain<6>, q: &[f64; 6], choice: Choice) -> f64 {
+    if choice.is_pairs() {
+        return if super::pairs::fits(arm, choice) { 1.0 } else { 0.0 };
+    }
     if !choice.allows(&arm.slides) {
         return 0.0;
     }

@@ -168,7 +168,7 @@ pub(super) fn monomials([x, y]: [f64; 2], slides: bool) -> [f64; 3] {
 /// The link transforms `D` of the loop in the order of the choice; the pose is part of the one after joint 6.
 ///
 /// Against the order of the joints, the loop is `(X1 ... X6)^-1`, with negative angles.
-fn loop_links(arm: &Chain<6>, target: &Pose, choice: Choice) -> [Pose; 6] {
+pub(super) fn loop_links(arm: &Chain<6>, target: &Pose, choice: Choice) -> [Pose; 6] {
     let mut links = arm.links;
     links[5] = compose(&links[5], &inverse(target));
     choice.joints().map(|joint| if choice.reversed() { inverse(&links[(joint + 5) % 6]) } else { links[joint] })

@@ -1,25 +1,65 @@
 //! All real roots of the determinant, from its values.
 
-use super::super::arcs::{Arc, Bracket, MAX_DEPTH, Search};
+use super::super::arcs::{Arc, Bracket, MAX_DEPTH, Search, point};
 use super::super::bernstein::{Nodes, sin_cos_series};
 use super::super::math::sqrt;
 use super::super::{List, TrigPoly};
-use super::dialytic::Dialytic;
 
 /// A polynomial known to be smaller than this (relative) all over an arc has lost too many digits there, and is interpolated anew.
 const FLAT: f64 = 1e-6;
 /// So often at most: a root of higher order is flat at every scale.
 const MAX_NODES: usize = 8;
+/// A function whose relative measure is smaller than this everywhere vanishes identically.
+const SINGULAR: f64 = 1e-11;
+/// Relative rounding error of a function above which its roots mean nothing.
+const ALL_NOISE: f64 = 1e-4;
+/// Slope (relative) of a root that is certainly a simple one.
+const STEEP: f64 = 1e-3;
 /// Smallest relative limit for roots that only touch.
 const TOUCH: f64 = 1e-9;
+
+/// A function of the hidden angle `[cos, sin]` that vanishes at solutions.
+pub(super) trait Eliminant {
+    /// Its value, and a relative measure of how far it is from vanishing everywhere (for a matrix, the smallest pivot).
+    fn value(&self, at: [f64; 2]) -> (f64, f64);
+
+    /// The same value with other rounding errors.
+    fn again(&self, at: [f64; 2]) -> f64;
+}
+
+/// The angle between two half-angle vectors where a function changes its sign, by bisection and regula falsi (the Illinois
+/// variant) in turn.
+pub(super) fn crossing(function: &impl Eliminant, ends: &[[f64; 2]; 2]) -> [f64; 2] {
+    let value = |x: f64| function.value(point(ends, x)).0;
+    let (mut low, mut high) = ((0.0, value(0.0)), (1.0, value(1.0)));
+    if (low.1 < 0.0) == (high.1 < 0.0) {
+        return point(ends, 0.5);
+    }
+    for k in 0..40 {
+        let secant = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);
+        let x = if k % 3 == 2 || !(secant > low.0 && secant < high.0) { 0.5 * (low.0 + high.0) } else { secant };
+        let y = value(x);
+        if (y < 0.0) == (low.1 < 0.0) {
+            low = (x, y);
+            high.1 *= 0.5;
+        } else {
+            high = (x, y);
+            low.1 *= 0.5;
+        }
+        if high.0 - low.0 < 1e-13 || y == 0.0 {
+            break;
+        }
+    }
+    point(ends, 0.5 * (low.0 + high.0))
+}
 
 /// The determinant as a polynomial of degree `D` in the hidden angle, from values at `K > 2 D + 2` angles; `C = 2 D + 1`.
 pub(super) struct Determinant<const D: usize, const C: usize, const K: usize> {
     polynomial: TrigPoly<D>,
     /// The rounding error of its coefficients, relative to the sum of their absolute values; or else the next higher harmonics.
-    pub(super) noise: f64,
+    noise: f64,
     /// The largest, over all angles, of the smallest pivots: zero for a determinant that vanishes everywhere.
-    pub(super) regularity: f64,
+    regularity: f64,
 }
 
 /// Kinds of roots.
@@ -60,10 +100,10 @@ impl<const D: usize, const C: usize, const K: usize> Determinant<D, C, K> {
         circle
     };
 
-    pub(super) fn new(dialytic: &Dialytic) -> Self {
+    pub(super) fn new(function: &impl Eliminant) -> Self {
         let mut regularity = 0.0f64;
         let values = Self::CIRCLE.map(|at| {
-            let (value, pivot) = dialytic.determinant(at);
+            let (value, pivot) = function.value(at);
             regularity = regularity.max(pivot);
             value
         });
@@ -93,7 +133,7 @@ impl<const D: usize, const C: usize, const K: usize> Determinant<D, C, K> {
     ///
     /// Where the polynomial is so small that its coefficients don't determine it (several roots lie close together), the
     /// determinant is evaluated again at points of that arc alone.
-    pub(super) fn each_root(&self, dialytic: &Dialytic, mut found: impl FnMut([f64; 2], Root)) -> Effort {
+    pub(super) fn each_root(&self, function: &impl Eliminant, mut found: impl FnMut([f64; 2], Root)) -> Effort {
         let touch = TOUCH.max(10.0 * self.noise);
         let size = self.polynomial.size();
         // Roots that the polynomial itself may refine, and roots of arcs that were computed anew.
@@ -107,7 +147,7 @@ impl<const D: usize, const C: usize, const K: usize> Determinant<D, C, K> {
                 let largest = |arc: &Arc<C>| arc.b.iter().fold(0.0f64, |m, x| m.max(x.abs()));
                 if largest(&arc) < FLAT * scale && count < MAX_NODES {
                     count += 1;
-                    error = Self::interpolate(dialytic, &mut arc);
+                    error = Self::interpolate(function, &mut arc);
                     scale = largest(&arc);
                 }
                 let search = if scale == size { &mut plain } else { &mut fresh };
@@ -131,8 +171,34 @@ impl<const D: usize, const C: usize, const K: usize> Determinant<D, C, K> {
         Effort { determinants: count * C, exhausted: count == MAX_NODES }
     }
 
+    /// Does the function neither vanish everywhere nor drown in rounding errors?
+    pub(super) fn means_something(&self) -> bool {
+        self.noise < ALL_NOISE && self.regularity > SINGULAR
+    }
+
+    /// Is the polynomial so flat at a root that it may be a multiple one, or next to others?
+    pub(super) fn is_flat(&self, at: [f64; 2]) -> bool {
+        self.polynomial.value_and_slope(at).1.abs() < STEEP * self.polynomial.size()
+    }
+
+    /// The multiplicity of a root, from values as near to it as rounding allows: others may be next to it.
+    pub(super) fn order(&self, function: &impl Eliminant, [c, s]: [f64; 2]) -> usize {
+        let value = |by: f64| function.value([c - by * s, s + by * c]).0.abs();
+        let visible = 1e3 * (self.noise + 1e-16) * self.polynomial.size();
+        let mut ratio = 0.0;
+        for by in [1e-6, 4e-5, 2e-3] {
+            let near = value(by) + value(-by);
+            ratio = (value(2.0 * by) + value(-2.0 * by)) / near;
+            if near > visible {
+                break;
+            }
+        }
+        // Twice as far away a root of order n is 2^n times as large.
+        (1..D).find(|n| ratio < 1.41 * (1u64 << n) as f64).unwrap_or(D)
+    }
+
     /// Computes the coefficients on an arc from the determinant itself, and estimates their error.
-    fn interpolate(dialytic: &Dialytic, arc: &mut Arc<C>) -> f64 {
+    fn interpolate(function: &impl Eliminant, arc: &mut Arc<C>) -> f64 {
         let [d0, d1] = arc.ends;
         let mut error = 0.0f64;
         let mut values = [0.0; C];
@@ -140,10 +206,10 @@ impl<const D: usize, const C: usize, const K: usize> Determinant<D, C, K> {
             let d = [d0[0] + x * (d1[0] - d0[0]), d0[1] + x * (d1[1] - d0[1])];
             let square = d[0] * d[0] + d[1] * d[1];
             let at = [(d[0] * d[0] - d[1] * d[1]) / square, 2.0 * d[0] * d[1] / square];
-            *value = dialytic.determinant(at).0;
+            *value = function.value(at).0;
             if k % 4 == 0 {
                 // Rounding differs with the order of elimination.
-                error = error.max((*value - dialytic.determinant_again(at)).abs());
+                error = error.max((*value - function.again(at)).abs());
             }
             // |d|^n, with n = 2 D
             for _ in 0..D {

@@ -9,11 +9,11 @@
 //!
 //! which have a solution other than zero only where the determinant vanishes. If the joint of `y` slides, `(1, y, y^2)` does as well.
 
-use super::super::arcs::point;
 use super::super::math::{sin_cos, sqrt};
 use super::super::{Blank, List};
 use super::choice::Choice;
 use super::closure::{Closure, EQUATIONS, monomials, unit};
+use super::determinant::Eliminant;
 
 /// Rows and columns of the matrix.
 const SIZE: usize = 2 * EQUATIONS;
@@ -106,47 +106,6 @@ impl Dialytic {
         out
     }
 
-    /// The determinant at a hidden angle, and the smallest pivot on the way.
-    pub(super) fn determinant(&self, at: [f64; 2]) -> (f64, f64) {
-        determinant(self.at(at))
-    }
-
-    /// The angle between two half-angle vectors where the determinant changes its sign, by bisection and regula falsi (the Illinois
-    /// variant) in turn.
-    pub(super) fn crossing(&self, ends: &[[f64; 2]; 2]) -> [f64; 2] {
-        let value = |x: f64| self.determinant(point(ends, x)).0;
-        let (mut low, mut high) = ((0.0, value(0.0)), (1.0, value(1.0)));
-        if (low.1 < 0.0) == (high.1 < 0.0) {
-            return point(ends, 0.5);
-        }
-        for k in 0..40 {
-            let secant = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);
-            let x = if k % 3 == 2 || !(secant > low.0 && secant < high.0) { 0.5 * (low.0 + high.0) } else { secant };
-            let y = value(x);
-            if (y < 0.0) == (low.1 < 0.0) {
-                low = (x, y);
-                high.1 *= 0.5;
-            } else {
-                high = (x, y);
-                low.1 *= 0.5;
-            }
-            if high.0 - low.0 < 1e-13 || y == 0.0 {
-                break;
-            }
-        }
-        point(ends, 0.5 * (low.0 + high.0))
-    }
-
-    /// The same determinant from columns in the opposite order, so that rounding differs.
-    pub(super) fn determinant_again(&self, at: [f64; 2]) -> f64 {
-        let mut m = self.at(at);
-        for row in &mut m {
-            // Six exchanges: the sign stays.
-            row.reverse();
-        }
-        determinant(m).0
-    }
-
     /// Improves a root of the determinant by Newton's method for nonlinear eigenvalues, and gives the other two middle angles at it.
     ///
     /// With a null vector `x` the step solves `M y = M' x`: then `y` is the better null vector and `(c.x) / (c.y)` the step back, for any
@@ -190,8 +149,8 @@ impl Dialytic {
     pub(super) fn vanishes_to(&self, at: [f64; 2], order: usize) -> bool {
         let size = |by: f64| {
             let (s, c) = sin_cos(by);
-            let (above, _) = self.determinant([at[0] * c - at[1] * s, at[0] * s + at[1] * c]);
-            let (below, _) = self.determinant([at[0] * c + at[1] * s, at[1] * c - at[0] * s]);
+            let (above, _) = self.value([at[0] * c - at[1] * s, at[0] * s + at[1] * c]);
+            let (below, _) = self.value([at[0] * c + at[1] * s, at[1] * c - at[0] * s]);
             above.abs() + below.abs()
         };
         // Twice as far away it is 2^order times as large; the next order would give twice that.
@@ -282,6 +241,23 @@ impl Dialytic {
         }
         let first = pivots[0];
         if first > 0.0 { pivots.map(|p| p / first) } else { pivots }
+    }
+}
+
+impl Eliminant for Dialytic {
+    /// The determinant, and the smallest pivot on the way.
+    fn value(&self, at: [f64; 2]) -> (f64, f64) {
+        determinant(self.at(at))
+    }
+
+    /// From columns in the opposite order.
+    fn again(&self, at: [f64; 2]) -> f64 {
+        let mut m = self.at(at);
+        for row in &mut m {
+            // Six exchanges: the sign stays.
+            row.reverse();
+        }
+        determinant(m).0
     }
 }
 

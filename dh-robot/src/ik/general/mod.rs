@@ -5,6 +5,7 @@
 //! closure     the loop, cut at a joint: 14 equations in 5 angles; two of them eliminated linearly, 6 equations are left
 //! dialytic    those six as a 12 x 12 matrix in one angle, whose determinant vanishes at solutions
 //! solve       determinant -> trigonometric polynomial of degree 8 -> roots -> null vectors -> polished joint vectors
+//! pairs       arms with two parallel neighbours and two neighbours that meet: a polynomial of degree 8 or 4 without any matrix
 //! choice      which joint plays which part; found once per arm
 //! ```
 //!
@@ -17,7 +18,9 @@ mod closure;
 mod conformal;
 mod determinant;
 mod dialytic;
+mod pairs;
 mod solve;
+mod solve_pairs;
 
 pub use choice::{Choice, Ranked, rank};
 pub use solve::{General6R, Solved};

@@ -3,17 +3,17 @@
 use super::super::arcs::square;
 use super::super::math::{atan2, sin_cos, wrapped};
 use super::super::pose::{Chain, IDENTITY, Pose, compose, inverse, slide, turn};
-use super::super::tolerance::REACHED;
+use super::super::tolerance::{NEAR, REACHED};
 use super::super::{
     Found, Kinematics, List, Outcome, Task, polish, same_solution, solve_from_everywhere, solve_nearby,
 };
 use super::choice::{Choice, best_conditioned};
 use super::closure::Closure;
-use super::determinant::{Determinant, Root};
+use super::determinant::{Determinant, Root, crossing};
 use super::dialytic::{Dialytic, Refined};
 
 /// Steps of polishing.
-const STEPS: usize = 12;
+pub(super) const STEPS: usize = 12;
 /// Mean work of a bisection.
 const BISECTION: usize = 20;
 /// Starting points of the very last resort.
@@ -21,11 +21,7 @@ const STARTS: usize = 64;
 /// Steps of the eigenvalue iteration.
 const REFINEMENTS: usize = 6;
 /// Where a root is degenerate, solutions are looked for at these distances (rad) too.
-const NEIGHBOURS: [f64; 4] = [1e-4, -1e-4, 1e-2, -1e-2];
-/// A determinant whose smallest pivot is smaller than this everywhere vanishes identically.
-const SINGULAR: f64 = 1e-11;
-/// Relative rounding error of a determinant above which its roots mean nothing.
-const ALL_NOISE: f64 = 1e-4;
+pub(super) const NEIGHBOURS: [f64; 4] = [1e-4, -1e-4, 1e-2, -1e-2];
 
 /// A six-joint arm without usable structure.
 #[derive(Clone, Copy, Debug)]
@@ -95,9 +91,14 @@ impl General6R {
         core::array::from_fn(|j| if self.arm.slides[j] { q[j] / self.reach } else { q[j] })
     }
 
+    /// A target with lengths over the reach.
+    pub(super) fn scaled_target(&self, target: &Pose) -> Pose {
+        shrunk(target, self.reach)
+    }
+
     /// All real solutions for a target pose.
     pub fn solve(&self, target: &Pose) -> Solved {
-        let target = shrunk(target, self.reach);
+        let target = self.scaled_target(target);
         let mut solved = Solved { solutions: List::new(), clean: false };
         if !target.iter().flatten().all(|x| x.is_finite()) {
             return solved;
@@ -177,6 +178,9 @@ impl General6R {
 
     /// Adds the solutions that one elimination finds.
     pub(super) fn attempt(&self, target: &Pose, choice: Choice, solutions: &mut List<[f64; 6], 16>) -> Attempt {
+        if choice.is_pairs() {
+            return self.attempt_in_pairs(target, choice, solutions);
+        }
         let closure = Closure::new(&self.arm, target, choice);
         let dialytic = Dialytic::new(&closure, choice);
         if choice.has_least_degree() && self.arm.slides == [false; 6] {
@@ -198,7 +202,7 @@ impl General6R {
         solutions: &mut List<[f64; 6], 16>,
     ) -> Attempt {
         let mut attempt = Attempt { account: Account::Open, work: K, vanishes: false };
-        if !(determinant.noise < ALL_NOISE && determinant.regularity > SINGULAR) {
+        if !determinant.means_something() {
             attempt.vanishes = true;
             return attempt;
         }
@@ -216,7 +220,7 @@ impl General6R {
             if let Root::Crossing(ends) = kind {
                 if !(refined.settled() && inside(&ends, refined.hidden)) {
                     // Drawn away by a neighbour.
-                    refined = dialytic.refined(dialytic.crossing(&ends), 0);
+                    refined = dialytic.refined(crossing(dialytic, &ends), 0);
                     bisections += 1;
                 }
                 if refined.settled() && refined.fits() {
@@ -274,12 +278,27 @@ impl General6R {
 
     /// Adds a solution if it is new.
     fn add(&self, target: &Pose, solutions: &mut List<[f64; 6], 16>, q: [f64; 6]) -> bool {
+        self.place(target, solutions, q).1
+    }
+
+    /// The place of a solution in the list, where it is added if it is new.
+    pub(super) fn place(&self, target: &Pose, solutions: &mut List<[f64; 6], 16>, q: [f64; 6]) -> (usize, bool) {
         let task = Task::Pose(*target);
-        !solutions.iter().any(|p| same_solution(&self.arm, &task, 1.0, p, &q)) && solutions.push(q)
+        let known = solutions.iter().position(|p| self.may_be_same(p, &q) && same_solution(&self.arm, &task, 1.0, p, &q));
+        known.map_or_else(|| (solutions.len(), solutions.push(q)), |place| (place, false))
+    }
+
+    /// A cheap look before [`same_solution`]; angles in (-pi, pi].
+    fn may_be_same(&self, p: &[f64; 6], q: &[f64; 6]) -> bool {
+        let turn = 2.0 * core::f64::consts::PI;
+        p.iter().zip(q).zip(self.arm.slides).all(|((p, q), slides)| {
+            let apart = (p - q).abs();
+            slides || apart.min(turn - apart) < 2.0 * NEAR
+        })
     }
 
     /// The same joint vector with angles in (-pi, pi].
-    fn wrapped(&self, q: [f64; 6]) -> [f64; 6] {
+    pub(super) fn wrapped(&self, q: [f64; 6]) -> [f64; 6] {
         core::array::from_fn(|j| if self.arm.slides[j] { q[j] } else { wrapped(q[j]) })
     }
 

@@ -1,10 +1,11 @@
 //! Whole arms through the general solver: generated poses, published poses, singular poses.
 
+use super::solve::Account;
 use super::*;
 use crate::ik::pose::{IDENTITY, Pose, compose, turn};
 use crate::ik::testing::{Rng, general_6r, link};
 use crate::ik::tolerance::REACHED;
-use crate::ik::{Chain, Kinematics, Task, polish};
+use crate::ik::{Chain, Kinematics, List, Task, polish};
 
 fn arm(links: [Pose; 6]) -> Chain<6> {
     Chain { links, slides: [false; 6] }
@@ -37,6 +38,19 @@ fn sixteen_solutions() -> Chain<6> {
         link(0.0, 1.5, 1.0),
         link(0.0, 0.0, 90.0),
         link(0.0, 0.0, 1.0),
+    ])
+}
+
+/// UFACTORY xArm6: as the CRX, and axes 3 and 4, 5 and 6 don't meet.
+fn ufactory() -> Chain<6> {
+    let (s, c) = 79.34995f64.to_radians().sin_cos();
+    arm([
+        modified(0.267, -90.0, 0.0),
+        compose(&turn(&IDENTITY, [c, -s]), &modified(0.0, 0.0, 0.28948866)),
+        compose(&turn(&IDENTITY, [c, s]), &modified(0.0, -90.0, 0.0775)),
+        modified(0.3425, 90.0, 0.0),
+        modified(0.0, -90.0, 0.076),
+        modified(0.097, 0.0, 0.0),
     ])
 }
 
@@ -157,6 +171,73 @@ fn two_solutions_may_share_the_hidden_angle() {
     let solved = solver(&arm).solve(&target);
     assert_sound(&arm, &target, &solved);
     assert_eq!(solved.solutions.len(), 16);
+}
+
+/// Links of a random arm with the structure that this choice needs; none if that would be a structure of the target.
+fn arm_for(choice: Choice, rng: &mut Rng) -> Option<Chain<6>> {
+    let joints = choice.joints();
+    let link_after = |part: usize| if choice.reversed() { (joints[part] + 5) % 6 } else { joints[part] };
+    let (parallel, meeting) = (link_after(1), link_after(3));
+    if parallel == 5 || meeting == 5 {
+        return None;
+    }
+    let mut links = [(); 6].map(|()| {
+        let (d, a) = (0.3 * rng.symmetric(), 0.3 * rng.symmetric());
+        let twist = if rng.unit() < 0.5 { 90.0 } else { 40.0 + 80.0 * rng.unit() };
+        link(d, if rng.unit() < 0.5 { 0.0 } else { a }, twist)
+    });
+    links[parallel] = link(0.2 * rng.symmetric(), 0.3 + 0.2 * rng.unit(), if rng.unit() < 0.5 { 0.0 } else { 180.0 });
+    links[meeting] = link(0.3 * rng.symmetric(), 0.0, if rng.unit() < 0.5 { 90.0 } else { 50.0 });
+    Some(arm(links))
+}
+
+#[test]
+fn two_parallel_and_two_meeting_axes_at_any_place() {
+    let mut rng = Rng::new(77);
+    let (mut most, mut poses, mut open) = (0, 0, 0);
+    for choice in (0..Choice::COUNT).map(Choice::new).filter(|c| c.is_pairs()) {
+        for _ in 0..3 {
+            let Some(arm) = arm_for(choice, &mut rng) else { continue };
+            let structured = General6R::new(&arm.links, [choice; 3]);
+            let general = General6R::new(&arm.links, [Choice::new(0), Choice::new(13), Choice::new(43)]);
+            for _ in 0..4 {
+                let q = [(); 6].map(|()| rng.angle());
+                let target = arm.forward(&q);
+                let mut solutions = List::new();
+                let attempt = structured.attempt(&structured.scaled_target(&target), choice, &mut solutions);
+                poses += 1;
+                open += usize::from(attempt.account != Account::Full);
+                let solved = structured.solve(&target);
+                assert!(solved.solutions.iter().any(|p| apart(p, &q) < 1e-6), "{choice:?} {q:?}");
+                assert_sound(&arm, &target, &solved);
+                // The elimination by matrices counts the same.
+                assert_eq!(solved.solutions.len(), general.solve(&target).solutions.len(), "{choice:?} {q:?}");
+                most = most.max(solved.solutions.len());
+            }
+        }
+    }
+    assert!(most >= 12 && poses >= 75 && 20 * open < poses, "{most} {poses} {open}");
+}
+
+#[test]
+fn a_wrist_above_the_base_leaves_the_shoulder_to_the_last_equation() {
+    // The point where axes 4 and 5 meet lies on axis 1 for one angle of joint 6: four of the eight solutions are there.
+    let quarter = core::f64::consts::FRAC_PI_2;
+    let arm = ufactory();
+    let target = arm.forward(&[0.0, -quarter, 0.0, quarter, -quarter, -quarter]);
+    let solved = solver(&arm).solve(&target);
+    assert_sound(&arm, &target, &solved);
+    assert_eq!((solved.solutions.len(), solved.clean), (8, true));
+}
+
+#[test]
+fn three_pairs_of_solutions_may_share_the_hidden_angle() {
+    let arm = offset_wrist();
+    let quarter = core::f64::consts::FRAC_PI_2;
+    let target = arm.forward(&[-2.0 * quarter, 2.0 * quarter, 2.0 * quarter, 2.0 * quarter, 2.0 * quarter, -quarter]);
+    let solved = solver(&arm).solve(&target);
+    assert_sound(&arm, &target, &solved);
+    assert_eq!(solved.solutions.len(), 6);
 }
 
 #[test]
