@@ -7,7 +7,13 @@ use super::check;
 
 /// A robot in a module of its own, and a test of it.
 macro_rules! arm {
+    ($(#[$doc:meta])* $name:ident given $joint:literal: $($table:tt)*) => {
+        arm!(@ $(#[$doc])* $name, |arm, target, q| [arm.inverse(target, q[$joint]), arm.robust(target, q[$joint])], $($table)*);
+    };
     ($(#[$doc:meta])* $name:ident $($table:tt)*) => {
+        arm!(@ $(#[$doc])* $name, |arm, target, _q| [arm.inverse(target), arm.robust(target)], $($table)*);
+    };
+    (@ $(#[$doc:meta])* $name:ident, |$arm:ident, $target:ident, $q:ident| $both:expr, $($table:tt)*) => {
         mod $name {
             dh_robot::dh_robot! {
                 $(#[$doc])*
@@ -15,18 +21,18 @@ macro_rules! arm {
                 $($table)*
             }
 
-            impl Arm {
-                /// What the robust way alone finds; it is private to this module.
-                pub(super) fn slow(&self, target: &super::IsometryMatrix3<f64>) -> super::Solutions<f64, { Arm::DOF }, { Arm::MAX_SOLUTIONS }> {
-                    self.robust(target)
-                }
+            type Found = super::Solutions<f64, { Arm::DOF }, { Arm::MAX_SOLUTIONS }>;
+
+            /// What the fast way finds, and what the robust one does, which is private to this module.
+            pub(super) fn both($arm: &Arm, $target: &super::IsometryMatrix3<f64>, $q: &[f64; Arm::DOF]) -> [Found; 2] {
+                $both
             }
         }
 
         #[test]
         fn $name() {
             let arm = $name::Arm::default();
-            check(stringify!($name), &arm, |target| arm.slow(target));
+            check(stringify!($name), &arm, |target, q| $name::both(&arm, target, q));
         }
     };
 }
@@ -287,4 +293,49 @@ arm! {
     | theta | d      | a | alpha |
     | q1    | -0.182 | 0 | 90deg |
     | 0     | q2     | 0 | 0     |
+}
+
+arm! {
+    /// Shoulder, elbow and wrist: the third joint, an offset on it, is the caller's.
+    seven_spherical given 2:
+    convention = standard;
+    redundant = q3;
+    | theta      | d     | a | alpha  | range            |
+    | q1         | 0.34  | 0 | -90deg | -                |
+    | q2         | 0     | 0 | 90deg  | -120deg..=120deg |
+    | q3 + 30deg | 0.41  | 0 | 90deg  | -                |
+    | q4         | 0     | 0 | -90deg | -                |
+    | q5         | 0.38  | 0 | -90deg | -                |
+    | q6         | 0     | 0 | 90deg  | -                |
+    | q7         | 0.126 | 0 | 0      | -175deg..=175deg |
+}
+
+arm! {
+    /// Offsets at elbow and wrist, the last joint is the caller's.
+    seven_offsets given 6:
+    convention = modified;
+    redundant = q7;
+    | alpha  | a       | d     | theta |
+    | 0      | 0       | 0.333 | q1    |
+    | -90deg | 0       | 0     | q2    |
+    | 90deg  | 0       | 0.316 | q3    |
+    | 90deg  | 0.0825  | 0     | q4    |
+    | -90deg | -0.0825 | 0.384 | q5    |
+    | 90deg  | 0       | 0     | q6    |
+    | 90deg  | 0.088   | 0.1   | q7    |
+}
+
+arm! {
+    /// A six-axis arm on a track whose place the caller chooses.
+    on_a_track given 0:
+    convention = standard;
+    redundant = q1;
+    | theta | d     | a     | alpha  |
+    | 90deg | q1    | 0     | 90deg  |
+    | q2    | 0.4   | 0.025 | -90deg |
+    | q3    | 0     | 0.315 | 0      |
+    | q4    | 0     | 0.035 | -90deg |
+    | q5    | 0.365 | 0     | 90deg  |
+    | q6    | 0     | 0     | -90deg |
+    | q7    | 0.08  | 0     | 0      |
 }

@@ -2,8 +2,8 @@
 
 use super::body::Body;
 use super::drive::motors;
-use super::steps::{Reported, branch, combination, identifier, inputs, joints_of, reported};
-use super::{literal, shift_expression};
+use super::literal;
+use super::steps::{Reported, branch, combination, identifier, inputs, joints_of, known_beforehand, reported};
 use crate::chain::{Chain, Scalar};
 use crate::planner::StepKind;
 use crate::program::{Inverse, NOISE, Solver, Value};
@@ -31,18 +31,8 @@ pub(super) fn candidates(chain: &Chain, inverse: &Inverse) -> String {
             out.push('\n');
         }
     };
-    for (i, k) in plan.knowledge.known[..plan.given].iter().enumerate() {
-        let joint = chain.redundant.unwrap_or(0);
-        let shift = shift_expression(chain, &chain.joints[joint].shift, Scalar::F64);
-        let [c, s] = k.symbols.map(|s| identifier(plan.knowledge.ring.symbol_name(s)));
-        let value = shift.map_or("given".to_string(), |s| format!("given + ({s})"));
-        if k.turns {
-            out.push_str(&format!("let a{i} = {value};\nlet ({s}, {c}) = ::dh_robot::math::sin_cos(a{i});\n"));
-        } else {
-            out.push_str(&format!("let a{i} = {value};\nlet {c} = a{i} / {reach};\n"));
-        }
-        angles.push(format!("a{i}"));
-    }
+    out.push_str(&known_beforehand(chain, inverse));
+    angles.extend((0..plan.given).map(|i| format!("a{i}")));
     // What needs nothing, or only what is given, stands before the first loop.
     for depth in 0..=plan.given {
         emit(&mut body, depth, &mut out);

@@ -39,7 +39,7 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
     if fits {
         out.push_str(&format!(
             "/// The plan root by root, with everything that special poses need.\n#[cold]\n#[inline(never)]\n\
-             fn robust(&self, {target}) -> ::dh_robot::Solutions<{f}, {n}, {m}> {{\n{robust}}}\n"
+             fn robust(&self, {target}{given}) -> ::dh_robot::Solutions<{f}, {n}, {m}> {{\n{robust}}}\n"
         ));
         out.push_str(&lanes::lanes(chain, inverse));
     }

@@ -11,7 +11,7 @@ use super::literal;
 use super::loops::{KINDS, Layout, Loops, joined};
 use super::ranges::into_range;
 use super::segments::{Item, What, needs, segments};
-use super::steps::{branch, combination, identifier, inputs};
+use super::steps::{branch, combination, identifier, inputs, known_beforehand};
 use super::twin::Twin;
 use crate::algebra::Poly;
 use crate::chain::{Chain, Scalar, Task};
@@ -29,7 +29,6 @@ pub(super) fn fits(chain: &Chain, inverse: &Inverse) -> bool {
         _ => false,
     };
     chain.task == Task::Pose
-        && chain.redundant.is_none()
         && chain.is_direct()
         && inverse.plan.axes.count() == chain.dof()
         && inverse.solvers.iter().all(simple)
@@ -44,9 +43,10 @@ fn branches(inverse: &Inverse) -> usize {
 /// The statements of `inverse` that follow `frame`: the fast way, and the robust one where that has to decide.
 pub(super) fn call(chain: &Chain, inverse: &Inverse) -> String {
     let (n, total) = (chain.dof(), branches(inverse));
+    let [number, same] = if chain.redundant.is_some() { [", given.into()", ", given"] } else { [""; 2] };
     let mut out = format!(
         "let mut q = [[0.0; {total}]; {n}];\nlet mut valid = [0.0; {total}];\n\
-         if !self.lanes(&frame, &mut q, &mut valid) {{\nreturn self.robust(target);\n}}\n"
+         if !self.lanes(&frame{number}, &mut q, &mut valid) {{\nreturn self.robust(target{same});\n}}\n"
     );
     if inverse.plan.max_solutions == total {
         // Written out, so that the list is made where the caller wants it: nothing is copied.
@@ -72,15 +72,28 @@ pub(super) fn lanes(chain: &Chain, inverse: &Inverse) -> String {
     let mut body = Body::staged(chain, &inverse.graph, outputs, Scalar::F64, 1.0 / plan.axes.reach, inputs(inverse));
     let mut w = Writer::new(inverse, confirmation, live);
     let (n, total) = (chain.dof(), branches(inverse));
+    let given = if chain.redundant.is_some() { ", given: f64" } else { "" };
     w.loops.out = constant(inverse, total);
     w.loops.out.push_str(&format!(
         "/// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.\n\
-         #[inline]\nfn lanes(&self, t: &::dh_robot::ik::Pose, q: &mut [[f64; {total}]; {n}], valid: &mut [f64; {total}]) -> bool {{\n"
+         #[inline]\nfn lanes(&self, t: &::dh_robot::ik::Pose{given}, q: &mut [[f64; {total}]; {n}], valid: &mut [f64; {total}]) -> bool {{\n"
     ));
-    body.statements(&w.depths, 0, &[]);
-    w.loops.out.push_str(&body.take_text());
+    if let Some(k) = chain.redundant {
+        // A narrower scalar is brought into its range with the others, once it is rounded.
+        let value = match chain.scalar {
+            Scalar::F64 => format!("Self::JOINTS[{k}].normalize(given)"),
+            Scalar::F32 => "given".into(),
+        };
+        w.loops.out.push_str(&format!("{}q[{k}] = [{value}; {total}];\n", known_beforehand(chain, inverse)));
+        w.written.insert(k);
+    }
     w.loops.enter(0, 1, false);
-    w.tell(&body, 0);
+    // What needs nothing, or only what is given.
+    for depth in 0..=plan.given {
+        body.statements(&w.depths, depth, &[]);
+        w.loops.out.push_str(&body.take_text());
+        w.tell(&body, depth);
+    }
     let last = w.items.last().map_or(0, |item| item.segment);
     for item in w.items.clone() {
         w.loops.enter(item.segment, item.lanes, item.segment == last);
@@ -148,9 +161,12 @@ struct Writer<'a> {
 impl<'a> Writer<'a> {
     fn new(inverse: &'a Inverse, confirmation: Vec<(usize, Value)>, live: Vec<bool>) -> Self {
         let depths = inverse.depths();
-        let lanes = |known: usize| -> usize { inverse.plan.steps[..known].iter().map(|s| s.roots).product() };
+        let given = inverse.plan.given;
+        let lanes = |known: usize| -> usize {
+            inverse.plan.steps[..known.saturating_sub(given)].iter().map(|s| s.roots).product()
+        };
         let twin = Twin::of(inverse, &depths, &live, &confirmation)
-            .filter(|t| lanes(needs(&inverse.solvers[t.step], &depths)) == lanes(t.step));
+            .filter(|t| lanes(needs(&inverse.solvers[t.step], &depths)) == lanes(t.step + given));
         let (all, items) = segments(inverse, &depths, twin.as_ref().map(|t| t.step));
         let mut w = Self {
             inverse,
@@ -190,7 +206,7 @@ impl<'a> Writer<'a> {
                 .collect()
             }
         };
-        used.retain(|i| self.depths[*i] > 0);
+        used.retain(|i| self.depths[*i] > self.inverse.plan.given);
         used.sort_unstable();
         used.dedup();
         used
@@ -227,14 +243,15 @@ impl<'a> Writer<'a> {
 
     /// The joint that step `i` alone gives.
     fn alone(&self, i: usize) -> Option<usize> {
-        let alone = |form: &Vec<i8>| form.iter().enumerate().all(|(k, x)| (*x != 0) == (k == i));
+        let alone =
+            |form: &Vec<i8>| form.iter().enumerate().all(|(k, x)| (*x != 0) == (k == i + self.inverse.plan.given));
         self.inverse.joints.iter().position(alone)
     }
 
     /// The values of the steps, where only one counts.
     fn only(&self, i: usize, text: String) -> Vec<String> {
-        let mut angles = vec![String::new(); self.inverse.solvers.len()];
-        angles[i] = text;
+        let mut angles = vec![String::new(); self.inverse.plan.given + self.inverse.solvers.len()];
+        angles[i + self.inverse.plan.given] = text;
         angles
     }
 
@@ -327,8 +344,9 @@ impl<'a> Writer<'a> {
         self.load_nodes(body, What::Step(i));
         let solver = &self.inverse.solvers[i];
         let known = &self.inverse.plan.knowledge.known[solver.finds[0]];
-        let (p, before) = (self.loops.lanes, self.all[i]);
-        let roots = self.all[i + 1] / before;
+        let known_before = i + self.inverse.plan.given;
+        let (p, before, spread) = (self.loops.lanes, self.all[known_before], self.all[known_before + 1]);
+        let roots = spread / before;
         let [c, s] = known.symbols.map(|x| identifier(self.inverse.plan.knowledge.ring.symbol_name(x)));
         let v = |r: usize, k: usize| body.value(solver.rows[r][k]);
         let minus = |r: usize, k: usize| body.negative(solver.rows[r][k]);
@@ -395,7 +413,6 @@ impl<'a> Writer<'a> {
             self.angle(chain, i, &first);
             return;
         }
-        let spread = self.all[i + 1];
         self.loops.arrays.insert(c.clone(), Layout::plain(spread));
         self.loops.arrays.insert(s.clone(), Layout::plain(spread));
         let layout = Layout { before, roots, p };
@@ -465,9 +482,11 @@ impl<'a> Writer<'a> {
         self.loops.flush();
         let (inverse, lanes) = (self.inverse, self.loops.lanes);
         let open: Vec<usize> = (0..inverse.joints.len()).filter(|k| !self.written.contains(k)).collect();
-        let used = |i: usize| open.iter().any(|k| inverse.joints[*k][i] != 0);
-        let first: Vec<String> = (0..inverse.solvers.len()).map(|i| format!("g{i}")).collect();
-        for (_, name) in first.iter().enumerate().filter(|(i, _)| used(*i)) {
+        let given = inverse.plan.given;
+        let used = |known: usize| open.iter().any(|k| inverse.joints[*k][known] != 0);
+        let found = (0..inverse.solvers.len()).map(|i| format!("g{i}"));
+        let first: Vec<String> = (0..given).map(|i| format!("a{i}")).chain(found).collect();
+        for (_, name) in first.iter().enumerate().skip(given).filter(|(known, _)| used(*known)) {
             self.loops.load(name);
         }
         let judged = std::mem::take(&mut self.loops.judged);
@@ -486,8 +505,9 @@ impl<'a> Writer<'a> {
         let mut sets = vec![first.clone()];
         if let Some(twin) = &self.twin {
             let mut second = first;
-            for (i, name) in second.iter_mut().enumerate().skip(twin.step).filter(|(i, _)| used(*i)) {
-                let turns = inverse.plan.knowledge.known[inverse.solvers[i].finds[0]].turns;
+            for (known, name) in second.iter_mut().enumerate().skip(given + twin.step).filter(|(known, _)| used(*known))
+            {
+                let (i, turns) = (known - given, inverse.plan.knowledge.known[known].turns);
                 self.loops.inner.push_str(&format!("let h{i} = {};\n", twin.angle(i, turns, name)));
                 *name = format!("h{i}");
             }

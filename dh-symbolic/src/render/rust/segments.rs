@@ -24,16 +24,17 @@ pub(super) struct Item {
 /// Lanes once so many combinations are known, and everything in its order; neighbours with equally many lanes share a loop. The roots of
 /// the step `twin` count as one.
 pub(super) fn segments(inverse: &Inverse, depths: &[usize], twin: Option<usize>) -> (Vec<usize>, Vec<Item>) {
-    let mut all = vec![1_usize];
+    let given = inverse.plan.given;
+    let mut all = vec![1_usize; given + 1];
     for (i, step) in inverse.plan.steps.iter().enumerate() {
-        all.push(all[i] * if twin == Some(i) { 1 } else { step.roots });
+        all.push(all[i + given] * if twin == Some(i) { 1 } else { step.roots });
     }
     let mut whole: Vec<(What, usize)> = Vec::new();
     for (i, solver) in inverse.solvers.iter().enumerate() {
         whole.push((What::Step(i), all[needs(solver, depths)]));
-        whole.push((What::Depth(i + 1), all[i + 1]));
+        whole.push((What::Depth(given + i + 1), all[given + i + 1]));
     }
-    whole.push((What::Finish, all[inverse.solvers.len()]));
+    whole.push((What::Finish, all[given + inverse.solvers.len()]));
     let mut items: Vec<Item> = Vec::new();
     for (what, lanes) in whole {
         let segment = items.last().map_or(0, |last| if last.lanes == lanes { last.segment } else { last.segment + 1 });

@@ -1,7 +1,7 @@
 //! What both backends say of a plan's steps: names, sums of angles, branches, and what is reported where a step has no root.
 
 use super::body::Body;
-use super::literal;
+use super::{literal, shift_expression};
 use crate::algebra::Symbol;
 use crate::chain::{Chain, Scalar};
 use crate::planner::{Form, StepKind};
@@ -20,6 +20,24 @@ pub(in crate::render) fn inputs(inverse: &Inverse) -> Vec<(Symbol, String)> {
         }
     }
     inputs
+}
+
+/// The statements for what the caller gives: its coordinate `a0`, cosine and sine (or the length over the reach).
+pub(super) fn known_beforehand(chain: &Chain, inverse: &Inverse) -> String {
+    let (plan, mut out) = (&inverse.plan, String::new());
+    for (i, k) in plan.knowledge.known.iter().take(plan.given).enumerate() {
+        let joint = chain.redundant.and_then(|k| chain.joints.get(k));
+        let shift = joint.and_then(|j| shift_expression(chain, &j.shift, Scalar::F64));
+        let [c, s] = k.symbols.map(|s| identifier(plan.knowledge.ring.symbol_name(s)));
+        let value = shift.map_or("given".to_string(), |s| format!("given + ({s})"));
+        out.push_str(&format!("let a{i} = {value};\n"));
+        out.push_str(&if k.turns {
+            format!("let ({s}, {c}) = ::dh_robot::math::sin_cos(a{i});\n")
+        } else {
+            format!("let {c} = a{i} / {};\n", literal(plan.axes.reach, Scalar::F64))
+        });
+    }
+    out
 }
 
 /// How a step without roots is reported.

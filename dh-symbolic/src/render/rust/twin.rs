@@ -31,19 +31,21 @@ impl Twin {
             (StepKind::SinCos, [a, _, _]) if zero(*a) => [true, false],
             _ => return None,
         };
+        let given = inverse.plan.given;
         let mut flips = vec![[false; 2]; step];
         flips.push(first);
         // Odd, or neither.
-        let mut odd: Vec<Option<bool>> = depths.iter().map(|d| (*d <= step).then_some(false)).collect();
-        for depth in step + 1..=inverse.solvers.len() {
-            if let Some(solver) = inverse.solvers.get(depth - 1).filter(|_| depth - 1 > step) {
+        let mut odd: Vec<Option<bool>> = depths.iter().map(|d| (*d <= given + step).then_some(false)).collect();
+        for i in step..inverse.solvers.len() {
+            let depth = given + i + 1;
+            if let Some(solver) = inverse.solvers.get(i).filter(|_| i > step) {
                 flips.push(flip(solver, &|v| odd[v.node as usize], &zero)?);
             }
-            for (i, node) in inverse.graph.nodes().iter().enumerate().filter(|(i, _)| live[*i] && depths[*i] == depth) {
-                odd[i] = match *node {
+            for (k, node) in inverse.graph.nodes().iter().enumerate().filter(|(k, _)| live[*k] && depths[*k] == depth) {
+                odd[k] = match *node {
                     Node::Symbol(s) => {
                         let known = &inverse.plan.knowledge.known[depth - 1];
-                        Some(flips[depth - 1][usize::from(known.symbols[0] != s)])
+                        Some(flips[i][usize::from(known.symbols[0] != s)])
                     }
                     Node::Add(a, b) => odd[a.node as usize].filter(|x| odd[b.node as usize] == Some(*x)),
                     Node::Mul(a, b) => odd[a as usize].zip(odd[b as usize]).map(|(a, b)| a != b),
