@@ -5,12 +5,14 @@ use std::f64::consts::FRAC_PI_2;
 use dh_robot::dh_robot;
 use generated_examples::cobra600::Cobra600;
 use generated_examples::kuka_kr6_r700::KukaKr6R700;
+use generated_examples::panda::Panda;
 use generated_examples::puma560::Puma560;
 use generated_examples::stanford::Stanford;
 use generated_examples::ur5::Ur5;
 use rs_opw_kinematics::parameters::opw_kinematics::Parameters;
 
 use crate::Visit;
+use crate::locked::Locked;
 use crate::peer::{Opw, Peer};
 
 /// Joint (counted from 0) and value where the wrist is singular, and where the elbow is stretched, for arms with such sets.
@@ -46,6 +48,24 @@ dh_robot! {
     |   4   | q4    | 0.29  | 0.13 | -81deg |
     |   5   | q5    | 0.19  | 0.09 |  58deg |
     |   6   | q6    | 0.11  | 0.07 |  39deg |
+}
+
+dh_robot! {
+    /// KUKA LBR iiwa 7 R800: spherical shoulder and wrist; the third joint is the caller's.
+    pub struct Iiwa7;
+
+    convention = standard;
+    redundant = q3;
+
+    | joint | theta | d     | a | alpha  |
+    |-------|-------|-------|---|--------|
+    |   1   | q1    | 0.34  | 0 | -90deg |
+    |   2   | q2    | 0     | 0 |  90deg |
+    |   3   | q3    | 0.4   | 0 |  90deg |
+    |   4   | q4    | 0     | 0 | -90deg |
+    |   5   | q5    | 0.4   | 0 | -90deg |
+    |   6   | q6    | 0     | 0 |  90deg |
+    |   7   | q7    | 0.126 | 0 |   0    |
 }
 
 /// Parameters of the Puma in the frames of rs-opw-kinematics.
@@ -112,6 +132,9 @@ pub fn every(visit: &mut impl Visit) {
 
     let robot = General6r::default();
     visit.arm("general 6R", &robot, &[], [None, None]);
+
+    visit.arm("iiwa 7, joint 3 given", &Locked::new(Iiwa7::default(), 2, 0.7), &[], [Some((5, 0.0)), Some((3, 0.0))]);
+    visit.arm("Panda, joint 7 given", &Locked::new(Panda::default(), 6, 0.7), &[], [None, None]);
 
     visit.arm("Stanford arm", &Stanford::default(), &[], [Some((4, 0.0)), None]);
     visit.arm("SCARA (Cobra 600)", &Cobra600::default(), &[], [None, None]);

@@ -7,6 +7,7 @@
 mod arms;
 #[cfg(feature = "ik-geo")]
 mod ik_geo;
+mod locked;
 mod peer;
 mod sets;
 
@@ -52,10 +53,10 @@ impl Random {
         ((z ^ (z >> 31)) >> 11) as f64 * 2.0_f64.powi(-52) - 1.0
     }
 
-    /// Joint values: angles in (-pi, pi), lengths in the joint's range.
+    /// Joint values: angles in (-pi, pi), lengths in the joint's range; the one value of a joint that is locked.
     pub fn joints<const N: usize>(&mut self, robot: &impl ForwardKinematics<N>) -> [f64; N] {
         robot.joints().each_ref().map(|joint| match joint.range {
-            Some((least, greatest)) if !joint.is_revolute() => {
+            Some((least, greatest)) if !joint.is_revolute() || least == greatest => {
                 least + (greatest - least) * 0.5 * (self.uniform() + 1.0)
             }
             _ => self.uniform() * std::f64::consts::PI,

@@ -45,18 +45,27 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
     }
     out.push_str("}\n");
     out.push_str(&kinematics(chain, name, forward));
-    if chain.redundant.is_none() {
-        out.push_str(&format!(
-            "impl ::dh_robot::InverseKinematics<{n}, {m}, {f}> for {name} {{\ntype Target = {kind};\n\
-             fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<{f}, {n}, {m}> {{ {} }}\n}}\n",
-            match chain.task {
-                Task::Pose | Task::Position => format!("{name}::inverse(self, target)"),
-                Task::Planar => format!("{name}::inverse(self, *target)"),
-                Task::Axis => format!("{name}::inverse(self, (&target.0, &target.1))"),
-            }
-        ));
-    }
+    out.push_str(&as_trait(chain, name, m, &kind));
     out
+}
+
+/// The trait: with a redundant joint its target is a pair, of the target and that joint's value.
+fn as_trait(chain: &Chain, name: &str, m: usize, kind: &str) -> String {
+    let (n, f) = (chain.dof(), scalar_name(chain.scalar));
+    let (kind, target, given) = match chain.redundant {
+        None => (kind.to_string(), "target", ""),
+        Some(_) => (format!("({kind}, {f})"), "target.0", ", target.1"),
+    };
+    let target = match (chain.task, chain.redundant) {
+        (Task::Pose | Task::Position, None) | (Task::Planar, Some(_)) => target.to_string(),
+        (Task::Pose | Task::Position, Some(_)) => format!("&{target}"),
+        (Task::Planar, None) => format!("*{target}"),
+        (Task::Axis, _) => format!("(&{target}.0, &{target}.1)"),
+    };
+    format!(
+        "impl ::dh_robot::InverseKinematics<{n}, {m}, {f}> for {name} {{\ntype Target = {kind};\n\
+         fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<{f}, {n}, {m}> {{ {name}::inverse(self, {target}{given}) }}\n}}\n"
+    )
 }
 
 /// The plan in the doc comment.
