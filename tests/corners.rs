@@ -194,6 +194,18 @@ fn lengths_may_become_zero_while_the_program_runs() {
     }
 }
 
+#[test]
+fn the_elbow_solutions_of_a_nearly_stretched_arm_stay_two() {
+    let (arm, zero) = (generated_examples::puma560::Puma560::default(), (0.0203_f64 / 0.4318).atan() - PI / 2.0);
+    for bend in [3e-6, -1e-5, 1e-4] {
+        for q in vectors::<6>(8, 60) {
+            let q = [q[0], q[1], zero + bend, q[3], q[4], q[5]];
+            let found = arm.inverse(&arm.forward(&q));
+            assert_eq!(found.len(), 8, "{q:?}: {found}");
+        }
+    }
+}
+
 /// The target of some joint values, spoiled.
 fn spoiled(change: impl Fn(&mut Matrix3<f64>, &mut Translation3<f64>)) -> Target {
     let pose = Zeros.forward(&[0.3, -0.8, 0.4, 1.0, 0.7, -0.2]);

@@ -44,6 +44,10 @@ pub const POLISHED: f64 = 1e-15;
 /// `f64` is a hundred times smaller, a false branch a million times larger.
 pub const REACHED: f64 = 1e-10;
 
+/// Residual (position over reach, and radians) that says nothing: rounding of forward kinematics. Half-way between two solutions near a
+/// double root the target is missed by the square of their distance, more than this unless they are nearer than [`SAME`].
+pub const BLURRED: f64 = 1e-14;
+
 /// Joint vectors that differ by less than this in every joint (rad) are the same solution.
 pub const SAME: f64 = 1e-6;
 
