@@ -78,13 +78,17 @@ impl Closure {
                 if n >= MONOMIALS && n < MONOMIALS + k {
                     continue;
                 }
-                let mut sum = 0.0;
-                for e in 0..EXPRESSIONS {
+                // (Macros run unoptimised, where `for` costs more than the sums.)
+                let (mut sum, mut e) = (0.0, k);
+                while e < EXPRESSIONS {
                     sum += v[e] * column[e];
+                    e += 1;
                 }
                 sum *= inverse;
-                for e in 0..EXPRESSIONS {
+                e = k;
+                while e < EXPRESSIONS {
                     column[e] -= sum * v[e];
+                    e += 1;
                 }
             }
         }

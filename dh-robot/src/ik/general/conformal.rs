@@ -42,7 +42,8 @@ impl Axis {
     /// The axis after a rigid transform.
     #[inline]
     pub(super) fn moved(&self, by: &Pose) -> Self {
-        let [l, m, r, p] = self.vectors.map(|v| by.map(|row| dot([row[0], row[1], row[2]], v)));
+        let [l, m, r, p] = &self.vectors;
+        let [l, m, r, p] = [rotated(by, l), rotated(by, m), rotated(by, r), rotated(by, p)];
         let [pp, pl] = self.scalars;
         let t = [by[0][3], by[1][3], by[2][3]];
         let tt = dot(t, t);
@@ -106,6 +107,16 @@ impl Axis {
         }
         out
     }
+}
+
+/// A direction after the rotation of a transform.
+#[inline]
+fn rotated([x, y, z]: &Pose, v: &[f64; 3]) -> [f64; 3] {
+    [
+        x[0] * v[0] + x[1] * v[1] + x[2] * v[2],
+        y[0] * v[0] + y[1] * v[1] + y[2] * v[2],
+        z[0] * v[0] + z[1] * v[1] + z[2] * v[2],
+    ]
 }
 
 #[cfg(test)]

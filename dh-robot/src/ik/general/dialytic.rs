@@ -87,8 +87,11 @@ impl Dialytic {
         let [constant, cos, sin] = &self.parts;
         let mut out = *constant;
         for r in 0..SIZE {
-            for k in 0..SIZE {
-                out[r][k] += c * cos[r][k] + s * sin[r][k];
+            let (out, cos, sin) = (&mut out[r], &cos[r], &sin[r]);
+            let mut k = 0;
+            while k < SIZE {
+                out[k] += c * cos[k] + s * sin[k];
+                k += 1;
             }
         }
         out
@@ -218,10 +221,12 @@ impl Dialytic {
         for k in 0..SIZE {
             let (mut row, mut column, mut best) = (k, k, 0.0);
             for r in k..SIZE {
-                for c in k..SIZE {
-                    if m[r][c].abs() > best {
-                        (row, column, best) = (r, c, m[r][c].abs());
+                let (entries, mut c) = (&m[r], k);
+                while c < SIZE {
+                    if entries[c].abs() > best {
+                        (row, column, best) = (r, c, entries[c].abs());
                     }
+                    c += 1;
                 }
             }
             pivots[k] = best;
@@ -232,11 +237,9 @@ impl Dialytic {
             for r in &mut m {
                 r.swap(k, column);
             }
-            for r in k + 1..SIZE {
-                let factor = m[r][k] / m[k][k];
-                for c in k..SIZE {
-                    m[r][c] -= factor * m[k][c];
-                }
+            let top = m[k];
+            for r in &mut m[k + 1..] {
+                subtract(r, r[k] / top[k], &top, k);
             }
         }
         let first = pivots[0];
@@ -299,6 +302,16 @@ fn normalised(x: &[f64; SIZE]) -> [f64; SIZE] {
     x.map(|x| x / norm)
 }
 
+/// Subtracts a multiple of one row from another, from a column on. (Macros run unoptimised, where `for` costs more than the sum.)
+#[inline(always)]
+fn subtract(row: &mut [f64; SIZE], factor: f64, other: &[f64; SIZE], from: usize) {
+    let mut c = from;
+    while c < SIZE {
+        row[c] -= factor * other[c];
+        c += 1;
+    }
+}
+
 /// The determinant by Gaussian elimination with row pivots, and the smallest pivot.
 fn determinant(mut m: Matrix) -> (f64, f64) {
     let (mut product, mut least) = (1.0, f64::INFINITY);
@@ -321,10 +334,7 @@ fn determinant(mut m: Matrix) -> (f64, f64) {
         }
         let inverse = 1.0 / top[k];
         for r in &mut m[k + 1..] {
-            let factor = r[k] * inverse;
-            for c in k + 1..SIZE {
-                r[c] -= factor * top[c];
-            }
+            subtract(r, r[k] * inverse, &top, k + 1);
         }
     }
     (product, least)
@@ -355,11 +365,8 @@ impl Lu {
             let top = m[k];
             let inverse = 1.0 / top[k];
             for r in &mut m[k + 1..] {
-                let factor = r[k] * inverse;
-                r[k] = factor;
-                for c in k + 1..SIZE {
-                    r[c] -= factor * top[c];
-                }
+                r[k] *= inverse;
+                subtract(r, r[k], &top, k + 1);
             }
         }
         Self { m, order }
