@@ -310,3 +310,33 @@ fn a_tool_that_points_straight_down_does_not_leave_the_first_axis_open() {
     let turned = solutions.iter().filter(|s| s.q[0].abs() > 3.0).count();
     assert_eq!((solutions.len(), turned), (3, 2), "{solutions}");
 }
+
+dh_robot! {
+    /// A planar arm whose tool is tilted by angles that the program chooses.
+    struct Tilted;
+
+    convention = standard;
+    task = planar;
+    let t0: angle;
+    let t1: angle = 20deg;
+    tool = rz(t0) * ry(t0);
+
+    | theta | d   | a   | alpha |
+    | q1    | 0   | 0.5 |   0   |
+    | t1    | 0.1 | 0   |   0   |
+    | q2    | 0   | 0.4 |   0   |
+    | q3    | 0   | 0.2 |  t1   |
+}
+
+#[test]
+fn a_planar_arm_keeps_its_word_when_its_tool_is_tilted_at_run_time() {
+    for (t0, t1) in [(0.0, 0.0), (0.3, 0.5 * PI), (-0.7, 1.1), (0.0, PI)] {
+        let arm = Tilted { t0, t1 };
+        for q in vectors::<3>(9, 30) {
+            let pose = arm.forward(&q);
+            let (p, r) = (pose.translation.vector, pose.rotation.matrix());
+            let found = arm.inverse((p.x, p.y, r[(1, 0)].atan2(r[(0, 0)])));
+            closes(&arm, &q, &found, |reached| off(reached, &pose));
+        }
+    }
+}

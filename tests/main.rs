@@ -6,6 +6,7 @@ mod browser;
 mod claims;
 mod closure;
 mod corners;
+mod coupled;
 mod determinism;
 mod fixtures;
 mod fresh;

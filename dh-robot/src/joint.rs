@@ -9,7 +9,8 @@ pub enum JointKind {
     /// The joint turns; its variable is an angle in radians, and a whole turn changes nothing.
     Revolute,
     /// The joint slides; its variable is a length in the unit of the table. So counts also the variable of a coupled drive of
-    /// which a whole turn is not a whole turn of every row it moves: taking turns off would move the arm.
+    /// which a whole turn is not a whole turn of every row it moves: taking turns off would move the arm. Inverses count
+    /// motor values that differ by whole turns of rows as one solution, and give those within the ranges.
     Prismatic,
 }
 

@@ -1,9 +1,10 @@
 //! A table's inverse without compiling it: the plan in the interpreter, the candidates through the driver of generated code.
 
-use dh_robot::ik::{Kinematics, Pose, Task as Goal};
+use dh_robot::ik::{Drive, Kinematics, Pose, Task as Goal};
 use dh_robot::inverse::{Attempt, Setting, frame_of_axis, frame_of_plane, in_units, solve};
 use dh_robot::{Branch, FreeJoints, Joint, Solutions};
-use dh_symbolic::chain::{Chain, ChainSpec, Task};
+use dh_symbolic::algebra::Rational;
+use dh_symbolic::chain::{AngleCell, Chain, ChainSpec, Handle, Role, Task, Value};
 use dh_symbolic::planner;
 use dh_symbolic::program::Inverse;
 use dh_tests::engine::spec;
@@ -14,9 +15,17 @@ pub(super) struct Compiled {
     pub(super) spec: ChainSpec,
     pub(super) arm: Arm,
     pub(super) inverse: Inverse,
+    /// Motors of which a whole turn is not nothing.
     pub(super) slides: Vec<bool>,
+    joints: &'static [Joint],
     chain: Chain,
+    /// The same with the values of fields.
+    valued: Chain,
     shifts: Vec<f64>,
+    /// Motors to joint coordinates.
+    drive: Vec<Vec<f64>>,
+    /// The tool's rotation with all joints at zero, for planar tasks.
+    zero: Matrix,
 }
 
 /// What the inverse gives back.
@@ -27,7 +36,7 @@ pub(super) struct Found {
 }
 
 /// Forward kinematics for the driver: the plain product.
-struct Model<'a>(&'a Arm, Option<usize>);
+struct Model<'a>(&'a Compiled);
 
 fn pose(m: &Matrix) -> Pose {
     [m[0], m[1], m[2]]
@@ -35,26 +44,101 @@ fn pose(m: &Matrix) -> Pose {
 
 impl<const N: usize> Kinematics<N> for Model<'_> {
     fn forward(&self, q: &[f64; N]) -> Pose {
-        pose(&self.0.pose(q))
+        pose(&self.0.arm.pose(q))
     }
 
     fn forward_and_jacobian(&self, q: &[f64; N]) -> (Pose, [[f64; N]; 6]) {
-        let columns = self.0.jacobian_from_axes(q);
-        let entry = |i: usize, j: usize| if self.1 == Some(j) { 0.0 } else { columns[j][i] };
-        (pose(&self.0.pose(q)), std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j))))
+        let columns = self.0.arm.jacobian_from_axes(q);
+        let entry = |i: usize, j: usize| if self.0.spec.redundant == Some(j) { 0.0 } else { columns[j][i] };
+        (pose(&self.0.arm.pose(q)), std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j))))
+    }
+
+    fn drive(&self) -> Option<Drive<N>> {
+        let unit = |i: usize| -> Vec<f64> { (0..N).map(|k| f64::from(u8::from(k == i))).collect() };
+        let columns: Vec<Vec<f64>> = (0..N).map(|i| self.0.inverse_drive(unit(i))).collect();
+        self.0.chain.is_geared().then(|| Drive {
+            rows: std::array::from_fn(|i| std::array::from_fn(|k| self.0.drive[i][k])),
+            motors: std::array::from_fn(|k| std::array::from_fn(|i| columns[i][k])),
+            turns: std::array::from_fn(|i| self.0.inverse.plan.axes.turns(i)),
+        })
     }
 }
 
 impl Compiled {
-    /// Plans a table without fields and without coupled drives.
+    /// Plans a table; fields take their nominal values.
     pub(super) fn new(table: &str) -> Result<Compiled, planner::Refusal> {
         let spec = spec(table);
         let chain = Chain::new(spec.clone());
         let inverse = Inverse::derive(&chain, planner::search(&chain)?);
-        let arm = Arm::new(&spec, &|_| 0.0);
-        let shifts = chain.joints.iter().map(|j| j.shift.radians()).collect();
-        let slides = spec.rows.iter().filter_map(|r| r.moves.as_ref().map(|m| !m.turns)).collect();
-        Ok(Compiled { spec, arm, inverse, slides, chain, shifts })
+        let arm = Arm::new(&spec, &|_| f64::NAN);
+        let slides: Vec<bool> = (0..chain.dof()).map(|k| !chain.is_periodic(k)).collect();
+        let joint = |s: &bool| if *s { Joint::prismatic("q") } else { Joint::revolute("q") };
+        let joints = Box::leak(slides.iter().map(joint).collect::<Vec<_>>().into_boxed_slice());
+        let (valued, shifts, drive, zero) = (chain.clone(), Vec::new(), Vec::new(), [[0.0; 4]; 4]);
+        let mut compiled = Compiled { spec, arm, inverse, slides, joints, chain, valued, shifts, drive, zero };
+        let nominal: Vec<(String, f64)> =
+            compiled.chain.parameters.iter().map(|p| (p.name.clone(), compiled.chain.nominal(p.handle))).collect();
+        compiled.set(&|name| nominal.iter().find(|n| n.0 == name).map_or(f64::NAN, |n| n.1));
+        Ok(compiled)
+    }
+
+    /// Gives the fields values (with 50 binary places); the plan stays.
+    pub(super) fn set(&mut self, field: &dyn Fn(&str) -> f64) {
+        let exact = |name: &str| {
+            Rational::new((field(name) * 2.0_f64.powi(50)).round() as i64, 1 << 50).unwrap_or(Rational::ZERO)
+        };
+        let mut spec = self.spec.clone();
+        for p in &mut spec.parameters {
+            if matches!(p.role, Role::Field(_)) {
+                let x = exact(&p.name);
+                p.role = Role::Constant(match p.quantity {
+                    dh_symbolic::chain::Quantity::Length => Value::Length(x),
+                    dh_symbolic::chain::Quantity::Angle => {
+                        Value::Angle(AngleCell { approx: Some(x), ..AngleCell::default() })
+                    }
+                });
+            }
+        }
+        self.arm = Arm::new(&spec, &|_| f64::NAN);
+        self.valued = self.chain.clone();
+        for (p, given) in self.valued.parameters.iter_mut().zip(&spec.parameters) {
+            p.role = given.role.clone();
+        }
+        let valued = &self.valued;
+        let lengths = dh_symbolic::algebra::Point {
+            symbol: &|s| valued.nominal(Handle::Length(s)),
+            angle: &|v| valued.nominal(Handle::Angle(v)),
+        };
+        self.drive = valued.drive.iter().map(|row| row.iter().map(|k| k.evaluate(&lengths)).collect()).collect();
+        let named = |s: &AngleCell| -> f64 {
+            s.symbols.iter().map(|(p, k)| f64::from(*k) * valued.nominal(valued.parameters[*p].handle)).sum()
+        };
+        self.shifts = valued.joints.iter().map(|j| j.shift.radians() + named(&j.shift)).collect();
+        self.zero = self.arm.pose(&vec![0.0; self.spec.rows.len()]);
+    }
+
+    /// Motor values of joint coordinates.
+    pub(super) fn motors(&self, x: &[f64]) -> Vec<f64> {
+        self.inverse_drive(x.iter().zip(&self.shifts).map(|(x, shift)| x - shift).collect())
+    }
+
+    /// Solves the coupling by elimination.
+    fn inverse_drive(&self, x: Vec<f64>) -> Vec<f64> {
+        let n = x.len();
+        let mut m: Vec<Vec<f64>> = (0..n).map(|i| self.drive[i].iter().copied().chain([x[i]]).collect()).collect();
+        for k in 0..n {
+            let best = (k..n).max_by(|a, b| m[*a][k].abs().total_cmp(&m[*b][k].abs())).unwrap_or(k);
+            m.swap(k, best);
+            for i in 0..n {
+                let f = m[i][k] / m[k][k];
+                if i != k && f != 0.0 {
+                    for j in k..=n {
+                        m[i][j] -= f * m[k][j];
+                    }
+                }
+            }
+        }
+        (0..n).map(|k| m[k][n] / m[k][k]).collect()
     }
 
     /// All solutions for a pose; `q` made it.
@@ -83,8 +167,7 @@ impl Compiled {
 
     /// As `render::rust::inverse` writes it.
     fn run<const N: usize, const M: usize>(&self, target: &Matrix, q: &[f64]) -> Solutions<f64, N, M> {
-        let joint = |k: usize| if self.slides[k] { Joint::prismatic("q") } else { Joint::revolute("q") };
-        let joints: &'static [Joint; N] = Box::leak(Box::new(std::array::from_fn(joint)));
+        let joints: &'static [Joint; N] = self.joints.try_into().expect("as many joints as the arm has");
         let plan = &self.inverse.plan;
         let (reach, redundant) = (plan.axes.reach, self.spec.redundant);
         let given: Option<(usize, f64)> = redundant.map(|k| (k, q[k]));
@@ -104,7 +187,7 @@ impl Compiled {
             }
             Task::Planar => {
                 let phi = t[1][0].atan2(t[0][0]);
-                let zero = pose(&self.arm.pose(&[0.0; N])).map(|r| [r[0], r[1], r[2]]);
+                let zero = pose(&self.zero).map(|r| [r[0], r[1], r[2]]);
                 frame = frame_of_plane([p[0], p[1]], phi, zero);
                 Goal::Planar(t[0][3], t[1][3], phi)
             }
@@ -114,20 +197,22 @@ impl Compiled {
         let candidates = |frame: &Pose,
                           pick: dh_robot::inverse::Pick,
                           take: &mut dyn FnMut([f64; N], Branch, FreeJoints)| {
-            let run = self.inverse.attempt(&self.chain, frame, &given, &|i| (pick.angle(i), pick.length(i)));
+            let run = self.inverse.attempt(&self.valued, frame, &given, &|i| (pick.angle(i), pick.length(i)));
             for c in &run.candidates {
-                let value = |k: usize| if self.slides[k] { c.x[k] * reach } else { c.x[k] - self.shifts[k] };
+                let axes = &plan.axes;
+                let x: Vec<f64> = (0..N).map(|k| if axes.turns(k) { c.x[k] } else { c.x[k] * reach }).collect();
+                let q = self.motors(&x);
                 let forms = c.free.iter().map(|f| &plan.knowledge.known[*f].form);
                 let free = forms.flat_map(|f| (0..N).filter(|k| f[*k] != 0)).fold(FreeJoints::NONE, FreeJoints::with);
                 let steps = c.branch.iter().enumerate();
                 let branch = steps.fold(Branch::ANY, |b, (i, root)| b.with_step(i, *root));
-                take(std::array::from_fn(value), branch, free);
+                take(std::array::from_fn(|k| q[k]), branch, free);
             }
             let mut attempt = Attempt::new();
             (attempt.degenerate, attempt.lost, attempt.doubt) = (run.degenerate, run.lost, run.doubt);
             attempt
         };
-        solve(&Model(&self.arm, redundant), setting, &goal, &frame, candidates)
+        solve(&Model(self), setting, &goal, &frame, candidates)
     }
 }
 

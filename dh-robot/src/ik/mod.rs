@@ -15,6 +15,7 @@
 mod arcs;
 mod bernstein;
 mod bilinear;
+mod drive;
 mod found;
 pub mod general;
 mod lengths;
@@ -32,6 +33,7 @@ mod trig_poly;
 mod trig_roots;
 
 pub use bilinear::{AnglePair, solve_bilinear, solve_bilinear_choosing};
+pub use drive::Drive;
 pub use found::{Angles, Found, Outcome};
 pub use lengths::{
     LengthAngle, solve_length_and_angle, solve_length_squared_and_angle, solve_length_squared_and_angle_choosing,

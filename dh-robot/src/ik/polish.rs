@@ -1,5 +1,6 @@
 //! Moves an approximate joint vector onto its target: damped Newton steps on the full pose, or on a part of it.
 
+use super::drive::Drive;
 use super::math::{atan2, sqrt};
 use super::pose::{Pose, cross, dot, rotation_between};
 use super::tolerance::{BLURRED, NEAR, POLISHED, REACHED, SAME};
@@ -11,6 +12,12 @@ pub trait Kinematics<const N: usize> {
 
     /// The pose, and the geometric Jacobian: rows 0..3 linear, at the origin of that frame, rows 3..6 angular, in base axes.
     fn forward_and_jacobian(&self, q: &[f64; N]) -> (Pose, [[f64; N]; 6]);
+
+    /// How motors move rows, where a whole turn of a row is no whole turn of the motors.
+    #[inline]
+    fn drive(&self) -> Option<Drive<N>> {
+        None
+    }
 }
 
 /// What an arm is asked for.
@@ -144,8 +151,12 @@ pub fn same_solution<const N: usize>(
 ) -> bool {
     let mut apart = 0.0f64;
     let mut step = [0.0; N];
+    let mut way: [f64; N] = core::array::from_fn(|i| q[i] - p[i]);
+    if let Some(drive) = arm.drive() {
+        way = drive.shortest(way);
+    }
     for i in 0..N {
-        let (s, c) = super::math::sin_cos(q[i] - p[i]);
+        let (s, c) = super::math::sin_cos(way[i]);
         if c < 0.0 || s.abs() > NEAR {
             return false;
         }

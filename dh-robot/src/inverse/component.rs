@@ -14,8 +14,12 @@ const ARRIVED: f64 = 1e-4;
 impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, T, N, M> {
     /// The shortest way from `p` to `q`, in rad and reach.
     pub(super) fn apart(&self, p: &[f64; N], q: &[f64; N]) -> [f64; N] {
+        let mut way: [f64; N] = core::array::from_fn(|k| q[k] - p[k]);
+        if let Some(drive) = &self.drive {
+            way = drive.shortest(way);
+        }
         core::array::from_fn(|k| {
-            let x = q[k] - p[k];
+            let x = way[k];
             if self.setting.joints[k].is_revolute() {
                 x - core::f64::consts::TAU * math::floor(x / core::f64::consts::TAU + 0.5)
             } else {

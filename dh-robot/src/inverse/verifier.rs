@@ -1,7 +1,7 @@
 //! Takes candidates, keeps what reaches the target, each solution and each continuum once.
 
 use super::Setting;
-use crate::ik::{Kinematics, Task, polish, same_solution};
+use crate::ik::{Drive, Kinematics, Task, polish, same_solution};
 use crate::{Branch, FreeJoints, Real, Solution, Solutions};
 
 /// Residual (position over reach, rotation in rad) up to which a candidate is taken as it is: rounding of a chain of seven links.
@@ -22,6 +22,8 @@ pub(super) struct Verifier<'a, A, T: 'static, const N: usize, const M: usize> {
     pub(super) arm: &'a A,
     pub(super) setting: Setting<T, N>,
     pub(super) task: &'a Task,
+    /// How motors are coupled, where whole turns of rows are not whole turns of motors.
+    pub(super) drive: Option<Drive<N>>,
     /// Residual up to which a joint vector is a solution.
     pub(super) tolerance: f64,
     pub(super) out: Solutions<T, N, M>,
@@ -44,7 +46,8 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
             REACHED
         };
         let out = Solutions::new(setting.joints);
-        Verifier { arm, setting, task, tolerance, out, nearest: f64::INFINITY, lost: false, news: false }
+        let drive = arm.drive();
+        Verifier { arm, setting, task, drive, tolerance, out, nearest: f64::INFINITY, lost: false, news: false }
     }
 
     /// By how much a joint vector misses the target.
@@ -136,9 +139,29 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
         self.push(Solution::new(q.map(T::of), branch));
     }
 
-    fn push(&mut self, solution: Solution<T, N>) -> bool {
+    fn push(&mut self, mut solution: Solution<T, N>) -> bool {
+        if let Some(drive) = self.drive
+            && self.is_another_turn(&drive, &mut solution)
+        {
+            return false;
+        }
         let new = self.out.insert(solution, T::of(SAME));
         self.news |= new;
         new
+    }
+
+    /// Brings motors into their ranges by whole turns of the rows; is the solution known then?
+    #[cold]
+    fn is_another_turn(&mut self, drive: &Drive<N>, solution: &mut Solution<T, N>) -> bool {
+        let mut q = solution.q.map(T::to_f64);
+        let ranges = self.setting.joints.each_ref().map(|j| j.range.map(|(l, g)| (l.to_f64(), g.to_f64())));
+        drive.into_ranges(&ranges, &mut q);
+        solution.q = q.map(T::of);
+        let same = |p: &[f64; N], _| self.apart(p, &q).iter().all(|x| x.abs() <= SAME);
+        let known = self.find(same);
+        if let Some(i) = known {
+            self.free_at(i, solution.free);
+        }
+        known.is_some()
     }
 }

@@ -16,7 +16,7 @@ pub(crate) mod tests;
 pub use convention::{Convention, Elementary};
 pub use spec::*;
 
-use crate::algebra::{AngleVar, LinearAngle, Poly, Ring, Symbol};
+use crate::algebra::{AngleVar, LinearAngle, Poly, Ring, Symbol, determinant};
 
 /// A serial robot, ready for algebra.
 #[derive(Clone, Debug)]
@@ -158,6 +158,22 @@ impl Chain {
             turns = true;
         }
         turns
+    }
+
+    /// Is a whole turn of a row something else than whole turns of motors (gears, motors that turn and lift together)?
+    pub fn is_geared(&self) -> bool {
+        let turns = |i: usize| matches!(self.joints[i].coordinate, Coordinate::Angle(_));
+        let rows: Vec<usize> = (0..self.dof()).filter(|i| turns(*i)).collect();
+        let motors: Vec<usize> =
+            (0..self.dof()).filter(|k| rows.iter().any(|i| !self.drive[*i][*k].is_zero())).collect();
+        let whole = motors.iter().all(|k| self.is_periodic(*k));
+        let block: Vec<Vec<Poly>> =
+            rows.iter().map(|i| motors.iter().map(|k| self.drive[*i][*k].clone()).collect()).collect();
+        let unit = rows.len() == motors.len() && {
+            let det = determinant(&block, usize::MAX).unwrap_or_default();
+            det.is_one() || (-&det).is_one()
+        };
+        !(whole && unit)
     }
 
     /// The factors of row `i` (from 0), in order.

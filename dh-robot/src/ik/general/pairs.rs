@@ -137,7 +137,8 @@ impl Pairs {
         let eta = second.way[0] + same * (first.way[1] + links[1][2][3]);
         let delta = eta + d4 * c3;
         let u0 = d4 * d4 + g3 * g3 * second.sin2 + g1 * g1 * first.sin2 - rho2 - eta * eta + 2.0 * g3 * g1 * c1 * c3;
-        let vv0 = g1 * g1 * (d4 * d4 * first.sin2 + g3 * g3) - g3 * g3 * delta * delta + 2.0 * g3 * g1 * d4 * delta * c1;
+        let vv0 =
+            g1 * g1 * (d4 * d4 * first.sin2 + g3 * g3) - g3 * g3 * delta * delta + 2.0 * g3 * g1 * d4 * delta * c1;
         let [m, n] = [inverse(&links[5]), inverse(&links[4])];
         // M Rz(-angle) (x, y, z) in powers of cosine and sine.
         let turned = |[x, y, z]: [f64; 3]| {
@@ -405,6 +406,8 @@ pub(super) fn fits(arm: &Chain<6>, choice: Choice) -> bool {
     let apart = sqrt(between[0][3] * between[0][3] + between[1][3] * between[1][3]);
     // The distance of two axes, times the sine of their angle.
     let gap = (meeting[0][3] * meeting[1][2] - meeting[1][3] * meeting[0][2]).abs();
-    tilt < ROUNDING && apart > PARALLEL && gap < ROUNDING
+    tilt < ROUNDING
+        && apart > PARALLEL
+        && gap < ROUNDING
         && [0, 2, 3].iter().all(|&part| link(part) == 5 || Skew::new(&arm.links[link(part)]).is_some())
 }

@@ -284,7 +284,8 @@ impl General6R {
     /// The place of a solution in the list, where it is added if it is new.
     pub(super) fn place(&self, target: &Pose, solutions: &mut List<[f64; 6], 16>, q: [f64; 6]) -> (usize, bool) {
         let task = Task::Pose(*target);
-        let known = solutions.iter().position(|p| self.may_be_same(p, &q) && same_solution(&self.arm, &task, 1.0, p, &q));
+        let known =
+            solutions.iter().position(|p| self.may_be_same(p, &q) && same_solution(&self.arm, &task, 1.0, p, &q));
         known.map_or_else(|| (solutions.len(), solutions.push(q)), |place| (place, false))
     }
 

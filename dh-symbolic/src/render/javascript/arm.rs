@@ -6,7 +6,6 @@ use crate::algebra::{Poly, Transform};
 use crate::chain::{Chain, Convention, Coordinate, Handle, Joint, Role, Scalar, Task};
 use crate::program::{Forward, Graph, Program};
 use crate::render::rust::body::{Body, Dialect};
-use crate::render::rust::target::plane;
 use crate::render::rust::{bound, literal};
 
 /// The class `Arm`.
@@ -78,9 +77,6 @@ fn data(chain: &Chain, solver: &Solver) -> String {
     out.push_str(&format!("this.convention = \"{convention}\";\nthis.task = \"{task}\";\nthis.few = {few};\n"));
     out.push_str(&format!("this.redundant = {};\n", chain.redundant.map_or("null".into(), |k| k.to_string())));
     out.push_str(&format!("this.reach = {};\n", number(reach)));
-    if chain.task == Task::Planar {
-        out.push_str(&format!("this.plane = {};\n", plane(chain)));
-    }
     out
 }
 

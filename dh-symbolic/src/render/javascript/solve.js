@@ -78,7 +78,7 @@ const TASKS = {
   },
   planar: {
     frame: ([x, y, phi], arm) => {
-      const zero = arm.plane, turn = phi - Math.atan2(zero[1][0], zero[0][0]), c = Math.cos(turn), s = Math.sin(turn);
+      const zero = arm.forward(arm.joints.map(() => 0)), turn = phi - Math.atan2(zero[1][0], zero[0][0]), c = Math.cos(turn), s = Math.sin(turn);
       const first = [0, 1, 2].map((j) => c * zero[0][j] - s * zero[1][j]), second = [0, 1, 2].map((j) => s * zero[0][j] + c * zero[1][j]);
       return [[...first, x / arm.reach], [...second, y / arm.reach], [...zero[2], 0]];
     },

@@ -1,8 +1,8 @@
-//! From the coordinates of the table to the motors: the drive, inverted.
+//! From the coordinates of the table to the motors: the drive, inverted, and what whole turns of rows are to the motors.
 
 use super::shift_expression;
 use crate::algebra::{Poly, determinant};
-use crate::chain::{Chain, Scalar};
+use crate::chain::{Chain, Coordinate, Scalar};
 
 /// Expression of each joint variable from the coordinates x.
 pub(in crate::render) fn motors(chain: &Chain, x: &[String]) -> Vec<String> {
@@ -34,6 +34,32 @@ pub(in crate::render) fn motors(chain: &Chain, x: &[String]) -> Vec<String> {
             format!("({}) / ({det})", if parts.is_empty() { "0.0".into() } else { parts.join(" + ") })
         })
         .collect()
+}
+
+/// How motors move rows, where whole turns of rows are not whole turns of motors.
+pub(super) fn drive(chain: &Chain) -> String {
+    if !chain.is_geared() {
+        return String::new();
+    }
+    let n = chain.dof();
+    let (adjugate, det) = adjugate(&chain.drive);
+    let value = |p: &Poly| super::body::field_polynomial(chain, p);
+    let matrix = |m: &[Vec<Poly>], over: &str| {
+        let entry = |p: &Poly| if p.is_zero() { "0.0".into() } else { format!("({}){over}", value(p)) };
+        let rows: Vec<String> =
+            m.iter().map(|row| format!("[{}]", row.iter().map(entry).collect::<Vec<_>>().join(", "))).collect();
+        format!("[{}]", rows.join(", "))
+    };
+    let turns: Vec<String> =
+        chain.joints.iter().map(|j| matches!(j.coordinate, Coordinate::Angle(_)).to_string()).collect();
+    format!(
+        "fn drive(&self) -> Option<::dh_robot::ik::Drive<{n}>> {{\nlet det = {};\n\
+         Some(::dh_robot::ik::Drive {{ rows: {}, motors: {}, turns: [{}] }})\n}}\n",
+        value(&det),
+        matrix(&chain.drive, ""),
+        matrix(&adjugate, " / det"),
+        turns.join(", ")
+    )
 }
 
 /// Adjugate and determinant of a small matrix of formulas.

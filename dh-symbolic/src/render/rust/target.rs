@@ -1,8 +1,8 @@
 //! The target of `inverse`: its type, and the statements that make a frame and a task of it.
 
 use super::{literal, scalar_name};
-use crate::algebra::Poly;
-use crate::chain::{Chain, Coordinate, Scalar, Task};
+use crate::algebra::{AngleVar, Poly};
+use crate::chain::{Chain, Coordinate, Handle, Role, Scalar, Task};
 
 /// What `inverse` takes, and what it makes of that.
 pub(super) struct Target {
@@ -76,8 +76,15 @@ impl Target {
 
 /// Pose of the tool of a planar arm with all joints at zero: its rotation and height are the same at every configuration up to a
 /// turn about z (and slides along it).
-pub(in crate::render) fn plane(chain: &Chain) -> String {
-    let kinematics = crate::kinematics::Kinematics::new(chain);
+fn plane(chain: &Chain) -> String {
+    let pose = crate::kinematics::Kinematics::new(chain).pose();
+    let is_field = |v: &AngleVar| {
+        chain.parameters.iter().any(|p| p.handle == Handle::Angle(*v) && matches!(p.role, Role::Field(_)))
+    };
+    if pose.r.iter().flatten().any(|entry| entry.angles().iter().any(is_field)) {
+        let zeros = format!("&[0.0; {}]", chain.dof());
+        return format!("::dh_robot::ik::Kinematics::forward(self, {zeros}).map(|[x, y, z, _]| [x, y, z])");
+    }
     let at_zero = |p: &Poly| {
         let value = p.evaluate(&crate::algebra::Point {
             symbol: &|s| {
@@ -97,8 +104,8 @@ pub(in crate::render) fn plane(chain: &Chain) -> String {
         });
         literal(value, Scalar::F64)
     };
-    let t = kinematics.pose();
-    let rows: Vec<String> =
-        (0..3).map(|i| format!("[{}]", (0..3).map(|j| at_zero(&t.r[i][j])).collect::<Vec<_>>().join(", "))).collect();
+    let rows: Vec<String> = (0..3)
+        .map(|i| format!("[{}]", (0..3).map(|j| at_zero(&pose.r[i][j])).collect::<Vec<_>>().join(", ")))
+        .collect();
     format!("[{}]", rows.join(", "))
 }

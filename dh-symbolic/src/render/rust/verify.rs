@@ -1,6 +1,7 @@
 //! What verification of a solution needs: forward kinematics and Jacobian in `f64`.
 
 use super::body::Body;
+use super::drive::drive;
 use crate::chain::{Chain, Scalar};
 use crate::program::Forward;
 
@@ -27,11 +28,12 @@ pub(super) fn kinematics(chain: &Chain, name: &str, forward: &Forward) -> String
     format!(
         "#[allow(unused, clippy::all, clippy::pedantic)]\nimpl ::dh_robot::ik::Kinematics<{n}> for {name} {{\n\
          #[inline]\nfn forward(&self, q: &[f64; {n}]) -> ::dh_robot::ik::Pose {{\n{}\n{}\n}}\n\
-         fn forward_and_jacobian(&self, q: &[f64; {n}]) -> (::dh_robot::ik::Pose, [[f64; {n}]; 6]) {{\n{}\n({}, [{}])\n}}\n}}\n",
+         fn forward_and_jacobian(&self, q: &[f64; {n}]) -> (::dh_robot::ik::Pose, [[f64; {n}]; 6]) {{\n{}\n({}, [{}])\n}}\n{}}}\n",
         pose.lines.join("\n"),
         entry(&pose, 0),
         both.lines.join("\n"),
         entry(&both, 0),
-        rows.join(", ")
+        rows.join(", "),
+        drive(chain)
     )
 }
