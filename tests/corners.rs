@@ -24,6 +24,23 @@ dh_robot! {
 }
 
 dh_robot! {
+    /// Seven axes; the motor that the caller chooses turns its joint backwards, by gears, and pulls at the next one.
+    struct Geared;
+
+    convention = modified;
+    redundant = q3;
+
+    | alpha  | a | d   | theta            |
+    |   0    | 0 | 0.3 | q1               |
+    | -90deg | 0 | 0   | -q2              |
+    |  90deg | 0 | 0.4 | -2*q3 + 37.2deg  |
+    |  90deg | 0 | 0   | q4 - q3 - 0.5deg |
+    | -90deg | 0 | 0.4 | q5               |
+    | -90deg | 0 | 0   | q6               |
+    |  90deg | 0 | 0.1 | q7               |
+}
+
+dh_robot! {
     /// Every length is a field.
     struct Fields;
 
@@ -167,6 +184,16 @@ fn coupled_drives_are_solved_for_the_motors() {
         q[4] = 0.0;
         let target = Parallelogram.forward(&q);
         closes(&Parallelogram, &q, &Parallelogram.inverse(&target), |pose| off(pose, &target));
+    }
+}
+
+#[test]
+fn the_motor_that_the_caller_chooses_may_be_geared() {
+    for q in vectors::<7>(9, 100) {
+        let target = Geared.forward(&q);
+        let found = Geared.inverse(&target, q[2]);
+        closes(&Geared, &q, &found, |pose| off(pose, &target));
+        assert!(found.iter().all(|s| (s.q[2] - q[2]).abs() < 1e-12 && s.free.is_empty()), "{q:?}: {found}");
     }
 }
 

@@ -146,6 +146,15 @@ impl Chain {
             .all(|(i, row)| row.iter().enumerate().all(|(j, p)| if i == j { p.is_one() } else { p.is_zero() }))
     }
 
+    /// The joint coordinate that the motor the caller chooses moves alone, and how far: the coordinate is that factor times the motor's
+    /// position, plus the joint's shift.
+    pub fn chosen(&self) -> Option<(usize, Poly)> {
+        let motor = self.redundant?;
+        let alone = |row: &[Poly]| row.iter().enumerate().all(|(j, k)| (j == motor) != k.is_zero());
+        let joint = self.drive.iter().position(|row| alone(row))?;
+        Some((joint, self.drive.get(joint)?.get(motor)?.clone()))
+    }
+
     /// Does a whole turn of this motor leave the arm where it was? Not where it drives a slide, or turns a row by a fraction of a turn.
     pub fn is_periodic(&self, motor: usize) -> bool {
         let mut turns = false;

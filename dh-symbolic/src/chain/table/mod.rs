@@ -138,9 +138,11 @@ pub fn parse(input: TokenStream) -> Parsed {
         }
     };
     let joints = checked.joints.len();
+    let fine = errors.is_empty();
     let redundant = settings.redundant.as_ref().and_then(|(word, place)| {
         let known = written.grid.is_some() && joints > 0;
-        errors.take(redundant(word, *place, if known { joints } else { usize::MAX }, settings.task))
+        let index = redundant(word, *place, if known { joints } else { usize::MAX }, settings.task);
+        errors.take(index.and_then(|k| if known && fine { moves_alone(k, *place, &checked.rows) } else { Ok(k) }))
     });
     check_angles(&scope, &checked.rows, &base, &tool, &mut errors);
 
@@ -206,6 +208,16 @@ fn redundant(word: &str, place: Place, joints: usize, task: Task) -> Result<usiz
         return Err(Error::new(place, text));
     }
     Ok(index)
+}
+
+/// A motor that the caller chooses must fix a joint, whatever the other motors do.
+fn moves_alone(motor: usize, place: Place, rows: &[super::RowSpec]) -> Result<usize, Error> {
+    let mut drives = rows.iter().filter_map(|row| row.moves.as_ref());
+    if drives.any(|d| matches!(d.terms.as_slice(), [(v, _)] if *v == motor)) {
+        return Ok(motor);
+    }
+    let text = format!("no row is moved by `q{}` alone, so choosing it fixes no joint", motor + 1);
+    Err(Error::new(place, text).help("choose a variable that stands alone in a cell"))
 }
 
 fn check_angles(scope: &Scope, rows: &[super::RowSpec], base: &[MotionSpec], tool: &[MotionSpec], errors: &mut Errors) {

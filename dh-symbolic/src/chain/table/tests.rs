@@ -492,6 +492,13 @@ fn wrong_lines() {
         &["q1: no joint is redundant: `task = pose` takes 6 joints, and the arm has 1"],
     );
     wrong(
+        "task = planar; redundant = q2;",
+        "| 0 | 0 | 0 | q1 | - | | 0 | 1 | 0 | q2 + q1 | - | | 0 | 1 | 0 | q3 - q2 | - | | 0 | 1 | 0 | q4 | - |",
+        &[
+            "q2: no row is moved by `q2` alone, so choosing it fixes no joint [choose a variable that stands alone in a cell]",
+        ],
+    );
+    wrong(
         "let c1: length; prove { a = b; }",
         "| 0 | c1 | 0 | q1 | - |",
         &["c1: `c1` is a cosine or sine in the `prove` block: choose another name"],

@@ -97,7 +97,8 @@ pub enum Singular {
 pub fn singular(chain: &Chain, k: &Kinematics) -> Singular {
     let points = [FieldPoint::new(7), FieldPoint::new(8)];
     let views: Vec<View<'_>> = points.iter().map(|at| View { chain, frames: frames(k, at) }).collect();
-    let joints: Vec<usize> = (0..chain.dof()).filter(|j| chain.redundant != Some(*j)).collect();
+    let chosen = chain.chosen().map(|(k, _)| k);
+    let joints: Vec<usize> = (0..chain.dof()).filter(|j| chosen != Some(*j)).collect();
     let mut some = false;
     for open in choices(chain, &joints, &views) {
         some = true;

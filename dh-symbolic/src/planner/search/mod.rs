@@ -34,7 +34,7 @@ pub fn search(chain: &Chain) -> Result<Plan, Refusal> {
     let axes = Axes::new(chain);
     let families = families(&axes);
     let mut s = Search { chain, knowledge: Knowledge::new(&axes), axes, families, steps: Vec::new() };
-    if let Some(r) = chain.redundant {
+    if let Some((r, _)) = chain.chosen() {
         let form = s.unit(r);
         s.knowledge.learn(&s.axes, &form);
     }

@@ -5,9 +5,9 @@ use crate::chain::{Chain, Scalar};
 use crate::planner::StepKind;
 use crate::program::{Inverse, Solver, Value};
 use crate::render::rust::body::{Body, Dialect};
-use crate::render::rust::drive::motors;
+use crate::render::rust::drive::{chosen, motors};
+use crate::render::rust::literal;
 use crate::render::rust::steps::{combination, identifier, inputs, joints_of, part_of, reported};
-use crate::render::rust::{literal, shift_expression};
 
 /// The method that runs the plan: it calls `take` with every candidate.
 pub(super) fn candidates(chain: &Chain, inverse: &Inverse) -> String {
@@ -31,10 +31,8 @@ pub(super) fn candidates(chain: &Chain, inverse: &Inverse) -> String {
         symbols.map(|s| s.map(|s| identifier(plan.knowledge.ring.symbol_name(s)))).unwrap_or_default()
     };
     for (i, k) in plan.knowledge.known.iter().take(plan.given).enumerate() {
-        let joint = chain.redundant.and_then(|k| chain.joints.get(k));
-        let shift = joint.and_then(|j| shift_expression(chain, &j.shift, Scalar::F64));
         let [c, s] = names(i);
-        let value = shift.map_or("given".to_string(), |s| format!("given + ({s})"));
+        let value = chosen(chain);
         out.push_str(&format!("const a{i} = {value};\n"));
         match k.turns {
             true => out.push_str(&format!("const {c} = Math.cos(a{i}), {s} = Math.sin(a{i});\n")),

@@ -98,7 +98,7 @@ impl Writer<'_> {
             }
             None => {}
         }
-        if let Some(joint) = self.chain.redundant.and_then(|k| self.chain.joints.get(k)) {
+        if let Some(joint) = self.chain.chosen().and_then(|(k, _)| self.chain.joints.get(k)) {
             let name = match joint.coordinate {
                 crate::chain::Coordinate::Angle(v) => self.notation.angle(v),
                 crate::chain::Coordinate::Length(s) => self.notation.symbol(s),

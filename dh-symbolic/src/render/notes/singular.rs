@@ -16,7 +16,7 @@ impl Writer<'_> {
             return;
         }
         self.heading(1, Phrase::Singular);
-        if let Some(joint) = self.chain.redundant {
+        if let Some((joint, _)) = self.chain.chosen() {
             self.say(Phrase::SingularHeld, vec![self.coordinate(joint)]);
         }
         match singular(self.chain, kinematics) {

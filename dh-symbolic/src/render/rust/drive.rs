@@ -4,6 +4,17 @@ use super::shift_expression;
 use crate::algebra::{Poly, determinant};
 use crate::chain::{Chain, Coordinate, Scalar};
 
+/// Expression of the joint coordinate that the motor `given` moves.
+pub(in crate::render) fn chosen(chain: &Chain) -> String {
+    let Some((joint, factor)) = chain.chosen() else { return "given".into() };
+    let moved = match factor.is_one() {
+        true => "given".into(),
+        false => format!("({}) * given", super::body::field_polynomial(chain, &factor)),
+    };
+    let shift = chain.joints.get(joint).and_then(|j| shift_expression(chain, &j.shift, Scalar::F64));
+    shift.map_or(moved.clone(), |s| format!("{moved} + ({s})"))
+}
+
 /// Expression of each joint variable from the coordinates x.
 pub(in crate::render) fn motors(chain: &Chain, x: &[String]) -> Vec<String> {
     let shifted: Vec<String> = chain

@@ -1,7 +1,8 @@
 //! What both backends say of a plan's steps: names, sums of angles, branches, and what is reported where a step has no root.
 
 use super::body::Body;
-use super::{literal, shift_expression};
+use super::drive::chosen;
+use super::literal;
 use crate::algebra::Symbol;
 use crate::chain::{Chain, Scalar};
 use crate::planner::{Form, StepKind};
@@ -26,10 +27,8 @@ pub(in crate::render) fn inputs(inverse: &Inverse) -> Vec<(Symbol, String)> {
 pub(super) fn known_beforehand(chain: &Chain, inverse: &Inverse) -> String {
     let (plan, mut out) = (&inverse.plan, String::new());
     for (i, k) in plan.knowledge.known.iter().take(plan.given).enumerate() {
-        let joint = chain.redundant.and_then(|k| chain.joints.get(k));
-        let shift = joint.and_then(|j| shift_expression(chain, &j.shift, Scalar::F64));
         let [c, s] = k.symbols.map(|s| identifier(plan.knowledge.ring.symbol_name(s)));
-        let value = shift.map_or("given".to_string(), |s| format!("given + ({s})"));
+        let value = chosen(chain);
         out.push_str(&format!("let a{i} = {value};\n"));
         out.push_str(&if k.turns {
             format!("let ({s}, {c}) = ::dh_robot::math::sin_cos(a{i});\n")
