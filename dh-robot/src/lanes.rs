@@ -77,7 +77,7 @@ pub fn linear(a: f64, b: f64) -> (f64, f64) {
     (-b / a, a.abs() - FIRM)
 }
 
-/// An angle between -2 pi and 2 pi, or twice that, brought into (-pi, pi].
+/// An angle between -3 pi and 3 pi brought into (-pi, pi].
 #[inline(always)]
 #[must_use]
 pub fn wrap(x: f64) -> f64 {

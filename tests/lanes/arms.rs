@@ -339,3 +339,29 @@ arm! {
     | q6    | 0     | 0     | -90deg |
     | q7    | 0.08  | 0     | 0      |
 }
+
+arm! {
+    /// A wrist behind a parallelogram: the third motor turns the forearm against the base, the last two are coupled.
+    parallelogram
+    convention = standard;
+    | theta      | d    | a    | alpha  | range            |
+    | q1         | 0.4  | 0.1  | -90deg | -                |
+    | q2         | 0    | 0.5  |   0    | -100deg..=260deg |
+    | q3 - q2    | 0    | 0.05 | -90deg | -80deg..=280deg  |
+    | q4 + 50deg | 0.45 | 0    |  90deg | -                |
+    | q5         | 0    | 0    | -90deg | -                |
+    | q6 + 2*q5  | 0.1  | 0    |   0    | -                |
+}
+
+arm! {
+    /// Three parallel axes, each measured against the base.
+    three_parallel_from_the_base
+    convention = standard;
+    | theta              | d     | a      | alpha  |
+    | q1                 | 0.089 | 0      | 90deg  |
+    | q2 - 100deg        | 0     | -0.425 | 0      |
+    | q3 - q2 + 20deg    | 0     | -0.392 | 0      |
+    | q4 - q3 + 0.3*1turn| 0.109 | 0      | 90deg  |
+    | q5                 | 0.095 | 0      | -90deg |
+    | q6                 | 0.082 | 0      | 0      |
+}

@@ -3,7 +3,7 @@
 use super::drive::Drive;
 use super::math::{atan2, sqrt};
 use super::pose::{Pose, cross, dot, rotation_between};
-use super::tolerance::{BLURRED, NEAR, POLISHED, REACHED, SAME};
+use super::tolerance::{BLURRED, NEAR, POLISHED, SAME};
 
 /// What polishing must know of an arm.
 pub trait Kinematics<const N: usize> {

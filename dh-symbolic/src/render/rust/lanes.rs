@@ -6,12 +6,12 @@
 use std::collections::BTreeSet;
 
 use super::body::Body;
-use super::drive::motors;
+use super::drive::{Motor, whole_motors};
 use super::literal;
 use super::loops::{KINDS, Layout, Loops, joined};
 use super::ranges::into_range;
 use super::segments::{Item, What, needs, segments};
-use super::steps::{branch, combination, identifier, inputs, known_beforehand};
+use super::steps::{branch, identifier, inputs, known_beforehand};
 use super::twin::Twin;
 use crate::algebra::Poly;
 use crate::chain::{Chain, Scalar, Task};
@@ -29,7 +29,8 @@ pub(super) fn fits(chain: &Chain, inverse: &Inverse) -> bool {
         _ => false,
     };
     chain.task == Task::Pose
-        && chain.is_direct()
+        && whole_motors(chain, &inverse.joints).is_some()
+        && (chain.redundant.is_none() || chain.is_direct())
         && inverse.plan.axes.count() == chain.dof()
         && inverse.solvers.iter().all(simple)
         && branches(inverse) <= MOST
@@ -70,7 +71,7 @@ pub(super) fn lanes(chain: &Chain, inverse: &Inverse) -> String {
     outputs.extend(confirmation.iter().map(|(_, v)| *v));
     let live = inverse.graph.live(&outputs);
     let mut body = Body::staged(chain, &inverse.graph, outputs, Scalar::F64, 1.0 / plan.axes.reach, inputs(inverse));
-    let mut w = Writer::new(inverse, confirmation, live);
+    let mut w = Writer::new(inverse, whole_motors(chain, &inverse.joints).unwrap_or_default(), confirmation, live);
     let (n, total) = (chain.dof(), branches(inverse));
     let given = if chain.redundant.is_some() { ", given: f64" } else { "" };
     w.loops.out = constant(inverse, total);
@@ -154,12 +155,13 @@ struct Writer<'a> {
     /// The last segment that uses each node.
     wanted: Vec<usize>,
     loops: Loops,
-    /// Joints whose values have been written.
+    motors: Vec<Motor>,
+    /// Motors whose values have been written.
     written: BTreeSet<usize>,
 }
 
 impl<'a> Writer<'a> {
-    fn new(inverse: &'a Inverse, confirmation: Vec<(usize, Value)>, live: Vec<bool>) -> Self {
+    fn new(inverse: &'a Inverse, motors: Vec<Motor>, confirmation: Vec<(usize, Value)>, live: Vec<bool>) -> Self {
         let depths = inverse.depths();
         let given = inverse.plan.given;
         let lanes = |known: usize| -> usize {
@@ -178,6 +180,7 @@ impl<'a> Writer<'a> {
             items,
             wanted: Vec::new(),
             loops: Loops::default(),
+            motors,
             written: BTreeSet::new(),
         };
         w.wanted = vec![0; w.depths.len()];
@@ -243,9 +246,8 @@ impl<'a> Writer<'a> {
 
     /// The joint that step `i` alone gives.
     fn alone(&self, i: usize) -> Option<usize> {
-        let alone =
-            |form: &Vec<i8>| form.iter().enumerate().all(|(k, x)| (*x != 0) == (k == i + self.inverse.plan.given));
-        self.inverse.joints.iter().position(alone)
+        let known = i + self.inverse.plan.given;
+        self.motors.iter().position(|motor| motor.form.iter().enumerate().all(|(k, x)| (*x != 0) == (k == known)))
     }
 
     /// The values of the steps, where only one counts.
@@ -271,19 +273,21 @@ impl<'a> Writer<'a> {
         self.written.insert(k);
     }
 
-    /// The value of a joint, in its range, from the values of the steps.
+    /// The value of a motor, in its range, from the values of the steps.
     fn joint_value(&self, chain: &Chain, k: usize, angles: &[String]) -> String {
-        let x: Vec<String> = self.inverse.joints.iter().map(|form| combination(form, angles)).collect();
-        let form = &self.inverse.joints[k];
-        let plain = form.iter().filter(|x| **x != 0).count() == 1 && form.iter().all(|x| *x >= 0);
-        let turns = self.inverse.plan.axes.turns(k);
-        let q = motors(chain, &x).swap_remove(k);
-        let value = if turns && (!plain || !chain.joints[k].shift.is_zero()) {
-            format!("::dh_robot::lanes::wrap({q})")
-        } else {
-            q
+        let motor = &self.motors[k];
+        let value = motor.value(angles);
+        if !self.inverse.plan.axes.turns(k) {
+            return value;
+        }
+        let value = match motor.half_turns {
+            // Sums of three angles at most, then of five; a field can be any angle.
+            Some(1) => value,
+            Some(2 | 3) => format!("::dh_robot::lanes::wrap({value})"),
+            Some(4 | 5) => format!("::dh_robot::lanes::wrap(::dh_robot::lanes::wrap({value}))"),
+            _ => format!("::dh_robot::Joint::revolute(\"\").normalize({value})"),
         };
-        if turns { into_range(chain, k, value) } else { value }
+        into_range(chain, k, value)
     }
 
     /// The values of one depth.
@@ -481,9 +485,9 @@ impl<'a> Writer<'a> {
     fn finish(&mut self, chain: &Chain, total: usize) {
         self.loops.flush();
         let (inverse, lanes) = (self.inverse, self.loops.lanes);
-        let open: Vec<usize> = (0..inverse.joints.len()).filter(|k| !self.written.contains(k)).collect();
+        let open: Vec<usize> = (0..self.motors.len()).filter(|k| !self.written.contains(k)).collect();
         let given = inverse.plan.given;
-        let used = |known: usize| open.iter().any(|k| inverse.joints[*k][known] != 0);
+        let used = |known: usize| open.iter().any(|k| self.motors[*k].form[known] != 0);
         let found = (0..inverse.solvers.len()).map(|i| format!("g{i}"));
         let first: Vec<String> = (0..given).map(|i| format!("a{i}")).chain(found).collect();
         for (_, name) in first.iter().enumerate().skip(given).filter(|(known, _)| used(*known)) {
