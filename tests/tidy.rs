@@ -9,9 +9,6 @@ const STAGES: [&str; 6] = ["algebra", "chain", "kinematics", "planner", "program
 /// Lines of code that a file may have.
 const LONGEST: usize = 450;
 
-/// Files that are longer and wait to be cut; one that has become short must leave the list.
-const WAITING: &[&str] = &[];
-
 /// Who may name `proc_macro2`: those who read the user's tokens or write the generated ones.
 const TOKENS: &[&str] =
     &["chain/table/", "kinematics/claims", "render/rust/", "diagnostic.rs", "pipeline.rs", "lib.rs", "bin/", "cli"];
@@ -75,12 +72,8 @@ fn files_are_short() {
         for (path, text) in files(&root().join(name)) {
             let lines = code(&text).count();
             let name = path.strip_prefix(root()).expect("below").to_string_lossy().replace('\\', "/");
-            let waits = WAITING.contains(&name.as_str());
-            if waits != (lines > LONGEST) && !name.ends_with("/tests.rs") {
-                long.push(format!(
-                    "{name}: {lines} lines of code{}",
-                    if waits { ", and still on the list" } else { "" }
-                ));
+            if lines > LONGEST && !name.ends_with("/tests.rs") {
+                long.push(format!("{name}: {lines} lines of code"));
             }
         }
     }

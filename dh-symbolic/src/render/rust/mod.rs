@@ -11,17 +11,13 @@ pub(in crate::render) mod drive;
 mod forward;
 mod inverse;
 mod lanes;
-mod loops;
 mod names;
 #[cfg(feature = "cli")]
 mod pretty;
-mod ranges;
-mod segments;
 pub(in crate::render) mod steps;
 mod structure;
 mod stub;
 pub(in crate::render) mod target;
-mod twin;
 mod verify;
 
 pub use inverse::inverse;

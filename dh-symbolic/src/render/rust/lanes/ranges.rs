@@ -1,6 +1,6 @@
 //! Angles brought into the ranges of their joints.
 
-use super::{bound, literal};
+use super::super::{bound, literal};
 use crate::chain::{Chain, Scalar};
 
 /// The angle brought into the joint's range by a turn, where one can: what can be decided now is.
