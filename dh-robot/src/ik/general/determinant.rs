@@ -5,10 +5,10 @@ use super::super::bernstein::{Nodes, sin_cos_series};
 use super::super::math::sqrt;
 use super::super::{List, TrigPoly};
 
-/// A polynomial known to be smaller than this (relative) all over an arc has lost too many digits there, and is interpolated anew.
-const FLAT: f64 = 1e-6;
-/// So often at most: a root of higher order is flat at every scale.
-const MAX_NODES: usize = 8;
+/// The same for an arc on which the polynomial seems to touch zero.
+const LOW: f64 = 1e-2;
+/// So often at most.
+const AGAIN: usize = 4;
 /// A function whose relative measure is smaller than this everywhere vanishes identically.
 const SINGULAR: f64 = 1e-11;
 /// Relative rounding error of a function above which its roots mean nothing.
@@ -20,6 +20,11 @@ const TOUCH: f64 = 1e-9;
 
 /// A function of the hidden angle `[cos, sin]` that vanishes at solutions.
 pub(super) trait Eliminant {
+    /// A polynomial known to be smaller than this (relative) all over an arc has lost too many digits there, and is interpolated anew.
+    const FLAT: f64;
+    /// So often at most: a root of higher order is flat at every scale.
+    const MOST: usize;
+
     /// Its value, and a relative measure of how far it is from vanishing everywhere (for a matrix, the smallest pivot).
     fn value(&self, at: [f64; 2]) -> (f64, f64);
 
@@ -133,26 +138,37 @@ impl<const D: usize, const C: usize, const K: usize> Determinant<D, C, K> {
     ///
     /// Where the polynomial is so small that its coefficients don't determine it (several roots lie close together), the
     /// determinant is evaluated again at points of that arc alone.
-    pub(super) fn each_root(&self, function: &impl Eliminant, mut found: impl FnMut([f64; 2], Root)) -> Effort {
+    pub(super) fn each_root<E: Eliminant>(&self, function: &E, mut found: impl FnMut([f64; 2], Root)) -> Effort {
         let touch = TOUCH.max(10.0 * self.noise);
         let size = self.polynomial.size();
         // Roots that the polynomial itself may refine, and roots of arcs that were computed anew.
         let (mut plain, mut fresh) = (Search::<C>::new(size, touch), Search::<C>::new(size, touch));
-        let mut count = 0;
+        let (mut count, mut again) = (0, 0);
         // Arcs, with the size and the error of their coefficients.
         let mut stack = List::<(Arc<C>, [f64; 2]), { MAX_DEPTH + 1 }>::new();
         for arc in self.polynomial.on_arcs() {
             stack.push((arc, [size, 0.0]));
             while let Some((mut arc, [mut scale, mut error])) = stack.pop() {
                 let largest = |arc: &Arc<C>| arc.b.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-                if largest(&arc) < FLAT * scale && count < MAX_NODES {
+                if largest(&arc) < E::FLAT * scale && count < E::MOST {
                     count += 1;
                     error = Self::interpolate(function, &mut arc);
                     scale = largest(&arc);
                 }
                 let search = if scale == size { &mut plain } else { &mut fresh };
                 search.rescale(scale, touch, error.max(10.0 * self.noise * scale));
-                if !search.settle(&arc) {
+                let known = (search.brackets.len(), search.touching.len());
+                let settled = search.settle(&arc);
+                if settled && search.touching.len() > known.1 && largest(&arc) < LOW * scale && again < AGAIN {
+                    // What seems to touch may be several roots, told apart by better coefficients.
+                    while search.brackets.len() > known.0 {
+                        search.brackets.pop();
+                    }
+                    search.touching.pop();
+                    again += 1;
+                    error = Self::interpolate(function, &mut arc);
+                    stack.push((arc, [largest(&arc), error]));
+                } else if !settled {
                     let [left, right] = search.halves(&arc);
                     stack.push((right, [scale, error]));
                     stack.push((left, [scale, error]));
@@ -168,7 +184,7 @@ impl<const D: usize, const C: usize, const K: usize> Determinant<D, C, K> {
                 found(at, if doubtful { Root::Doubtful } else { Root::NearMiss });
             }
         }
-        Effort { determinants: count * C, exhausted: count == MAX_NODES }
+        Effort { determinants: (count + again) * C, exhausted: count == E::MOST }
     }
 
     /// Does the function neither vanish everywhere nor drown in rounding errors?
@@ -184,7 +200,7 @@ impl<const D: usize, const C: usize, const K: usize> Determinant<D, C, K> {
     /// The multiplicity of a root, from values as near to it as rounding allows: others may be next to it.
     pub(super) fn order(&self, function: &impl Eliminant, [c, s]: [f64; 2]) -> usize {
         let value = |by: f64| function.value([c - by * s, s + by * c]).0.abs();
-        let visible = 1e3 * (self.noise + 1e-16) * self.polynomial.size();
+        let visible = 10.0 * (self.noise + 1e-16) * self.polynomial.size();
         let mut ratio = 0.0;
         for by in [1e-6, 4e-5, 2e-3] {
             let near = value(by) + value(-by);

@@ -248,6 +248,9 @@ impl Dialytic {
 }
 
 impl Eliminant for Dialytic {
+    const FLAT: f64 = 1e-6;
+    const MOST: usize = 8;
+
     /// The determinant, and the smallest pivot on the way.
     fn value(&self, at: [f64; 2]) -> (f64, f64) {
         determinant(self.at(at))

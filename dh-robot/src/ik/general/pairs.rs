@@ -230,9 +230,12 @@ impl Pairs {
             self.complete(&place, [x - sign * place.w[1], y + sign * place.w[0], z], &mut candidates);
         }
         candidates.as_mut_slice().sort_unstable_by(|a, b| a.misses.total_cmp(&b.misses));
+        // What the best one misses by tells how well the root is known.
+        let known = candidates.first().map_or(0.0, |c| 1e3 * c.misses);
+        let limit = if multiple { MISSES } else { HOLDS.max(known).min(MISSES) };
         let mut best = List::new();
         for (i, c) in candidates.iter().enumerate() {
-            if i == 0 || c.misses < if multiple { MISSES } else { HOLDS } {
+            if i == 0 || c.misses < limit {
                 best.push(*c);
             }
         }
@@ -345,6 +348,9 @@ impl Shoulder<'_> {
 }
 
 impl Eliminant for Shoulder<'_> {
+    const FLAT: f64 = Pairs::FLAT;
+    const MOST: usize = Pairs::MOST;
+
     fn value(&self, at: [f64; 2]) -> (f64, f64) {
         let (n, w) = (self.direction(at), self.place.w);
         let turned = [w[0] * n[1] - w[1] * n[0], 0.0];
@@ -358,6 +364,10 @@ impl Eliminant for Shoulder<'_> {
 }
 
 impl Eliminant for Pairs {
+    // Values are cheap.
+    const FLAT: f64 = 1e-5;
+    const MOST: usize = 16;
+
     fn value(&self, at: [f64; 2]) -> (f64, f64) {
         let place = self.place(at);
         let [x, y] = self.gram_of_both(&place);

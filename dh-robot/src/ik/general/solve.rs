@@ -73,7 +73,7 @@ impl General6R {
     /// The same with `Tz(q)` instead of `Rz(q)` where `slides`: one joint, or two neighbours in the closed loop (1 and 6 are neighbours
     /// too). Other arms have no usable choice.
     pub fn with_slides(links: &[Pose; 6], slides: &[bool; 6], choices: [Choice; 3]) -> Self {
-        let mut arm = Chain { links: *links, slides: *slides };
+        let mut arm = Chain { links: shortened(links), slides: *slides };
         let reach = arm.reach();
         for link in &mut arm.links {
             *link = shrunk(link, reach);
@@ -338,6 +338,22 @@ fn inside(ends: &[[f64; 2]; 2], at: [f64; 2]) -> bool {
     let [from, to] = ends.map(square);
     let (above, below) = (from[0] * at[1] - from[1] * at[0], at[0] * to[1] - at[1] * to[0]);
     above >= 0.0 && below >= 0.0 && from[0] * at[0] + from[1] * at[1] > 0.0
+}
+
+/// The same links with every frame moved along its own axis to where the frame before is nearest.
+///
+/// Axes that are parallel but for a ten-thousandth of a radian (calibrated arms) have their common normal a hundred metres away, and a table
+/// goes there and back. No joint sees the difference.
+fn shortened(links: &[Pose; 6]) -> [Pose; 6] {
+    let mut out = *links;
+    for i in 1..6 {
+        let [before, after] = [out[i - 1], out[i]];
+        let by = -(before[0][2] * before[0][3] + before[1][2] * before[1][3] + before[2][2] * before[2][3]);
+        out[i - 1] = slide(&before, by);
+        out[i] = after;
+        out[i][2][3] -= by;
+    }
+    out
 }
 
 /// A pose with lengths over `reach`.

@@ -103,7 +103,9 @@ impl General6R {
             }
             let (reached, new) = try_all(at, candidates.as_slice());
             if reached >= order * copies {
-                roots += reached;
+                // Where the sign changes, an even order is that of two roots side by side, both of which are found from each of them.
+                let shared = crossing_ends.is_some() && order.is_multiple_of(2);
+                roots += if shared { new } else { new.max(order * copies) };
                 found += new;
                 return;
             }
