@@ -41,6 +41,21 @@ dh_robot! {
 }
 
 dh_robot! {
+    /// A hollow wrist whose axes have no common point, straight at home: a root of high order.
+    struct Hollow;
+
+    convention = modified;
+
+    | alpha  | a    | d    | theta      |
+    |   0    | 0    | 0.8  | q1         |
+    | -90deg | 0.4  | 0    | q2 - 90deg |
+    |   0    | 1.2  | 0    | q3 - 90deg |
+    | -90deg | 0.25 | 1.4  | q4 + 90deg |
+    |  60deg | 0    | 0.15 | q5         |
+    | -60deg | 0    | 0.15 | q6 + 90deg |
+}
+
+dh_robot! {
     /// Every length is a field.
     struct Fields;
 
@@ -194,6 +209,16 @@ fn the_motor_that_the_caller_chooses_may_be_geared() {
         let found = Geared.inverse(&target, q[2]);
         closes(&Geared, &q, &found, |pose| off(pose, &target));
         assert!(found.iter().all(|s| (s.q[2] - q[2]).abs() < 1e-12 && s.free.is_empty()), "{q:?}: {found}");
+    }
+}
+
+#[test]
+fn a_root_of_high_order_is_crept_up_to() {
+    for q in [[0.0; 6], [PI, 0.0, 0.0, 0.0, 0.0, 0.0], [0.7, 0.0, 0.0, 0.0, 0.0, 0.0]] {
+        let target = Hollow.forward(&q);
+        let found = Hollow.inverse(&target);
+        assert!(!found.is_empty(), "{q:?}: {}", found.why());
+        assert!(found.iter().all(|s| off(&Hollow.forward(&s.q), &target) < 1e-8), "{q:?}: {found}");
     }
 }
 

@@ -62,6 +62,9 @@ pub(super) fn rescue<A: Kinematics<N>, T: Real, const N: usize, const M: usize>(
     if verifier.out.is_empty() && doubt || verifier.setting.few && first.degenerate {
         search(verifier);
     }
+    if verifier.out.is_empty() && doubt {
+        verifier.take_nearest();
+    }
 }
 
 impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, T, N, M> {

@@ -12,6 +12,10 @@ const REACHED: f64 = 1e-10;
 const REACHED_FEW: f64 = 1e-9;
 /// The same for `f32`, whose targets are rounded to 6e-8.
 const REACHED_SINGLE: f64 = 2e-6;
+/// A polished candidate that misses by no more than this may be on its way to a root of high order.
+const CREEPS: f64 = 1e-7;
+/// Steps that it is given.
+const CREEPING: usize = 600;
 /// Joint vectors nearer than this in every joint are one solution (rad, or table units over reach).
 const SAME: f64 = 1e-6;
 /// Damped Newton steps for a candidate of the plan, which is near a solution if it belongs to one.
@@ -29,6 +33,8 @@ pub(super) struct Verifier<'a, A, T: 'static, const N: usize, const M: usize> {
     pub(super) out: Solutions<T, N, M>,
     /// The smallest miss so far.
     pub(super) nearest: f64,
+    /// The joint vector that misses by so little.
+    best: [f64; N],
     /// Other solutions may be missing: a chosen value led to no solution, or to one where nothing is free, or there is a continuum
     /// that one chosen value need not stand for.
     pub(super) lost: bool,
@@ -47,7 +53,8 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
         };
         let out = Solutions::new(setting.joints);
         let drive = arm.drive();
-        Verifier { arm, setting, task, drive, tolerance, out, nearest: f64::INFINITY, lost: false, news: false }
+        let (nearest, best) = (f64::INFINITY, [0.0; N]);
+        Verifier { arm, setting, task, drive, tolerance, out, nearest, best, lost: false, news: false }
     }
 
     /// By how much a joint vector misses the target.
@@ -60,8 +67,25 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
     /// Polishes; says whether the target is reached.
     pub(super) fn polish(&mut self, q: &mut [f64; N], steps: usize) -> bool {
         let polished = polish(self.arm, q, self.task, self.setting.reach, steps);
-        self.nearest = self.nearest.min(polished.position.max(polished.rotation));
+        let miss = polished.position.max(polished.rotation);
+        if miss < self.nearest {
+            (self.nearest, self.best) = (miss, *q);
+        }
         polished.reaches(self.tolerance)
+    }
+
+    /// Where nothing reached the target and something nearly did: a root of high order, to which polishing creeps. It may take its time,
+    /// and ends where rounding hides the rest.
+    #[cold]
+    pub(super) fn take_nearest(&mut self) {
+        if self.nearest > CREEPS {
+            return;
+        }
+        let mut q = self.best;
+        let polished = polish(self.arm, &mut q, self.task, self.setting.reach, CREEPING);
+        if polished.reaches(self.tolerance.max(REACHED_FEW)) {
+            self.take_singular(q, Branch::ANY);
+        }
     }
 
     /// A candidate of the first run, with the joints for which values were chosen.
@@ -69,7 +93,9 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
     pub(super) fn take(&mut self, mut q: [f64; N], branch: Branch, chosen: FreeJoints) {
         let miss = self.miss(&q);
         if !(miss <= EXACT) {
-            self.nearest = self.nearest.min(miss);
+            if miss < self.nearest {
+                (self.nearest, self.best) = (miss, q);
+            }
             if !(miss < 0.5) || !self.polish(&mut q, STEPS) {
                 self.lost |= !chosen.is_empty();
                 return;
