@@ -4,6 +4,7 @@
 mod classes;
 mod compiled;
 mod newton;
+mod shrinking;
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -112,7 +113,7 @@ fn classes(part: usize, of: usize) {
         for seed in 0..ARMS {
             let mut random = Random::new(1000 * (index as u64 + 1) + seed);
             (0..20).for_each(|_| _ = random.signed());
-            let text = table(class, &mut random);
+            let text = table(class, &mut || random.signed());
             let arm = Compiled::new(&text).unwrap_or_else(|r| panic!("{class}: stuck after {:?}\n{text}", r.solved));
             let general = arm.inverse.plan.steps.iter().any(|s| s.kind == StepKind::General);
             let reach = arm.inverse.plan.axes.reach;

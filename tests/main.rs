@@ -3,6 +3,7 @@
 mod agreement;
 mod arms;
 mod browser;
+mod choice;
 mod claims;
 mod closure;
 mod corners;

@@ -1,7 +1,5 @@
 //! Random tables of a class: what is parallel, what meets and what slides belongs to the class, the rest is random.
 
-use dh_tests::sample::Random;
-
 /// The classes, with the number of joints that a class name starts with.
 pub(super) const CLASSES: &[&str] = &[
     "6 wrist at the end, 2 and 3 parallel",
@@ -35,15 +33,16 @@ pub(super) const CLASSES: &[&str] = &[
 /// Links in Craig's order: twist and length before the joint, offset along it; does it turn?
 type Link = (f64, f64, f64, bool);
 
-struct Maker<'a>(&'a mut Random);
+/// Takes decisions from numbers in [-1, 1).
+struct Maker<'a>(&'a mut dyn FnMut() -> f64);
 
 impl Maker<'_> {
     fn chance(&mut self, p: f64) -> bool {
-        0.5 * (self.0.signed() + 1.0) < p
+        0.5 * ((self.0)() + 1.0) < p
     }
 
     fn pick(&mut self, list: &[f64]) -> f64 {
-        let at = 0.5 * (self.0.signed() + 1.0) * list.len() as f64;
+        let at = 0.5 * ((self.0)() + 1.0) * list.len() as f64;
         list[(at as usize).min(list.len() - 1)]
     }
 
@@ -65,7 +64,7 @@ impl Maker<'_> {
     }
 
     fn some(&mut self) -> f64 {
-        let size = 0.05 + 0.55 * 0.5 * (self.0.signed() + 1.0);
+        let size = 0.05 + 0.55 * 0.5 * ((self.0)() + 1.0);
         let size = if self.chance(0.3) { 0.3 } else { (size * 1000.0).round() / 1000.0 };
         if self.chance(0.5) { size } else { -size }
     }
@@ -218,9 +217,9 @@ impl Maker<'_> {
     }
 }
 
-/// The text of a random table of a class.
-pub(super) fn table(class: &str, random: &mut Random) -> String {
-    let mut m = Maker(random);
+/// The text of a table of a class, made of numbers in [-1, 1).
+pub(super) fn table(class: &str, draw: &mut dyn FnMut() -> f64) -> String {
+    let mut m = Maker(draw);
     let links = m.links(class);
     let n = links.len();
     let planar = class.ends_with("planar");

@@ -66,8 +66,8 @@ pub(super) fn drive(chain: &Chain) -> String {
     let turns: Vec<String> =
         chain.joints.iter().map(|j| matches!(j.coordinate, Coordinate::Angle(_)).to_string()).collect();
     format!(
-        "fn drive(&self) -> Option<::dh_robot::ik::Drive<{n}>> {{\nlet det = {};\n\
-         Some(::dh_robot::ik::Drive {{ rows: {}, motors: {}, turns: [{}] }})\n}}\n",
+        "fn drive(&self) -> ::core::option::Option<::dh_robot::ik::Drive<{n}>> {{\nlet det = {};\n\
+         ::core::option::Option::Some(::dh_robot::ik::Drive {{ rows: {}, motors: {}, turns: [{}] }})\n}}\n",
         value(&det),
         matrix(&chain.drive, ""),
         matrix(&adjugate, " / det"),

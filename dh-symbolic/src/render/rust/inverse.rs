@@ -18,7 +18,9 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
     let given = if chain.redundant.is_some() { format!(", given: {f}") } else { String::new() };
     let pass = if chain.redundant.is_some() { ", given.into()" } else { "" };
     let fits = lanes::fits(chain, inverse);
-    let fixed = chain.redundant.map_or("None".into(), |k| format!("Some(({k}, given.into()))"));
+    let fixed = chain.redundant.map_or("::core::option::Option::None".into(), |k| {
+        format!("::core::option::Option::Some(({k}, given.into()))")
+    });
     let few = inverse.plan.few;
     let robust = format!(
         "{frame}\nlet setting = ::dh_robot::inverse::Setting {{ joints: &Self::JOINTS, reach: {reach}, few: {few}, given: {fixed} }};\n\

@@ -74,11 +74,12 @@ pub(in crate::render) fn reported(chain: &Chain, inverse: &Inverse, i: usize, bo
     Reported { name, scale, unit, square: None }
 }
 
-/// Which part of an arm with six joints a step with two roots decides: 0 shoulder, 1 elbow, 2 wrist; each part once.
+/// Which part of an arm with six joints a step with two roots decides: 0 shoulder, 1 elbow, 2 wrist; each part once. A sum of angles
+/// belongs to its last joint: `q2 + q3 + q4` is how the hand points, not where the elbow is.
 pub(in crate::render) fn part_of(inverse: &Inverse, i: usize) -> Option<usize> {
     let part = |i: usize| {
         let step = &inverse.plan.steps[i];
-        let joint = joints_of(step.unknown.first()?, inverse.plan.axes.real).first().copied()?;
+        let joint = joints_of(step.unknown.first()?, inverse.plan.axes.real).last().copied()?;
         (step.roots == 2).then_some(match joint {
             0 => 0,
             1 | 2 => 1,

@@ -30,7 +30,7 @@ impl Target {
             Task::Pose => Target {
                 parameter: format!("target: &::dh_robot::nalgebra::IsometryMatrix3<{f}>"),
                 frame: format!(
-                    "let frame = match ::dh_robot::inverse::frame_of(target, {reach}) {{ Ok(frame) => frame, Err(why) => {refuse} }};"
+                    "let frame = match ::dh_robot::inverse::frame_of(target, {reach}) {{ ::core::result::Result::Ok(frame) => frame, ::core::result::Result::Err(why) => {refuse} }};"
                 ),
                 task: format!("::dh_robot::ik::Task::Pose(::dh_robot::inverse::in_units(&frame, {reach}))"),
                 kind: format!("::dh_robot::nalgebra::IsometryMatrix3<{f}>"),

@@ -1,0 +1,156 @@
+//! Choosing among solutions: names of branches, ranges of every kind, the nearest solution.
+
+use std::f64::consts::{PI, TAU};
+
+use dh_robot::nalgebra::IsometryMatrix3;
+use dh_robot::{Branch, ForwardKinematics, InverseKinematics, Solution, dh_robot};
+use dh_tests::sample::Random;
+use generated_examples::cup_arm::CupArm;
+use generated_examples::kuka_kr6_r700::KukaKr6R700;
+use generated_examples::puma560::Puma560;
+use generated_examples::six_axis_chain::SixAxisChain;
+use generated_examples::stanford::Stanford;
+use generated_examples::ur5::Ur5;
+
+type Target = IsometryMatrix3<f64>;
+
+dh_robot! {
+    /// A wrist behind two parallel axes, with ranges of every kind.
+    struct Ranges;
+
+    convention = standard;
+
+    | theta | d    | a    | alpha  | range            |
+    | q1    | 0.4  | 0.1  | -90deg | 200deg..=560deg  |
+    | q2    | 0    | 0.5  |   0    | -500deg..=-190deg|
+    | q3    | 0    | 0.05 | -90deg | -400deg..=400deg |
+    | q4    | 0.45 | 0    |  90deg | 0deg..=350deg    |
+    | q5    | 0    | 0    | -90deg | -360deg..=0deg   |
+    | q6    | 0.1  | 0    |   0    | 700deg..=900deg  |
+}
+
+dh_robot! {
+    /// The same kinds of ranges, and one that slides, without a wrist.
+    struct Mixed;
+
+    convention = standard;
+
+    | theta | d   | a   | alpha  | range           |
+    | q1    | 0.4 | 0.3 |   0    | 170deg..=500deg |
+    | q2    | 0   | 0.2 | 180deg | -                |
+    | 0     | q3  | 0   |   0    | -0.9..=-0.2      |
+    | q4    | 0.1 | 0   |   0    | -190deg..=170deg |
+}
+
+fn same<const N: usize>(arm: &impl ForwardKinematics<N>, a: &[f64; N], b: &[f64; N], tolerance: f64) -> bool {
+    arm.joints().iter().zip(a.iter().zip(b)).all(|(joint, (a, b))| joint.difference(*a, *b) < tolerance)
+}
+
+/// Names that a controller asks for, without the numbers of roots.
+fn names(branch: Branch) -> Branch {
+    let mut named = Branch::ANY;
+    if let Some(x) = branch.shoulder() {
+        named = named.with_shoulder(x);
+    }
+    if let Some(x) = branch.elbow() {
+        named = named.with_elbow(x);
+    }
+    if let Some(x) = branch.wrist() {
+        named = named.with_wrist(x);
+    }
+    named
+}
+
+/// Every solution of a pose can be asked for by its names alone, and keeps them while the arm moves a little.
+fn named<const N: usize, const M: usize>(
+    arm: &(impl ForwardKinematics<N> + InverseKinematics<N, M, f64, Target = Target>),
+) {
+    let mut random = Random::new(17);
+    let mut moved = 0;
+    for _ in 0..60 {
+        let q = arm.joints().each_ref().map(|j| random.signed() * if j.is_revolute() { PI } else { 0.5 });
+        let found = arm.inverse(&arm.forward(&q));
+        for (i, solution) in found.iter().enumerate() {
+            let wanted = names(solution.branch);
+            assert!(!found[..i].iter().any(|s| names(s.branch) == wanted), "{q:?}: {wanted} twice in\n{found}");
+            assert_eq!(found.with_branch(wanted), Some(solution), "{q:?}");
+            // Another pose near by: the neighbour has the same names, unless a branch ends between.
+            let near = solution.q.map(|x| x + 1e-6);
+            let then = arm.inverse(&arm.forward(&near));
+            let neighbour = then.iter().find(|s| same(arm, &s.q, &near, 1e-7));
+            assert!(neighbour.is_some(), "{near:?}: not among\n{then}");
+            moved += usize::from(neighbour.is_some_and(|s: &Solution<f64, N>| names(s.branch) == wanted));
+        }
+        if found.len() == M {
+            continue;
+        }
+        assert!(!found.is_empty(), "{q:?}: {}", found.why());
+    }
+    assert!(moved >= 60, "{moved}");
+}
+
+#[test]
+fn names_of_branches_tell_all_solutions_apart_and_stay() {
+    named(&Puma560::default());
+    named(&KukaKr6R700::default());
+    named(&CupArm::default());
+    named(&Stanford::default());
+    named(&Ur5::default());
+    named(&SixAxisChain::default());
+}
+
+/// What is in range is found there, and everything stands where its range wants it.
+fn ranged<const N: usize, const M: usize>(
+    arm: &(impl ForwardKinematics<N> + InverseKinematics<N, M, f64, Target = Target>),
+) {
+    let mut random = Random::new(23);
+    let joints = arm.joints();
+    for i in 0..300 {
+        let q = joints.each_ref().map(|j| {
+            let (least, greatest) = j.range.unwrap_or((-PI, PI));
+            let x = least + 0.5 * (random.signed() + 1.0) * (greatest - least);
+            match (i % 3, j.is_revolute()) {
+                (0, _) | (_, false) => x,
+                // Quarter turns, and limits.
+                (1, _) => ((x / (0.5 * PI)).round() * 0.5 * PI).clamp(least, greatest),
+                _ => {
+                    if random.signed() > 0.0 {
+                        least
+                    } else {
+                        greatest
+                    }
+                }
+            }
+        });
+        let found = arm.inverse(&arm.forward(&q));
+        for s in &found {
+            for (joint, x) in joints.iter().zip(&s.q) {
+                assert!((joint.normalize(*x) - x).abs() < 1e-9, "{q:?}: {x} of {joint:?}");
+            }
+        }
+        let kept = found.within_range();
+        for s in &kept {
+            assert!(joints.iter().zip(&s.q).all(|(j, x)| j.range.is_none_or(|(l, g)| l <= *x && *x <= g)), "{s}");
+        }
+        // Of a continuum one solution stands for all, which may be out of range.
+        let own = kept.iter().any(|s| same(arm, &s.q, &q, 1e-5)) || found.iter().any(|s| !s.free.is_empty());
+        assert!(own, "{q:?} is not among\n{kept}\nof\n{found}");
+        // Where the arm is, it stays; a small motion goes the short way where the range allows it.
+        if i % 3 == 0 {
+            let from = q.map(|x| x + 1e-3);
+            let (near, to) = (found.closest_to(&from).unwrap(), found.toward(&from).unwrap());
+            assert!(same(arm, &near.q, &q, 1e-6), "{q:?}: the nearest is {near}");
+            assert!(q.iter().zip(&to.q).all(|(a, b)| (a - b).abs() < 1e-6), "{q:?}: the way leads to {to}");
+        }
+    }
+}
+
+#[test]
+fn ranges_of_every_kind_are_kept() {
+    ranged(&Ranges);
+    ranged(&Mixed);
+    // A whole turn leads out of the first range and into the second.
+    let arm = Ranges;
+    let inside = arm.inverse(&arm.forward(&[4.0, -4.0, 0.5, 1.0, -1.0, 13.0]));
+    assert!(inside.within_range().iter().all(|s| s.q[0] > 3.49 && s.q[1] < -3.31 && s.q[5] > 2.0 * TAU - 0.4));
+}
