@@ -20,9 +20,10 @@ const SIZE: usize = 2 * EQUATIONS;
 /// A square matrix, row by row.
 type Matrix = [[f64; SIZE]; SIZE];
 
-/// The matrix as a function of the hidden angle: `constant + cos C + sin S`, both factors of `C` and `S` in one array.
+/// The six equations as functions of the hidden angle, `constant + cos C + sin S`, and from them the matrix.
 pub(super) struct Dialytic {
-    parts: [Matrix; 3],
+    /// For each equation the coefficients of `1`, `2 cos x` and `2 sin x`, each by the single joint's three monomials.
+    parts: [[[f64; 9]; EQUATIONS]; 3],
     /// Does the single joint slide?
     slides: bool,
 }
@@ -64,17 +65,12 @@ impl Refined {
 impl Dialytic {
     pub(super) fn new(closure: &Closure, choice: Choice) -> Self {
         let [hidden, double, single] = choice.middle().map(|i| [9, 3, 1][i]);
-        let mut parts = [[[0.0; SIZE]; SIZE]; 3];
+        let mut parts = [[[0.0; 9]; EQUATIONS]; 3];
         for (h, part) in parts.iter_mut().enumerate() {
-            for (r, equation) in closure.equations.iter().enumerate() {
+            for (row, equation) in part.iter_mut().zip(&closure.equations) {
                 for y in 0..3 {
                     let at = |x: usize| equation[hidden * h + double * x + single * y];
-                    let (one, cos, sin) = (at(0), 0.5 * at(1), 0.5 * at(2));
-                    // (one + 2 cos cos x + 2 sin sin x) times cos(x/2), then times sin(x/2).
-                    let (first, second) = (&mut part[2 * r], 2 * r + 1);
-                    (first[y], first[3 + y], first[6 + y], first[9 + y]) = (cos, sin, one + cos, sin);
-                    let second = &mut part[second];
-                    (second[y], second[3 + y], second[6 + y], second[9 + y]) = (-sin, cos, sin, one - cos);
+                    (row[y], row[3 + y], row[6 + y]) = (at(0), 0.5 * at(1), 0.5 * at(2));
                 }
             }
         }
@@ -84,26 +80,37 @@ impl Dialytic {
     /// The matrix at a hidden angle `[cos, sin]`.
     #[inline]
     fn at(&self, [c, s]: [f64; 2]) -> Matrix {
+        self.matrix([1.0, c, s])
+    }
+
+    /// The matrix for three factors of the constant part, that of the cosine and that of the sine.
+    #[inline]
+    fn matrix(&self, [one, c, s]: [f64; 3]) -> Matrix {
         let [constant, cos, sin] = &self.parts;
-        let mut out = *constant;
-        for r in 0..SIZE {
-            let (out, cos, sin) = (&mut out[r], &cos[r], &sin[r]);
+        let mut out = [[0.0; SIZE]; SIZE];
+        for r in 0..EQUATIONS {
+            let (constant, cos, sin) = (&constant[r], &cos[r], &sin[r]);
+            let mut row = [0.0; 9];
             let mut k = 0;
-            while k < SIZE {
-                out[k] += c * cos[k] + s * sin[k];
+            while k < 9 {
+                row[k] = one * constant[k] + c * cos[k] + s * sin[k];
                 k += 1;
             }
+            // (one + 2 cos cos x + 2 sin sin x) times cos(x/2), then times sin(x/2).
+            let [a, b, e, p, q, t, u, v, w] = row;
+            out[2 * r] = [p, q, t, u, v, w, a + p, b + q, e + t, u, v, w];
+            out[2 * r + 1] = [-u, -v, -w, p, q, t, u, v, w, a - p, b - q, e - t];
         }
         out
     }
 
     /// The derivative of the matrix by the hidden angle, times a vector.
     fn slope_times(&self, [c, s]: [f64; 2], x: &[f64; SIZE]) -> [f64; SIZE] {
-        let [_, cos, sin] = &self.parts;
+        let slope = self.matrix([0.0, -s, c]);
         let mut out = [0.0; SIZE];
         for r in 0..SIZE {
             for k in 0..SIZE {
-                out[r] += (c * sin[r][k] - s * cos[r][k]) * x[k];
+                out[r] += slope[r][k] * x[k];
             }
         }
         out
