@@ -4,7 +4,9 @@
 mod classes;
 mod compiled;
 mod newton;
+mod once;
 mod shrinking;
+mod stress;
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -145,4 +147,16 @@ fn random_arms_are_inverted_completely_a() {
 #[test]
 fn random_arms_are_inverted_completely_b() {
     classes(1, 2);
+}
+
+/// Minutes in a release build: `cargo test --release -p dh-tests --test main a_long_run -- --ignored --nocapture`. `CLASS` (a part of a class name), `SEEDS` (`0..3`), `POSES` (40)
+/// and `VERBOSE` choose.
+#[test]
+#[ignore = "counts instead of judging, and takes its time"]
+fn a_long_run_over_all_classes() {
+    let var = |name: &str| std::env::var(name).ok();
+    let seeds =
+        var("SEEDS").and_then(|s| s.split_once("..").map(|(a, b)| a.parse().unwrap_or(0)..b.parse().unwrap_or(3)));
+    let poses = var("POSES").and_then(|p| p.parse().ok()).unwrap_or(40);
+    stress::run(&var("CLASS").unwrap_or_default(), seeds.unwrap_or(0..3), poses, var("VERBOSE").is_some());
 }

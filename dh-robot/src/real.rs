@@ -25,7 +25,8 @@ pub trait Real: RealField + Copy + Default + Display + LowerExp + sealed::Sealed
     const EPSILON: Self;
     /// How far a matrix may be from a rotation and still be taken for one: the largest entry of `R^T R - 1`.
     ///
-    /// Poses that went through a text file with six or seven digits, or through a long product, pass; a matrix with a
+    /// Poses that went through a text file with six decimals (which leave 2 sqrt(3) 5e-7 = 1.8e-6), or through a long product, pass;
+    /// a matrix with a
     /// scale, a typing error or a wrong transposition does not.
     const ROTATION_TOLERANCE: Self;
     /// How far a joint value may be beyond its range by round-off: such a value is put on the limit.
@@ -54,7 +55,7 @@ impl Real for f64 {
     const PI: Self = core::f64::consts::PI;
     const TAU: Self = core::f64::consts::TAU;
     const EPSILON: Self = f64::EPSILON;
-    const ROTATION_TOLERANCE: Self = 1e-6;
+    const ROTATION_TOLERANCE: Self = 2e-6;
     const RANGE_TOLERANCE: Self = 1e-9;
 
     #[inline(always)]

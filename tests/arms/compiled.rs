@@ -21,7 +21,7 @@ pub(super) struct Compiled {
     chain: Chain,
     /// The same with the values of fields.
     valued: Chain,
-    shifts: Vec<f64>,
+    pub(super) shifts: Vec<f64>,
     /// Motors to joint coordinates.
     drive: Vec<Vec<f64>>,
     /// The tool's rotation with all joints at zero, for planar tasks.
@@ -210,6 +210,8 @@ impl Compiled {
             }
             let mut attempt = Attempt::new();
             (attempt.degenerate, attempt.lost, attempt.doubt) = (run.degenerate, run.lost, run.doubt);
+            attempt.grazed = run.grazed;
+            attempt.grazed = run.grazed;
             attempt
         };
         solve(&Model(self), setting, &goal, &frame, candidates)

@@ -67,8 +67,7 @@ impl Problem<'_> {
         for row in &mut rows {
             row.1 = free.iter().map(|k| row.1[*k]).collect();
         }
-        let mut m = self.normal(&rows, free.len());
-        eigenvalues(&mut m).into_iter().fold(f64::INFINITY, f64::min).max(0.0).sqrt()
+        least_singular_value(rows.into_iter().map(|r| r.1).collect(), free.len())
     }
 
     /// Walks to a solution, or nowhere.
@@ -119,27 +118,30 @@ fn gauss(mut m: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
     b
 }
 
-/// Eigenvalues of a symmetric matrix, by Jacobi's rotations.
-fn eigenvalues(m: &mut [Vec<f64>]) -> Vec<f64> {
-    let n = m.len();
+/// The smallest singular value of a matrix of `n` columns, by one-sided rotations (Hestenes, 1958), which square nothing.
+fn least_singular_value(mut m: Vec<Vec<f64>>, n: usize) -> f64 {
+    let dot = |m: &[Vec<f64>], p: usize, q: usize| m.iter().map(|row| row[p] * row[q]).sum::<f64>();
     for _ in 0..30 {
+        let mut turned = false;
         for p in 0..n {
             for q in p + 1..n {
-                if m[p][q].abs() < 1e-300 {
+                let (a, b, c) = (dot(&m, p, p), dot(&m, q, q), dot(&m, p, q));
+                if c.abs() <= 1e-16 * (a * b).sqrt() || c.abs() < 1e-300 {
                     continue;
                 }
-                let t = 0.5 * (2.0 * m[p][q]).atan2(m[q][q] - m[p][p]);
-                let (s, c) = t.sin_cos();
-                for k in 0..n {
-                    let (x, y) = (m[k][p], m[k][q]);
-                    (m[k][p], m[k][q]) = (c * x - s * y, s * x + c * y);
-                }
-                for k in 0..n {
-                    let (x, y) = (m[p][k], m[q][k]);
-                    (m[p][k], m[q][k]) = (c * x - s * y, s * x + c * y);
+                turned = true;
+                let zeta = (b - a) / (2.0 * c);
+                let t = 1f64.copysign(zeta) / (zeta.abs() + (1.0 + zeta * zeta).sqrt());
+                let cos = 1.0 / (1.0 + t * t).sqrt();
+                for row in &mut m {
+                    let (x, y) = (row[p], row[q]);
+                    (row[p], row[q]) = (cos * (x - t * y), cos * (t * x + y));
                 }
             }
         }
+        if !turned {
+            break;
+        }
     }
-    (0..n).map(|k| m[k][k]).collect()
+    (0..n).map(|k| dot(&m, k, k).sqrt()).fold(f64::INFINITY, f64::min)
 }

@@ -4,12 +4,15 @@ use core::ops::Deref;
 
 use super::list::{Blank, List};
 
+/// How far (relative) a double root in one step may put the next one out of reach: a root of multiplicity four is good to 1e-4.
+const GRAZE: f64 = 1e-4;
+
 /// Why a kernel found as many solutions as it did.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Outcome {
     /// All solutions, well apart.
     Regular,
-    /// All solutions, but at least one is a double one: the boundary of the workspace, or of a branch of it.
+    /// All solutions, but at least one is a double one, or nearly: the boundary of the workspace, or of a branch of it.
     Touching,
     /// No solution: the equation asks for `needed`, and no angle gives more than `available`.
     OutOfReach {
@@ -35,6 +38,11 @@ impl Outcome {
             Self::NoRealRoot => true,
             Self::Regular | Self::Touching | Self::Free => false,
         }
+    }
+
+    /// Is what is asked for beyond what is available by so little that the error of a double root in a step before may be the reason?
+    pub fn just_misses_a_root(&self) -> bool {
+        matches!(*self, Self::OutOfReach { needed, available } if needed > available && needed <= available * (1.0 + GRAZE))
     }
 }
 
@@ -65,6 +73,12 @@ impl<T: Blank, const N: usize> Found<T, N> {
             self.roots.push(representative);
         }
         self
+    }
+
+    /// Is there at least one solution, and are all of them well apart?
+    #[inline]
+    pub fn is_regular(&self) -> bool {
+        self.outcome == Outcome::Regular
     }
 
     /// Do the equations leave an unknown free?

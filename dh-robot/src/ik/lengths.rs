@@ -5,7 +5,7 @@ use super::list::List;
 use super::math::sqrt;
 use super::newton2::polish_pair;
 use super::sincos::solve_sincos;
-use super::tolerance::{ACCEPT, BLUR, BOUNDARY, DOUBLE, SAME, ZERO};
+use super::tolerance::{ACCEPT, BLUR, BOUNDARY, DOUBLE, GRAZING, SAME, ZERO};
 use super::trig_poly::TrigPoly;
 
 /// A length and an angle `[cos, sin]`.
@@ -50,7 +50,8 @@ pub fn solve_quadratic(a: f64, b: f64, c: f64, tol: f64) -> Found<f64, 2> {
     let q = -0.5 * (b + sqrt(discriminant).copysign(b));
     roots.push(q / a);
     roots.push(c / q);
-    Found { roots, outcome: Outcome::Regular }
+    let grazing = discriminant <= GRAZING * size.max(a * a);
+    Found { roots, outcome: if grazing { Outcome::Touching } else { Outcome::Regular } }
 }
 
 /// All `(d, v)` with `sum_ij e[3 i + j] D_i V_j = 0` for both equations, `D = (1, d)`, `V = (1, cos v, sin v)`.

@@ -208,6 +208,8 @@ pub fn levenberg_marquardt<const N: usize, const M: usize>(
     const PATIENCE: usize = 6;
     /// Square of an error below which a step that doesn't help much is rounding noise.
     const FLOOR: f64 = 1e-26;
+    /// Square of an error below which a step that leads away gets a second chance.
+    const BENT: f64 = 1e-8;
     let square = |e: &[f64; M]| e.iter().map(|x| x * x).sum::<f64>();
     let mut e = error(q);
     let mut now = square(&e);
@@ -217,19 +219,9 @@ pub fn levenberg_marquardt<const N: usize, const M: usize>(
             return (e, taken);
         }
         let j = jacobian(q);
-        let mut normal = [[0.0; N]; N];
-        let mut right = [0.0; N];
-        for (row, &x) in j.iter().zip(&e) {
-            for a in 0..N {
-                right[a] += row[a] * x;
-                for b in 0..=a {
-                    normal[a][b] += row[a] * row[b];
-                }
-            }
-        }
         let mut helped = false;
-        for _ in 0..TRIES {
-            let step = solve_damped(&normal, &right, weight * now);
+        for attempt in 0..TRIES {
+            let step = solve_damped(&j, &e, weight * now);
             let mut next = *q;
             for i in 0..N {
                 next[i] += step[i];
@@ -259,6 +251,20 @@ pub fn levenberg_marquardt<const N: usize, const M: usize>(
                 }
                 break;
             }
+            // Next to a double root a good step bends away from the target by as much as is left; the next one leads back.
+            if attempt == 0 && now < BENT {
+                let back = solve_damped(&jacobian(&next), &e_next, weight * then);
+                for i in 0..N {
+                    next[i] += back[i];
+                }
+                let e_next = error(&next);
+                let then = square(&e_next);
+                if then < 0.9 * now {
+                    (*q, e, now) = (next, e_next, then);
+                    helped = true;
+                    break;
+                }
+            }
             if now <= FLOOR {
                 break;
             }
@@ -271,43 +277,39 @@ pub fn levenberg_marquardt<const N: usize, const M: usize>(
     (e, steps)
 }
 
-/// Solves `(A + m I) x = b` for the lower triangle of a positive semidefinite `A`, by LDL^T.
-fn solve_damped<const N: usize>(a: &[[f64; N]; N], b: &[f64; N], m: f64) -> [f64; N] {
-    let mut trace = 0.0;
+/// Minimises `|J x - e|^2 + m |x|^2`: rows are turned one after the other into a triangle (Givens rotations), so that small singular
+/// values keep their digits.
+fn solve_damped<const N: usize, const M: usize>(j: &[[f64; N]; M], e: &[f64; M], m: f64) -> [f64; N] {
+    let mut r = [[0.0; N]; N];
+    let mut x = [0.0; N];
+    let damping = sqrt(m);
     for i in 0..N {
-        trace += a[i][i];
+        r[i][i] = damping;
+    }
+    for (row, &right) in j.iter().zip(e) {
+        let (mut row, mut right) = (*row, right);
+        for i in 0..N {
+            if row[i] == 0.0 {
+                continue;
+            }
+            let h = sqrt(r[i][i] * r[i][i] + row[i] * row[i]);
+            let (c, s) = (r[i][i] / h, row[i] / h);
+            for k in i..N {
+                (r[i][k], row[k]) = (c * r[i][k] + s * row[k], c * row[k] - s * r[i][k]);
+            }
+            (x[i], right) = (c * x[i] + s * right, c * right - s * x[i]);
+        }
     }
     // A pivot below rounding noise belongs to a direction that doesn't move the arm: leave that direction alone.
-    let floor = 1e-15 * trace;
-    let mut l = [[0.0; N]; N];
-    let mut d = [0.0; N];
+    let mut largest = 0.0f64;
     for i in 0..N {
-        for j in 0..i {
-            let mut x = a[i][j];
-            for k in 0..j {
-                x -= l[i][k] * l[j][k] * d[k];
-            }
-            l[i][j] = if d[j] > 0.0 { x / d[j] } else { 0.0 };
-        }
-        let mut x = a[i][i] + m;
-        for k in 0..i {
-            x -= l[i][k] * l[i][k] * d[k];
-        }
-        d[i] = if x > floor { x } else { 0.0 };
-    }
-    let mut x = *b;
-    for i in 0..N {
-        for k in 0..i {
-            x[i] -= l[i][k] * x[k];
-        }
-    }
-    for i in 0..N {
-        x[i] = if d[i] > 0.0 { x[i] / d[i] } else { 0.0 };
+        largest = largest.max(r[i][i].abs());
     }
     for i in (0..N).rev() {
         for k in i + 1..N {
-            x[i] -= l[k][i] * x[k];
+            x[i] -= r[i][k] * x[k];
         }
+        x[i] = if r[i][i].abs() > 1e-13 * largest { x[i] / r[i][i] } else { 0.0 };
     }
     x
 }
@@ -398,5 +400,22 @@ mod tests {
         let mut q = [f64::NAN; 6];
         let done = polish(&arm, &mut q, &Task::Pose(random_pose(&mut Rng::new(1))), 1.0, 20);
         assert!(done.steps == 0 && !done.reaches(1.0));
+    }
+
+    #[test]
+    fn a_double_root_in_a_bent_valley_is_reached() {
+        // A full Newton step halves the first error's root and leaves a larger second error, which the next step removes.
+        let error = |q: &[f64; 2]| [-q[0] * q[0], 8.0 * q[0] * q[0] - q[1]];
+        let jacobian = |q: &[f64; 2]| [[2.0 * q[0], 0.0], [-16.0 * q[0], 1.0]];
+        let mut q = [1e-5, 8e-10];
+        let (e, steps) = levenberg_marquardt(&mut q, 12, 1e-15, error, jacobian);
+        assert!(e.iter().all(|e| e.abs() < 1e-13), "{e:?} after {steps}");
+    }
+
+    #[test]
+    fn small_singular_values_keep_their_digits() {
+        // Two rows that differ by 1e-9: their squares are the same number.
+        let x = solve_damped(&[[1.0, 1.0], [1.0, 1.0 + 1e-9]], &[2.0, 2.0 + 1e-9], 0.0);
+        assert!(x.iter().all(|x| (x - 1.0).abs() < 1e-6), "{x:?}");
     }
 }

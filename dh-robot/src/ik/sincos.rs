@@ -3,7 +3,7 @@
 use super::found::{Angles, Outcome};
 use super::list::List;
 use super::math::sqrt;
-use super::tolerance::{BLUR, BOUNDARY, DOUBLE};
+use super::tolerance::{BLUR, BOUNDARY, DOUBLE, GRAZING};
 
 /// All angles with `a cos t + b sin t = c`.
 ///
@@ -22,7 +22,7 @@ use super::tolerance::{BLUR, BOUNDARY, DOUBLE};
 ///   [`Outcome::OutOfReach`] with `needed = |c|`, `available = h`; input that isn't finite ends here too. [`Outcome::Free`] if neither
 ///   exceeds [`BLUR`].
 /// - `|c|` within [`BOUNDARY`] above `h`, or within [`DOUBLE`] below: one root, [`Outcome::Touching`].
-/// - otherwise two roots, [`Outcome::Regular`].
+/// - otherwise two roots, [`Outcome::Regular`], or [`Outcome::Touching`] within [`GRAZING`].
 #[inline]
 pub fn solve_sincos(a: f64, b: f64, c: f64, tol: f64) -> Angles<2> {
     let h = sqrt(a * a + b * b);
@@ -50,7 +50,7 @@ pub fn solve_sincos(a: f64, b: f64, c: f64, tol: f64) -> Angles<2> {
     let r = sqrt(gap * (h + needed)) * inverse;
     roots.push([ua * uc - ub * r, ub * uc + ua * r]);
     roots.push([ua * uc + ub * r, ub * uc - ua * r]);
-    Angles { roots, outcome: Outcome::Regular }
+    Angles { roots, outcome: if gap <= GRAZING * h { Outcome::Touching } else { Outcome::Regular } }
 }
 
 /// The angle, up to half a turn, of two equations `a cos t + b sin t = 0` that hold together: by the one with the larger coefficients.

@@ -17,6 +17,10 @@ pub const BOUNDARY: f64 = 1e-9;
 /// differ by 2e-7 rad at most.
 pub const DOUBLE: f64 = 1e-14;
 
+/// Two solutions whose discriminant is below this (relative) are nearly one: they differ by 2e-4 rad at most, and are good to 1e-12
+/// only, which the next steps may see.
+pub const GRAZING: f64 = 1e-8;
+
 /// Relative size of an extremum of a trigonometric polynomial that counts as touching zero. Coefficients that come out of a few
 /// multiplications are good to 1e-14; the rest is kept for the steps before. Touching where there is no root costs a rejected candidate.
 pub const TOUCH: f64 = 1e-10;

@@ -11,6 +11,11 @@ use super::list::{Blank, List};
 use super::tolerance::TOUCH;
 use super::trig_poly::TrigPoly;
 
+/// Are two roots nearly one? (Cosines and sines within 1e-4: what [`super::tolerance::GRAZING`] is for a single equation.)
+fn close(a: [f64; 2], b: [f64; 2]) -> bool {
+    (a[0] - b[0]).abs() + (a[1] - b[1]).abs() < 2e-4
+}
+
 impl<const D: usize> TrigPoly<D> {
     const TABLES: Tables = {
         assert!(D >= 1 && D <= MAX_DEGREE, "degree of a trigonometric polynomial out of range");
@@ -63,6 +68,9 @@ impl<const D: usize> TrigPoly<D> {
         // Touching roots come last.
         let outcome = match roots.last() {
             None => Outcome::NoRealRoot,
+            Some((_, false)) if roots.iter().enumerate().any(|(i, r)| roots[..i].iter().any(|s| close(r.0, s.0))) => {
+                Outcome::Touching
+            }
             Some((_, false)) => Outcome::Regular,
             Some((_, true)) => Outcome::Touching,
         };

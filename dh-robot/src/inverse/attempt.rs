@@ -5,7 +5,8 @@ use crate::{FreeJoints, Why};
 
 /// Which values the unknowns take that their equations leave free: one choice for a whole run of the plan.
 ///
-/// The first choice is zero for every step; the others spread over the circle, in another order for each step.
+/// The first choice is zero for every step; the others spread over the circle, in another order for each step: first eleven, then three
+/// between each two.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Pick(u8);
 
@@ -24,6 +25,13 @@ const ANGLES: [[f64; 2]; 12] = [
     [-0.798_635_510_047_292_9, -0.601_815_023_152_048_2],
     [0.992_546_151_641_322, -0.121_869_343_405_147_48],
 ];
+/// From each of these angles to three more, so that no gap is left of more than 12.5 degrees: 0, 11.1, 21 and 32.5 degrees.
+const BETWEEN: [[f64; 2]; 4] = [
+    [1.0, 0.0],
+    [0.981_292_663_992_245_1, 0.192_521_966_525_907_42],
+    [0.933_580_426_497_201_7, 0.358_367_949_545_300_3],
+    [0.843_391_445_812_885_7, 0.537_299_608_346_823_9],
+];
 /// Lengths over the reach.
 const LENGTHS: [f64; 12] = [0.0, 0.27, -0.23, 0.51, -0.48, 0.76, -0.74, 1.03, -0.97, 1.52, -1.46, 2.1];
 
@@ -40,7 +48,7 @@ impl Pick {
 
     /// All choices but the first.
     pub(super) fn others() -> impl Iterator<Item = Self> {
-        (1..12).map(Self)
+        (1..48).map(Self)
     }
 
     /// The place in a list of twelve: each step goes through it in another order.
@@ -52,13 +60,15 @@ impl Pick {
     /// The angle, as `[cos, sin]`.
     #[must_use]
     pub fn angle(self, step: usize) -> [f64; 2] {
-        ANGLES.get(self.place(step)).copied().unwrap_or([1.0, 0.0])
+        let [c, s] = ANGLES.get(self.place(step)).copied().unwrap_or([1.0, 0.0]);
+        let [x, y] = BETWEEN.get(usize::from(self.0 / 12)).copied().unwrap_or([1.0, 0.0]);
+        [c * x - s * y, s * x + c * y]
     }
 
     /// The length, over the reach.
     #[must_use]
     pub fn length(self, step: usize) -> f64 {
-        LENGTHS.get(self.place(step)).copied().unwrap_or(0.0)
+        LENGTHS.get(self.place(step)).copied().unwrap_or(0.0) + 0.061 * f64::from(self.0 / 12)
     }
 }
 
@@ -67,8 +77,11 @@ impl Pick {
 pub struct Attempt {
     /// Some step left its unknown free.
     pub degenerate: bool,
-    /// A value that was chosen for a free unknown led to nothing: another one might lead to something.
+    /// A value that was chosen for a free unknown led to nothing, and another one might lead to something; or a step missed its root
+    /// by no more than the error of a double root before it; or a step without a root came after a double one.
     pub lost: bool,
+    /// Some step had a double root, or nearly: what comes after it has fewer digits.
+    pub grazed: bool,
     /// Rounding, or an elimination that lost its rank, may have hidden a root.
     pub doubt: bool,
     pub(super) why: Why<f64>,
@@ -85,18 +98,19 @@ impl Attempt {
     #[inline]
     #[must_use]
     pub fn new() -> Self {
-        Attempt { degenerate: false, lost: false, doubt: false, why: Why::NoSolution }
+        Attempt { degenerate: false, lost: false, grazed: false, doubt: false, why: Why::NoSolution }
     }
 
-    /// Notes how a step without roots ended, where `free` are the joints for which values were chosen before. `scale` turns the
+    /// Notes how a step ended that has no roots, or a double one, where `free` are the joints for which values were chosen before. `scale` turns the
     /// numbers of its equation into `unit`.
     #[cold]
     pub fn note(&mut self, outcome: Outcome, free: FreeJoints, step: &'static str, scale: f64, unit: &'static str) {
-        if outcome == Outcome::Free {
-            self.degenerate = true;
-            return;
+        match outcome {
+            Outcome::Free => return self.degenerate = true,
+            Outcome::Touching => return self.grazed = true,
+            _ => {}
         }
-        self.lost |= !free.is_empty();
+        self.lost |= !free.is_empty() || self.grazed || outcome.just_misses_a_root();
         self.doubt |= outcome.may_hide_a_root();
         match outcome {
             Outcome::OutOfReach { needed, available } => {
@@ -123,7 +137,7 @@ impl Attempt {
         unit: &'static str,
     ) {
         let Outcome::OutOfReach { available, .. } = outcome else { return self.note(outcome, free, step, 1.0, unit) };
-        self.lost |= !free.is_empty();
+        self.lost |= !free.is_empty() || self.grazed || outcome.just_misses_a_root();
         self.doubt |= outcome.may_hide_a_root();
         let limit = (square - rest + if rest > 0.0 { available } else { -available }).max(0.0);
         let (needs, has) = (crate::math::sqrt(square) * reach, crate::math::sqrt(limit) * reach);
@@ -139,11 +153,11 @@ mod tests {
     fn choices_are_all_different_for_every_step_and_lie_on_the_circle() {
         for step in 0..5 {
             let all: Vec<[f64; 2]> = core::iter::once(Pick::FIRST).chain(Pick::others()).map(|p| p.angle(step)).collect();
-            assert_eq!(all.len(), 12);
+            assert_eq!(all.len(), 48);
             assert_eq!((all[0], Pick::FIRST.length(step)), ([1.0, 0.0], 0.0));
             for (i, a) in all.iter().enumerate() {
                 assert!((a[0].hypot(a[1]) - 1.0).abs() < 1e-15);
-                assert!(all[..i].iter().all(|b| (a[0] - b[0]).hypot(a[1] - b[1]) > 0.1));
+                assert!(all[..i].iter().all(|b| (a[0] - b[0]).hypot(a[1] - b[1]) > 0.02));
             }
         }
     }

@@ -12,6 +12,8 @@ const FIRST: f64 = 0.05;
 /// Length of the further steps, and their number.
 const STRIDE: f64 = 0.25;
 const FOLLOWED: usize = 8;
+/// A step along a curve that loses more than the rest of its length on the way back to the target leads nowhere.
+const KEPT: f64 = 0.4;
 /// Steps along a straight motion.
 const STRAIGHT: [f64; 3] = [0.9, -2.2, 1.7];
 
@@ -42,16 +44,36 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
         let motions = self.motions(q);
         let mut freedom = Freedom { joints: FreeJoints::NONE, straight: true };
         for v in motions.list.iter().take(motions.len) {
-            let moved = if STRAIGHT.iter().all(|t| self.miss(&self.moved_by(q, v, *t)) <= self.tolerance) {
-                (0..N).filter(|k| v[*k].abs() > 1e-6).fold(FreeJoints::NONE, FreeJoints::with)
-            } else {
-                let moved = self.moved_along(q, v);
-                freedom.straight &= moved.is_empty();
-                moved
-            };
-            freedom.joints = freedom.joints.union(moved);
+            self.add_motion(q, v, &mut freedom);
+        }
+        if freedom.joints.is_empty() && motions.len > 1 {
+            // Where curves of solutions cross, none of them need go in a direction of the basis.
+            for i in 0..motions.len {
+                for j in 0..i {
+                    for sign in [1.0, -1.0] {
+                        let both: [f64; N] =
+                            core::array::from_fn(|k| motions.list[i][k] + sign * motions.list[j][k]);
+                        let size = both.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+                        if size > 1e-6 {
+                            self.add_motion(q, &both.map(|x| x / size), &mut freedom);
+                        }
+                    }
+                }
+            }
         }
         freedom
+    }
+
+    /// Notes the joints that move along a motion.
+    fn add_motion(&self, q: &[f64; N], v: &[f64; N], freedom: &mut Freedom) {
+        let moved = if STRAIGHT.iter().all(|t| self.miss(&self.moved_by(q, v, *t)) <= self.tolerance) {
+            (0..N).filter(|k| v[*k].abs() > 1e-6).fold(FreeJoints::NONE, FreeJoints::with)
+        } else {
+            let moved = self.moved_along(q, v);
+            freedom.straight &= moved.is_empty();
+            moved
+        };
+        freedom.joints = freedom.joints.union(moved);
     }
 
     /// The joints that move along the curve of solutions which a motion begins; none if there is no such curve.
@@ -66,7 +88,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
                     break;
                 }
                 let step = self.apart(&x, &next);
-                if !step.iter().any(|d| d.abs() > 0.1 * stride) {
+                if !step.iter().any(|d| d.abs() > KEPT * stride) {
                     break;
                 }
                 free = (0..N).filter(|k| step[*k].abs() > 1e-3 * stride).fold(free, FreeJoints::with);

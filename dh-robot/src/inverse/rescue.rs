@@ -10,6 +10,11 @@ const STEPS: usize = 60;
 /// Starts of the search for an arm whose plan chooses a value that no closed form can judge.
 const STARTS: usize = 60;
 
+/// Slides beyond this (over the reach) come out of a division by next to nothing.
+const FAR: f64 = 20.0;
+
+/// The first values for free unknowns, far from each other.
+const FIRST_ROUND: usize = 11;
 /// Further values for free unknowns that are always tried.
 const PROBES: usize = 2;
 
@@ -39,7 +44,7 @@ pub(super) fn rescue<A: Kinematics<N>, T: Real, const N: usize, const M: usize>(
                 break;
             }
             verifier.news = false;
-            let run = candidates(frame, pick, &mut |q, branch, _| verifier.take_rough(q, branch));
+            let run = candidates(frame, pick, &mut |q, branch, _| verifier.take_rough(q, branch, i >= FIRST_ROUND));
             lost |= verifier.news || run.lost;
         }
     }
@@ -50,13 +55,16 @@ pub(super) fn rescue<A: Kinematics<N>, T: Real, const N: usize, const M: usize>(
     // Few joints cannot follow a motion of the target, but the equations of the plan hold well enough after a small one.
     for size in if verifier.setting.few { [1e-6, 1e-4] } else { [1e-4, 1e-2] } {
         for motion in &MOTIONS {
-            let near = moved(frame, motion, size);
-            let mut any = false;
-            let run = candidates(&near, Pick::FIRST, &mut |q, branch, _| {
-                any = true;
-                verifier.take_rough(q, branch);
-            });
-            doubt |= any || run.degenerate;
+            // A double root has two neighbours on one side and none on the other.
+            for side in [1.0, -1.0] {
+                let near = moved(frame, motion, side * size);
+                let mut any = false;
+                let run = candidates(&near, Pick::FIRST, &mut |q, branch, _| {
+                    any = true;
+                    verifier.take_rough(q, branch, side < 0.0);
+                });
+                doubt |= any || run.degenerate;
+            }
         }
     }
     if verifier.out.is_empty() && doubt || verifier.setting.few && first.degenerate {
@@ -69,11 +77,18 @@ pub(super) fn rescue<A: Kinematics<N>, T: Real, const N: usize, const M: usize>(
 
 impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, T, N, M> {
     /// A candidate that need not be near a solution.
-    fn take_rough(&mut self, mut q: [f64; N], branch: Branch) {
+    ///
+    /// `further`: others of its kind were taken before, and one that a known continuum may hold is not looked at.
+    fn take_rough(&mut self, mut q: [f64; N], branch: Branch, further: bool) {
+        let far = FAR * self.setting.reach;
+        if self.setting.joints.iter().zip(&q).any(|(joint, x)| !joint.is_revolute() && !(x.abs() <= far)) {
+            return;
+        }
         if self.polish(&mut q, STEPS) {
-            if self.is_regular(&q) {
+            // What stops short of the target is on its way to a root of high order.
+            if self.is_regular(&q) && self.miss(&q) <= 0.01 * self.tolerance {
                 self.insert(q, branch);
-            } else {
+            } else if !(further && self.may_hold(&q)) {
                 self.take_singular(q, branch);
             }
         }
@@ -93,7 +108,7 @@ fn search<A: Kinematics<N>, T: Real, const N: usize, const M: usize>(verifier: &
             let x = 2.0 * (x - crate::math::floor(x)) - 1.0;
             if verifier.setting.joints[k].is_revolute() { x * core::f64::consts::PI } else { x * verifier.setting.reach }
         });
-        verifier.take_rough(q, Branch::ANY);
+        verifier.take_rough(q, Branch::ANY, true);
     }
 }
 

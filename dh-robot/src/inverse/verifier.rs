@@ -6,6 +6,8 @@ use crate::{Branch, FreeJoints, Real, Solution, Solutions};
 
 /// Residual (position over reach, rotation in rad) up to which a candidate is taken as it is: rounding of a chain of seven links.
 const EXACT: f64 = 1e-13;
+/// Residual between two joint vectors below which they are one solution.
+const BLURRED: f64 = 1e-14;
 /// Residual up to which a polished candidate is a solution.
 const REACHED: f64 = 1e-10;
 /// The same for arms with fewer joints than the task has dimensions: their targets are rounded off what the arm can do.
@@ -16,6 +18,10 @@ const REACHED_SINGLE: f64 = 2e-6;
 const CREEPS: f64 = 1e-7;
 /// Steps that it is given.
 const CREEPING: usize = 600;
+/// A candidate that misses by less and yet is not brought onto the target may be near a root of high order.
+const ROUGH: f64 = 1e-3;
+/// Regular solutions nearer than this in every joint may be one root of high order, seen twice.
+const CLOSE: f64 = 1e-3;
 /// Joint vectors nearer than this in every joint are one solution (rad, or table units over reach).
 const SAME: f64 = 1e-6;
 /// Damped Newton steps for a candidate of the plan, which is near a solution if it belongs to one.
@@ -97,7 +103,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
                 (self.nearest, self.best) = (miss, q);
             }
             if !(miss < 0.5) || !self.polish(&mut q, STEPS) {
-                self.lost |= !chosen.is_empty();
+                self.lost |= !chosen.is_empty() || miss < ROUGH;
                 return;
             }
         }
@@ -153,6 +159,15 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
         self.out.iter().position(|s| same(&s.q.map(T::to_f64), s.free))
     }
 
+    /// Does a known continuum agree in all joints that do not move along it?
+    pub(super) fn may_hold(&self, q: &[f64; N]) -> bool {
+        let holds = |p: &[f64; N], free: FreeJoints| {
+            let way = self.apart(p, q);
+            !free.is_empty() && (0..N).all(|k| free.contains(k) || way[k].abs() <= SAME)
+        };
+        self.find(holds).is_some()
+    }
+
     /// Notes free joints of a known solution; gives back all of them.
     fn free_at(&mut self, i: usize, free: FreeJoints) -> FreeJoints {
         let Some(known) = self.out.get_mut(i) else { return free };
@@ -162,6 +177,22 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
 
     /// Adds a regular solution.
     pub(super) fn insert(&mut self, q: [f64; N], branch: Branch) {
+        // Between two solutions the target is missed; between two ends of the way to a root of high order by no more than at the ends.
+        let miss = self.miss(&q);
+        let one = |p: &[f64; N], _| {
+            let way = self.apart(p, &q);
+            way.iter().all(|x| x.abs() <= CLOSE)
+                && self.miss(&self.moved_by(p, &way, 0.5)) <= BLURRED.max(2.0 * miss).max(2.0 * self.miss(p))
+        };
+        if let Some(i) = self.find(one) {
+            let better = self.out.get(i).is_some_and(|s| miss < 0.5 * self.miss(&s.q.map(T::to_f64)));
+            if let Some(known) = self.out.get_mut(i).filter(|_| better) {
+                for ((x, joint), known) in q.iter().zip(self.setting.joints).zip(&mut known.q) {
+                    *known = joint.normalize(T::of(*x));
+                }
+            }
+            return;
+        }
         self.push(Solution::new(q.map(T::of), branch));
     }
 

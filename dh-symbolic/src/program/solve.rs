@@ -26,8 +26,10 @@ pub struct Attempt {
     pub candidates: Vec<Candidate>,
     /// Did some step leave its unknown free?
     pub degenerate: bool,
-    /// Did a chosen value lead to nothing?
+    /// Did a chosen value lead to nothing, or a step without a root come after a double one or just miss it?
     pub lost: bool,
+    /// Did a step have a double root, or nearly?
+    pub grazed: bool,
     /// Did a step end without a root in a way that may hide one?
     pub doubt: bool,
 }
@@ -204,7 +206,9 @@ impl<'a> Run<'a> {
         let (roots, outcome) = solve_step((i, turns, solver), &rows, inverse, self.pick);
         let is_free = outcome == ik::Outcome::Free;
         self.found.degenerate |= is_free;
-        self.found.lost |= roots.is_empty() && !self.free.is_empty();
+        self.found.grazed |= outcome == ik::Outcome::Touching;
+        self.found.lost |=
+            roots.is_empty() && (!self.free.is_empty() || self.found.grazed || outcome.just_misses_a_root());
         self.found.doubt |= roots.is_empty() && outcome.may_hide_a_root();
         for (r, root) in roots.into_iter().enumerate() {
             let mut next = values.to_vec();

@@ -10,7 +10,7 @@ const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a
 const length = (a) => Math.sqrt(a.reduce((s, x) => s + x * x, 0));
 const columnOf = (pose, j) => pose.map((row) => row[j]);
 const isRotation = (t) => [0, 1, 2].every((i) => [0, 1, 2].every((j) =>
-  Math.abs(dot(columnOf(t, i), columnOf(t, j)) - (i === j ? 1 : 0)) < 1e-6)) && dot(cross(columnOf(t, 0), columnOf(t, 1)), columnOf(t, 2)) > 0;
+  Math.abs(dot(columnOf(t, i), columnOf(t, j)) - (i === j ? 1 : 0)) < 2e-6)) && dot(cross(columnOf(t, 0), columnOf(t, 1)), columnOf(t, 2)) > 0;
 
 // The angle in (-pi, pi].
 function wrapped(angle) {

@@ -44,7 +44,7 @@ pub(super) fn candidates(chain: &Chain, inverse: &Inverse) -> String {
         let turns = solver.finds.first().is_some_and(|k| plan.knowledge.known[*k].turns);
         let call = call((i, turns, solver), &body, inverse);
         out.push_str(&format!("let r{i} = {};\n", call.text));
-        out.push_str(&format!("if r{i}.roots.is_empty() {{ {} }}\n", note(chain, inverse, i, &body)));
+        out.push_str(&format!("if !r{i}.is_regular() {{ {} }}\n", note(chain, inverse, i, &body)));
         let bits: Vec<String> =
             step.unknown.iter().flat_map(|f| joints_of(f, plan.axes.real)).map(|j| j.to_string()).collect();
         out.push_str(&format!(

@@ -35,7 +35,7 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
          {}\n\
          #[must_use]\npub fn inverse(&self, {target}{given}) -> ::dh_robot::Solutions<{f}, {n}, {m}> {{\n\
          {rest}}}\n\n",
-        docs(inverse),
+        docs(chain, inverse),
     );
     out.push_str(&candidates(chain, inverse));
     if fits {
@@ -71,10 +71,17 @@ fn as_trait(chain: &Chain, name: &str, m: usize, kind: &str) -> String {
 }
 
 /// The plan in the doc comment.
-fn docs(inverse: &Inverse) -> String {
+fn docs(chain: &Chain, inverse: &Inverse) -> String {
     let mut out = String::from(
-        "/// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.\n///\n/// Plan:\n",
+        "/// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.\n///\n",
     );
+    if chain.task == Task::Pose {
+        out.push_str(
+            "/// A rotation that lost digits (in a file with six decimals, say) is accepted up to\n\
+             /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.\n///\n",
+        );
+    }
+    out.push_str("/// Plan:\n");
     for (i, s) in inverse.plan.steps.iter().enumerate() {
         let names: Vec<String> =
             s.unknown.iter().map(|f| inverse.plan.knowledge.form_name(&inverse.plan.axes, f)).collect();
