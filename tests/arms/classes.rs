@@ -15,12 +15,16 @@ pub(super) const CLASSES: &[&str] = &[
     "6 cylinder with wrist",
     "6 two slides and wrist",
     "6 three slides anywhere",
+    "6 two slides, any axes",
+    "6 three slides, any axes",
     "6 track",
     "7 shoulder and wrist",
     "5 axes 2 to 4 parallel",
     "5 axes 2 to 4 parallel, task axis",
     "5 turning",
     "5 mixed",
+    "5 two slides, any axes, task axis",
+    "5 three slides, any axes, task axis",
     "4 scara",
     "4 turning",
     "4 mixed",
@@ -156,6 +160,19 @@ impl Maker<'_> {
                 for i in 0..6 {
                     let twist = if i == 0 { 0.0 } else { self.right() };
                     l.push((twist, self.maybe(0.6), self.maybe(0.6), !slides.contains(&i)));
+                }
+            }
+            _ if class.contains("any axes,") || class.ends_with("slides, any axes") => {
+                let joints = usize::from(class.as_bytes()[0] - b'0');
+                let slides = if class.contains("two") { 2 } else { 3 };
+                let mut turns = vec![true; joints];
+                while turns.iter().filter(|t| !**t).count() < slides {
+                    let at = (0.5 * (self.0.signed() + 1.0) * joints as f64) as usize;
+                    turns[at.min(joints - 1)] = false;
+                }
+                for (i, turns) in turns.into_iter().enumerate() {
+                    let twist = if i == 0 { 0.0 } else { self.cross() };
+                    l.push((twist, self.maybe(0.8), self.maybe(0.8), turns));
                 }
             }
             "6 track" => {

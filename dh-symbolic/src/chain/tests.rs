@@ -5,6 +5,11 @@ use crate::algebra::Rational;
 
 /// A chain of rows (alpha in degrees, a, d, theta offset in degrees), all turning, unit metres.
 pub(crate) fn revolute_chain(convention: Convention, rows: &[(i64, &str, &str, i64)]) -> Chain {
+    mixed_chain(convention, &"R".repeat(rows.len()), rows)
+}
+
+/// The same with a letter for each joint, R or P.
+pub(crate) fn mixed_chain(convention: Convention, kinds: &str, rows: &[(i64, &str, &str, i64)]) -> Chain {
     let angle = |deg: i64| AngleCell { half_turns: Rational::new(deg, 180), ..AngleCell::default() };
     let length = |text: &str| {
         let (sign, digits) = text.strip_prefix('-').map_or((1, text), |t| (-1, t));
@@ -12,13 +17,14 @@ pub(crate) fn revolute_chain(convention: Convention, rows: &[(i64, &str, &str, i
     };
     let rows = rows
         .iter()
+        .zip(kinds.chars())
         .enumerate()
-        .map(|(i, (alpha, a, d, theta))| RowSpec {
+        .map(|(i, ((alpha, a, d, theta), kind))| RowSpec {
             alpha: angle(*alpha),
             a: length(a),
             d: length(d),
             theta: angle(*theta),
-            moves: Some(Drive { turns: true, terms: vec![(i, LengthCell::number(Rational::ONE))] }),
+            moves: Some(Drive { turns: kind == 'R', terms: vec![(i, LengthCell::number(Rational::ONE))] }),
             range: None,
         })
         .collect();

@@ -41,6 +41,8 @@ pub struct Axes {
     pub reach: f64,
     /// Products of hops: see [`Axes::between`].
     products: Vec<OnceLock<Transform>>,
+    /// Their inverses: see [`Axes::back`].
+    inverses: Vec<OnceLock<Transform>>,
 }
 
 /// Numeric value of a parameter; fields get their nominal value, slightly detuned so that no structure is read off a value that the
@@ -161,7 +163,8 @@ impl Axes {
             .map(|(before, joint)| Hop { number: numeric(chain, &before, reach), before, joint })
             .collect();
         let products = vec![OnceLock::new(); (hops.len() + 1).pow(2)];
-        Axes { hops, coordinates, real, start, end: pending, ring, reach, products }
+        let inverses = products.clone();
+        Axes { hops, coordinates, real, start, end: pending, ring, reach, products, inverses }
     }
 
     /// Does coordinate `k` turn?
@@ -194,6 +197,23 @@ impl Axes {
                 Some(m) => t.times(&m),
                 None => t,
             }
+        })
+    }
+
+    /// Frame `a` seen from frame `b`: the inverse of [`Axes::between`], as a product too, since what it takes to turn a long product
+    /// round is many times what is left of it.
+    ///
+    /// # Panics
+    /// As [`Axes::between`].
+    pub fn back(&self, a: usize, b: usize) -> &Transform {
+        self.inverses[a * (self.hops.len() + 1) + b].get_or_init(|| {
+            if a == b {
+                return Transform::identity();
+            }
+            let hop = &self.hops[b - 1];
+            let before = hop.before.inverse();
+            let last = hop.joint.map_or(before.clone(), |j| self.motion(j).inverse().times(&before));
+            last.times(self.back(a, b - 1))
         })
     }
 

@@ -1,6 +1,6 @@
 //! How many isolated solutions a plan can have at most.
 
-use super::axes::generic_parameter;
+use super::axes::{Axes, generic_parameter};
 use super::known::{Collected, Knowledge, Part};
 use super::mobility::Mobility;
 use super::sample::Sample;
@@ -18,6 +18,7 @@ use std::f64::consts::TAU;
 pub(super) fn bound(
     chain: &Chain,
     mobility: &Mobility,
+    axes: &Axes,
     knowledge: &Knowledge,
     steps: &[Step],
     samples: &[Sample<'_>],
@@ -28,8 +29,20 @@ pub(super) fn bound(
         StepKind::AtanPair if mobility.has_crossings() && !firm(s) => 2,
         _ => s.roots,
     };
-    // Six turning joints (prismatic ones count as their limits) never have more than 16 solutions (Primrose 1986).
-    steps.iter().map(roots).fold(1_usize, usize::saturating_mul).clamp(1, 16)
+    steps.iter().map(roots).fold(1_usize, usize::saturating_mul).clamp(1, most(axes, knowledge, steps))
+}
+
+/// Most isolated solutions that a loop of six joints has at all: 16 where none or one of them slides (Primrose 1986), 8 where two do, 2
+/// where three do (Raghavan and Roth 1990). A loop of fewer joints is one of six where the others, which turn, happen to stand still.
+fn most(axes: &Axes, knowledge: &Knowledge, steps: &[Step]) -> usize {
+    let open = |k: &usize| steps.iter().any(|s| s.unknown.iter().any(|f| f[*k] != 0));
+    let slides = (0..axes.count()).filter(|k| !axes.turns(*k) && open(k)).count();
+    let chosen = steps.iter().any(|s| s.kind == StepKind::Choose);
+    match slides {
+        2 if !chosen && knowledge.known.len() <= 6 => 8,
+        3 if !chosen && knowledge.known.len() <= 6 => 2,
+        _ => 16,
+    }
 }
 
 /// What two equations say of the cosine and sine of an angle.

@@ -20,6 +20,7 @@ mod plane;
 pub mod pool;
 mod sample;
 mod search;
+mod slides;
 mod span;
 mod step;
 mod structure;

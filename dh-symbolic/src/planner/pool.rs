@@ -3,12 +3,14 @@
 //! For frames a <= b of the arm, the part of the chain between them equals the target brought back over the two ends:
 //! M(a, b) = M(0, a)^-1 W M(b, n)^-1. From both sides are read the nine direction cosines, the position p, the position seen from
 //! the other end -R^T p, and p.p: sixteen scalar equations per pair of frames (Pieper 1968; Paul 1981; Raghavan and Roth 1990).
+//! Those that no sliding length occurs in come from [`slides`](super::slides).
 //!
 //! On which joints an equation depends is measured (derivatives at random points, the space they span); what the plan then uses
 //! is derived exactly.
 
 use super::axes::Axes;
 use super::kernels::pose::{self, Pose};
+use super::slides;
 use super::span::Span;
 
 /// Which scalar of a pair of transforms.
@@ -22,6 +24,11 @@ pub enum Scalar {
     Back(u8),
     /// Squared distance of the origins.
     Distance,
+    /// Component of the position across two sliding axes: the one that frame `a` stands on, and that of this hop.
+    Across(u8),
+    /// The same for the slides of two hops, where the way from the turning axis of hop `a` to that of hop `b - 1` is taken apart along
+    /// these axes, so that neither angle occurs.
+    Bridge(u8, u8),
 }
 
 /// An equation of the pool.
@@ -156,7 +163,7 @@ pub fn families(axes: &Axes) -> Vec<Family> {
             }
         }
     }
-    collect(&pairs, spans)
+    collect(&pairs, spans, slides::equations(axes))
 }
 
 /// Joint screws in frame 0: (direction, moment; or zero and direction for a slide).
@@ -253,19 +260,16 @@ fn difference(t: &Pose, d: &Pose, sign: f64) -> [f64; 16] {
     .map(|x| sign * x)
 }
 
-fn collect(pairs: &[(usize, usize)], spans: Vec<[Span; 16]>) -> Vec<Family> {
+fn collect(pairs: &[(usize, usize)], spans: Vec<[Span; 16]>, more: Vec<(Equation, Span)>) -> Vec<Family> {
+    let plain = pairs.iter().zip(spans).flat_map(|(&(a, b), list)| {
+        SCALARS.into_iter().zip(list).map(move |(scalar, span)| (Equation { a, b, scalar }, span))
+    });
     let mut families: Vec<(Vec<i32>, Family)> = Vec::new();
-    for ((a, b), list) in pairs.iter().zip(spans) {
-        for (scalar, span) in SCALARS.into_iter().zip(list) {
-            if span.dimension() == 0 {
-                continue;
-            }
-            let key = span.key();
-            let equation = Equation { a: *a, b: *b, scalar };
-            match families.iter_mut().find(|f| f.0 == key) {
-                Some(f) => f.1.equations.push(equation),
-                None => families.push((key, Family { span, equations: vec![equation] })),
-            }
+    for (equation, span) in plain.chain(more).filter(|(_, span)| span.dimension() > 0) {
+        let key = span.key();
+        match families.iter_mut().find(|f| f.0 == key) {
+            Some(f) => f.1.equations.push(equation),
+            None => families.push((key, Family { span, equations: vec![equation] })),
         }
     }
     families.into_iter().map(|f| f.1).collect()
@@ -275,6 +279,9 @@ fn collect(pairs: &[(usize, usize)], spans: Vec<[Span; 16]>) -> Vec<Family> {
 #[cfg(test)]
 pub(super) fn residual(axes: &Axes, e: &Equation, x: &[f64], target: &Pose) -> f64 {
     let f = axes.frames_number(x);
+    if let Some(x) = slides::number(axes, e, &f, target) {
+        return x;
+    }
     let inverse_a = pose::inverse(&f[e.a]);
     let left = pose::compose(&inverse_a, &f[e.b]);
     let tail = pose::compose(&pose::inverse(&f[f.len() - 1]), &f[e.b]);

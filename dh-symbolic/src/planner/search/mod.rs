@@ -20,7 +20,7 @@ use super::step::{Plan, Refusal, Step};
 use crate::algebra::Poly;
 use crate::chain::{Chain, Handle, Role};
 
-/// Most equations of one unknown that are looked at.
+/// Most equations of one kind with the same unknowns that are looked at.
 const LOOK: usize = 14;
 /// Equations with more terms than this, before any are put together, are left out: written out they take seconds, and nobody could read
 /// them. (Joints that a task leaves open, behind twists of no simple angle; those of usual arms stay below 1500.)
@@ -53,7 +53,7 @@ pub fn search(chain: &Chain) -> Result<Plan, Refusal> {
         return Err(s.refusal());
     }
     let mobility = Mobility::new(chain, &s.axes);
-    let max_solutions = bound(chain, &mobility, &s.knowledge, &s.steps, &s.samples(4, 0));
+    let max_solutions = bound(chain, &mobility, &s.axes, &s.knowledge, &s.steps, &s.samples(4, 0));
     let few = mobility.misses_its_task();
     Ok(Plan { axes: s.axes, knowledge: s.knowledge, given, steps: s.steps, max_solutions, few })
 }
@@ -108,7 +108,7 @@ impl Search<'_> {
     }
 
     /// The equations of some families that are not known identities, short ones first.
-    fn equations(&self, families: &[usize]) -> Vec<Equation> {
+    fn equations(&mut self, families: &[usize]) -> Vec<Equation> {
         let mut list: Vec<(usize, Equation)> = Vec::new();
         let (prefix, suffix) = (self.knowledge.prefix(&self.axes), self.knowledge.suffix(&self.axes));
         for f in families {
@@ -124,13 +124,22 @@ impl Search<'_> {
                     Scalar::Position(_) => 1,
                     Scalar::Back(_) => 2,
                     Scalar::Distance => 2,
+                    Scalar::Across(_) | Scalar::Bridge(..) => 3,
                 };
                 list.push((4 * (joints(e.a, e.b) + 2 * outside) + 6 * unfolded + size, *e));
             }
         }
         list.sort_unstable();
-        let light = |e: &Equation| weight(&self.axes, &self.knowledge, e) <= HEAVY;
-        list.into_iter().map(|x| x.1).filter(light).take(LOOK).collect()
+        let (axes, knowledge) = (&self.axes, &mut self.knowledge);
+        // Those without lengths are few, and there are many of one and the same direction cosine: each kind has its own limit.
+        let mut taken = [0; 2];
+        let mut fits = |e: &Equation| {
+            let taken = &mut taken[usize::from(matches!(e.scalar, Scalar::Across(_) | Scalar::Bridge(..)))];
+            let fits = *taken < LOOK && weight(axes, knowledge, e) <= HEAVY;
+            *taken += usize::from(fits);
+            fits
+        };
+        list.into_iter().map(|x| x.1).filter(|e| fits(e)).collect()
     }
 
     /// The candidates for an unknown: plain joint coordinates and the sums that the equations name.

@@ -152,6 +152,14 @@ impl Writer<'_> {
                     self.say(Phrase::DistanceOf, vec![a.clone(), b.clone()]);
                     continue;
                 }
+                Source::Across(slides) => {
+                    self.say(Phrase::AcrossSlides, slides.to_vec());
+                    continue;
+                }
+                Source::Bridge(slides, turns) => {
+                    self.say(Phrase::BridgeOfSlides, slides.iter().chain(turns).cloned().collect());
+                    continue;
+                }
             };
             let elements: Vec<String> = list.iter().map(|(i, j)| format!("({i}, {j})")).collect();
             let pieces = vec![Span::Plain(elements.join(", ")), Span::Math(of.clone())];

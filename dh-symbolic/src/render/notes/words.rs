@@ -102,6 +102,8 @@ phrases! {
     Elements: "Elements {} of {} give", "元素 {}（取自 {}）给出";
     ElementOfInverse: "Element {} of the inverse of {} gives", "元素 {}（取自 {} 的逆）给出";
     ElementsOfInverse: "Elements {} of the inverse of {} give", "元素 {}（取自 {} 的逆）给出";
+    AcrossSlides: "Around the closed loop all ways add up to nothing. Across the directions of both {} and {} neither of these lengths occurs; this component gives", "沿闭合回路各段位移之和为零。取其垂直于 {} 与 {} 两个滑动方向的分量，两者均不出现，得";
+    BridgeOfSlides: "Across the directions of both {} and {} neither of these lengths occurs. In this component of the closed loop, the way between the axes of {} and {} is taken apart along both axes and their common normal; with the known angle between these axes, neither angle occurs:", "垂直于 {} 与 {} 两个滑动方向的分量不含这两个长度。在闭合回路的这一分量中，将 {} 与 {} 两轴之间的位移沿两轴及其公垂线分解；由两轴间的已知夹角，这两个角也不出现：";
     DistanceOf: "The squared distance between the origins of frames {} and {} gives", "坐标系 {} 与 {} 原点间距离的平方给出";
     Hence: "Hence", "因此";
     Sum: "with {}.", "其中 {}。";

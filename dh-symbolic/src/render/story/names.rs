@@ -34,6 +34,10 @@ pub(crate) enum Source {
     InverseElements(Vec<(usize, usize)>, Math),
     /// The squared distance of two frames' origins.
     Distance(Math, Math),
+    /// The component of the way around the loop across two sliding joints.
+    Across([Math; 2]),
+    /// The same, where the way between two turning joints is taken apart along their axes.
+    Bridge([Math; 2], [Math; 2]),
 }
 
 /// The chain's names and those of the plan.
@@ -275,6 +279,12 @@ impl Story<'_> {
         self.poses.push(PoseName { index, matrix, product, extras, entries });
     }
 
+    /// The coordinate of a hop's joint.
+    fn joint_of(&self, hop: usize) -> Math {
+        let joint = self.plan.axes.hops.get(hop).and_then(|h| h.joint);
+        joint.map_or(Math::number(0), |k| self.coordinate(k))
+    }
+
     /// Where equations come from, those of one transform together.
     pub(super) fn sources(&self, equations: &[Equation]) -> Vec<Source> {
         let mut out: Vec<(usize, usize, Source)> = Vec::new();
@@ -286,6 +296,15 @@ impl Story<'_> {
                 Scalar::Distance => {
                     let source = Source::Distance(self.frame_name(e.a), self.frame_name(e.b));
                     out.push((e.a, e.b, source));
+                    continue;
+                }
+                Scalar::Across(j) => {
+                    out.push((e.a, e.b, Source::Across([e.a - 1, usize::from(j)].map(|h| self.joint_of(h)))));
+                    continue;
+                }
+                Scalar::Bridge(i, j) => {
+                    let slides = [i, j].map(|h| self.joint_of(usize::from(h)));
+                    out.push((e.a, e.b, Source::Bridge(slides, [e.a, e.b - 1].map(|h| self.joint_of(h)))));
                     continue;
                 }
             };
