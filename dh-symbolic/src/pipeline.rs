@@ -141,3 +141,22 @@ fn stub(head: &Head, sketch: &Sketch) -> TokenStream {
     let fields: Vec<String> = sketch.fields.iter().map(|f| f.name.to_string()).collect();
     rust::stub(head, sketch.joints, &fields, scalar, &target, sketch.redundant.is_some())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_refusal_stands_at_the_cells_of_the_open_joints() {
+        let table = "struct A; convention = standard; | alpha | a | d | theta | | 0 | 1 | 0 | q1 | | 0 | 1 | q2 | 0 |";
+        let mut parsed = parse(table.parse().unwrap());
+        let chain = Chain::new(parsed.spec.take().unwrap());
+        refuse(&chain, &planner::Refusal { solved: vec!["q1".into()], open: vec![1] }, &mut parsed);
+        let drawn = parsed.errors.draw(table, "a.dh");
+        let message = "error: no closed form was found for `q2` (found: q1); `ik = none;` asks for no inverse";
+        assert!(drawn.starts_with(message), "{drawn}");
+        let carets = drawn.lines().find(|l| l.contains("^^")).unwrap();
+        let line = drawn.lines().find(|l| l.contains("struct A")).unwrap();
+        assert_eq!((carets.find("^^"), carets.matches('^').count()), (line.rfind("q2"), 2), "{drawn}");
+    }
+}

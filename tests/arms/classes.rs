@@ -164,15 +164,14 @@ impl Maker<'_> {
             }
             _ if class.contains("any axes,") || class.ends_with("slides, any axes") => {
                 let joints = usize::from(class.as_bytes()[0] - b'0');
-                let slides = if class.contains("two") { 2 } else { 3 };
-                let mut turns = vec![true; joints];
-                while turns.iter().filter(|t| !**t).count() < slides {
-                    let at = (0.5 * (self.0.signed() + 1.0) * joints as f64) as usize;
-                    turns[at.min(joints - 1)] = false;
+                let mut turning: Vec<usize> = (0..joints).collect();
+                for _ in 0..if class.contains("two") { 2 } else { 3 } {
+                    let at = 0.5 * ((self.0)() + 1.0) * turning.len() as f64;
+                    turning.remove((at as usize).min(turning.len() - 1));
                 }
-                for (i, turns) in turns.into_iter().enumerate() {
+                for i in 0..joints {
                     let twist = if i == 0 { 0.0 } else { self.cross() };
-                    l.push((twist, self.maybe(0.8), self.maybe(0.8), turns));
+                    l.push((twist, self.maybe(0.8), self.maybe(0.8), turning.contains(&i)));
                 }
             }
             "6 track" => {
