@@ -92,10 +92,10 @@ fn named<const N: usize, const M: usize>(
 #[test]
 fn names_of_branches_tell_all_solutions_apart_and_stay() {
     named(&Puma560::default());
-    named(&KukaKr6R700::default());
-    named(&CupArm::default());
-    named(&Stanford::default());
-    named(&Ur5::default());
+    named(&KukaKr6R700);
+    named(&CupArm);
+    named(&Stanford);
+    named(&Ur5);
     named(&SixAxisChain::default());
 }
 

@@ -2,30 +2,34 @@
 
 use core::fmt;
 
-/// On which side of the shoulder the arm reaches forward.
+/// Which way the first joint turns the arm: the two roots of the step that decides it.
+///
+/// The names are those of the roots and tell solutions apart everywhere in the workspace; which of the two is the left one in space
+/// depends on how the table lays the axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Shoulder {
-    /// Lefty: the waist is turned so that the arm hangs on its left; "front" on arms without a shoulder offset.
+    /// The first root: lefty or righty on arms with a shoulder offset, front or back on others.
     Left,
-    /// Righty; "back" on arms without a shoulder offset, where the arm reaches over its own shoulder.
+    /// The second root: the waist turned so that the arm reaches its target over the other side.
     Right,
 }
 
-/// On which side of the line from shoulder to wrist the elbow is.
+/// On which side of the line from shoulder to wrist the elbow is: the two roots of the step that decides it. Which of them is above
+/// the line depends on how the table lays the axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Elbow {
-    /// The elbow is above the line.
+    /// The elbow on the side of the first root.
     Up,
-    /// The elbow is below the line.
+    /// The elbow on the other side.
     Down,
 }
 
-/// Which of the two ways round the wrist takes: the middle wrist joint bends one way or the other.
+/// Which of the two ways round the wrist takes, first root and second: the middle wrist joint bends one way or the other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Wrist {
-    /// The middle wrist joint's angle is the positive one of the two.
+    /// It bends as the first root says.
     NoFlip,
-    /// The middle wrist joint's angle is the negative one of the two.
+    /// It bends the other way.
     Flip,
 }
 

@@ -177,6 +177,9 @@ impl Cobra600 {
     pub const MAX_SOLUTIONS: usize = 2;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
+    /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
+    /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
+    ///
     /// Plan:
     /// 1. `q3`: a linear equation.
     /// 2. `q1 + q2 - q4`: two equations in its sine and cosine: one value.
@@ -188,8 +191,10 @@ impl Cobra600 {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 4, 2> {
         let frame = match ::dh_robot::inverse::frame_of(target, 0.987) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let mut q = [[0.0; 2]; 4];
         let mut valid = [0.0; 2];
@@ -224,7 +229,7 @@ impl Cobra600 {
             -(t[2][3] - 0.39209726443769),
             1e-11,
         );
-        if r0.roots.is_empty() {
+        if !r0.is_regular() {
             attempt.note(r0.outcome, free, "q3", 0.987, "m");
         }
         let free = if r0.is_free() {
@@ -244,7 +249,7 @@ impl Cobra600 {
                 t[0][1],
                 1e-11,
             );
-            if r1.roots.is_empty() {
+            if !r1.is_regular() {
                 attempt.note(r1.outcome, free, "q1 + q2 - q4", 1.0, "");
             }
             let free = if r1.is_free() {
@@ -262,7 +267,7 @@ impl Cobra600 {
                     q3 * (0.78419452887538 - q3) + t_3,
                     1e-11,
                 );
-                if r2.roots.is_empty() {
+                if !r2.is_regular() {
                     attempt
                         .note_distance(
                             r2.outcome,
@@ -293,7 +298,7 @@ impl Cobra600 {
                         t[1][3],
                         1e-11,
                     );
-                    if r3.roots.is_empty() {
+                    if !r3.is_regular() {
                         attempt.note(r3.outcome, free, "q1", 0.987, "m");
                     }
                     let free = if r3.is_free() {
@@ -332,14 +337,16 @@ impl Cobra600 {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 4, 2> {
         let frame = match ::dh_robot::inverse::frame_of(target, 0.987) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 0.987,
             few: true,
-            given: None,
+            given: ::core::option::Option::None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 0.987),

@@ -318,6 +318,9 @@ impl Crx10ia {
     pub const MAX_SOLUTIONS: usize = 16;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
+    /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
+    /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
+    ///
     /// Plan:
     /// 1. `q1`, `q2`, `q3`, `q4`, `q5`, `q6`: elimination of the general six-axis arm (Raghavan and Roth).
     #[must_use]
@@ -326,14 +329,16 @@ impl Crx10ia {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 16> {
         let frame = match ::dh_robot::inverse::frame_of(target, 1.39) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 1.39,
             few: false,
-            given: None,
+            given: ::core::option::Option::None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 1.39),
@@ -378,9 +383,9 @@ impl Crx10ia {
                 ],
                 &[false, false, false, false, false, false],
                 [
-                    ::dh_robot::ik::general::Choice::new(30),
+                    ::dh_robot::ik::general::Choice::new(72),
+                    ::dh_robot::ik::general::Choice::new(31),
                     ::dh_robot::ik::general::Choice::new(35),
-                    ::dh_robot::ik::general::Choice::new(32),
                 ],
             )
             .find(
@@ -390,7 +395,7 @@ impl Crx10ia {
                     [t[2][0], t[2][1], t[2][2], t[2][3] - t[2][2] * 0.11510791366906477],
                 ],
             );
-        if r0.roots.is_empty() {
+        if !r0.is_regular() {
             attempt.note(r0.outcome, free, "q1, q2, q3, q4, q5, q6", 1.0, "");
         }
         let free = if r0.is_free() {

@@ -313,6 +313,9 @@ impl CupArm {
     pub const MAX_SOLUTIONS: usize = 8;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
+    /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
+    /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
+    ///
     /// Plan:
     /// 1. `q1`: a cos + b sin = 0: two values half a turn apart.
     /// 2. `q3`: a cos + b sin = c: two values.
@@ -326,8 +329,10 @@ impl CupArm {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
         let frame = match ::dh_robot::inverse::frame_of(target, 954.0) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let mut q = [[0.0; 8]; 6];
         let mut valid = [0.0; 8];
@@ -365,7 +370,7 @@ impl CupArm {
             0.0,
             1e-11,
         );
-        if r0.roots.is_empty() {
+        if !r0.is_regular() {
             attempt.note(r0.outcome, free, "shoulder q1", 954.0, "mm");
         }
         let free = if r0.is_free() {
@@ -393,7 +398,7 @@ impl CupArm {
                 t_13,
                 1e-11,
             );
-            if r1.roots.is_empty() {
+            if !r1.is_regular() {
                 attempt
                     .note_distance(
                         r1.outcome,
@@ -424,7 +429,7 @@ impl CupArm {
                     -(c3 * 0.35429769392033544 - 0.041928721174004195 * s3),
                     1e-11,
                 );
-                if r2.roots.is_empty() {
+                if !r2.is_regular() {
                     attempt.note(r2.outcome, free, "q2", 954.0, "mm");
                 }
                 let free = if r2.is_free() {
@@ -443,7 +448,7 @@ impl CupArm {
                     let t_21 = t_6 * t_17 + t[2][1] * t_16;
                     let t_22 = t_8 * t_16 - t[2][0] * t_17;
                     let r3 = ::dh_robot::ik::solve_sincos(-t_9, t_22, 0.0, 1e-11);
-                    if r3.roots.is_empty() {
+                    if !r3.is_regular() {
                         attempt.note(r3.outcome, free, "wrist q4", 1.0, "");
                     }
                     let free = if r3.is_free() {
@@ -469,7 +474,7 @@ impl CupArm {
                             -(t_8 * t_17 + t[2][0] * t_16),
                             1e-11,
                         );
-                        if r4.roots.is_empty() {
+                        if !r4.is_regular() {
                             attempt.note(r4.outcome, free, "q5", 1.0, "");
                         }
                         let free = if r4.is_free() {
@@ -493,7 +498,7 @@ impl CupArm {
                                 -(t_24 * c5 - t_21 * s5),
                                 1e-11,
                             );
-                            if r5.roots.is_empty() {
+                            if !r5.is_regular() {
                                 attempt.note(r5.outcome, free, "q6", 1.0, "");
                             }
                             let free = if r5.is_free() {
@@ -550,14 +555,16 @@ impl CupArm {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
         let frame = match ::dh_robot::inverse::frame_of(target, 954.0) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 954.0,
             few: false,
-            given: None,
+            given: ::core::option::Option::None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 954.0),

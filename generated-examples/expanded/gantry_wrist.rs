@@ -209,6 +209,9 @@ impl GantryWrist {
     pub const MAX_SOLUTIONS: usize = 2;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
+    /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
+    /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
+    ///
     /// Plan:
     /// 1. `q1`: a linear equation.
     /// 2. `q2`: a linear equation.
@@ -222,8 +225,10 @@ impl GantryWrist {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 2> {
         let frame = match ::dh_robot::inverse::frame_of(target, 0.30000000000000004) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let mut q = [[0.0; 2]; 6];
         let mut valid = [0.0; 2];
@@ -261,7 +266,7 @@ impl GantryWrist {
             -(t[2][3] - t[2][2] * 0.6666666666666666),
             1e-11,
         );
-        if r0.roots.is_empty() {
+        if !r0.is_regular() {
             attempt.note(r0.outcome, free, "q1", 0.30000000000000004, "m");
         }
         let free = if r0.is_free() {
@@ -278,7 +283,7 @@ impl GantryWrist {
                 t[0][3] - t[0][2] * 0.6666666666666666,
                 1e-11,
             );
-            if r1.roots.is_empty() {
+            if !r1.is_regular() {
                 attempt.note(r1.outcome, free, "q2", 0.30000000000000004, "m");
             }
             let free = if r1.is_free() {
@@ -289,8 +294,8 @@ impl GantryWrist {
             };
             for (i1, &q2) in r1.or_if_free(pick.length(1)).iter().enumerate() {
                 let a1 = q2 * 0.30000000000000004;
-                let r2 = ::dh_robot::ik::solve_quadratic(0.0, -1.0, t_6, 1e-11);
-                if r2.roots.is_empty() {
+                let r2 = ::dh_robot::ik::solve_quadratic(0.0, 1.0, -t_6, 1e-11);
+                if !r2.is_regular() {
                     attempt.note(r2.outcome, free, "q3", 0.30000000000000004, "m");
                 }
                 let free = if r2.is_free() {
@@ -307,7 +312,7 @@ impl GantryWrist {
                         0.0,
                         1e-11,
                     );
-                    if r3.roots.is_empty() {
+                    if !r3.is_regular() {
                         attempt.note(r3.outcome, free, "wrist q6", 1.0, "");
                     }
                     let free = if r3.is_free() {
@@ -331,7 +336,7 @@ impl GantryWrist {
                             -(t_2 * s6 + t_4 * c6),
                             1e-11,
                         );
-                        if r4.roots.is_empty() {
+                        if !r4.is_regular() {
                             attempt.note(r4.outcome, free, "q4", 1.0, "");
                         }
                         let free = if r4.is_free() {
@@ -355,7 +360,7 @@ impl GantryWrist {
                                 t[2][2] * c4 + t[0][2] * s4,
                                 1e-11,
                             );
-                            if r5.roots.is_empty() {
+                            if !r5.is_regular() {
                                 attempt.note(r5.outcome, free, "q5", 1.0, "");
                             }
                             let free = if r5.is_free() {
@@ -396,14 +401,16 @@ impl GantryWrist {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 2> {
         let frame = match ::dh_robot::inverse::frame_of(target, 0.30000000000000004) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 0.30000000000000004,
             few: false,
-            given: None,
+            given: ::core::option::Option::None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 0.30000000000000004),
@@ -462,7 +469,7 @@ impl GantryWrist {
         );
         let q2 = q2;
         let g1 = q2 * 0.30000000000000004;
-        let (q3, m2) = ::dh_robot::lanes::linear(-1.0, t_6);
+        let (q3, m2) = ::dh_robot::lanes::linear(1.0, -t_6);
         let q3 = q3;
         let g2 = q3 * 0.30000000000000004;
         let t_7 = 0.3333333333333333 + q3;

@@ -312,6 +312,9 @@ impl KukaKr6R700 {
     pub const MAX_SOLUTIONS: usize = 8;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
+    /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
+    /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
+    ///
     /// Plan:
     /// 1. `q1`: a cos + b sin = 0: two values half a turn apart.
     /// 2. `q3`: a cos + b sin = c: two values.
@@ -325,8 +328,10 @@ impl KukaKr6R700 {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
         let frame = match ::dh_robot::inverse::frame_of(target, 1.2200000000000002) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let mut q = [[0.0; 8]; 6];
         let mut valid = [0.0; 8];
@@ -361,7 +366,7 @@ impl KukaKr6R700 {
         let t_4 = t[2][3] - t[2][2] * 0.06557377049180327 - 0.32786885245901637;
         let t_5 = t_4 * t_4;
         let r0 = ::dh_robot::ik::solve_sincos(-t_3, t_2, 0.0, 1e-11);
-        if r0.roots.is_empty() {
+        if !r0.is_regular() {
             attempt.note(r0.outcome, free, "shoulder q1", 1.2200000000000002, "m");
         }
         let free = if r0.is_free() {
@@ -388,7 +393,7 @@ impl KukaKr6R700 {
                 t_14 + t_6 * t_6 + t_7 * t_7 + t_5 - 0.15699744692287015,
                 1e-11,
             );
-            if r1.roots.is_empty() {
+            if !r1.is_regular() {
                 attempt
                     .note_distance(
                         r1.outcome,
@@ -419,7 +424,7 @@ impl KukaKr6R700 {
                     t_16,
                     1e-11,
                 );
-                if r2.roots.is_empty() {
+                if !r2.is_regular() {
                     attempt.note(r2.outcome, free, "q2", 1.2200000000000002, "m");
                 }
                 let free = if r2.is_free() {
@@ -442,7 +447,7 @@ impl KukaKr6R700 {
                     let t_26 = s3 * t_20 - c3 * t_19;
                     let t_27 = c3 * t_22 + s3 * t_21;
                     let r3 = ::dh_robot::ik::solve_sincos(-t_13, t_27, 0.0, 1e-11);
-                    if r3.roots.is_empty() {
+                    if !r3.is_regular() {
                         attempt.note(r3.outcome, free, "wrist q4", 1.0, "");
                     }
                     let free = if r3.is_free() {
@@ -468,7 +473,7 @@ impl KukaKr6R700 {
                             -(s3 * t_22 - c3 * t_21),
                             1e-11,
                         );
-                        if r4.roots.is_empty() {
+                        if !r4.is_regular() {
                             attempt.note(r4.outcome, free, "q5", 1.0, "");
                         }
                         let free = if r4.is_free() {
@@ -492,7 +497,7 @@ impl KukaKr6R700 {
                                 t_29 * c5 - t_26 * s5,
                                 1e-11,
                             );
-                            if r5.roots.is_empty() {
+                            if !r5.is_regular() {
                                 attempt.note(r5.outcome, free, "q6", 1.0, "");
                             }
                             let free = if r5.is_free() {
@@ -549,14 +554,16 @@ impl KukaKr6R700 {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
         let frame = match ::dh_robot::inverse::frame_of(target, 1.2200000000000002) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 1.2200000000000002,
             few: false,
-            given: None,
+            given: ::core::option::Option::None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 1.2200000000000002),

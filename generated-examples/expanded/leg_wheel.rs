@@ -152,6 +152,9 @@ impl LegWheel {
     pub const MAX_SOLUTIONS: usize = 1;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
+    /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
+    /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
+    ///
     /// Plan:
     /// 1. `x2`: a linear equation.
     /// 2. `q1`: two equations in its sine and cosine: one value.
@@ -161,14 +164,16 @@ impl LegWheel {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 2, 1> {
         let frame = match ::dh_robot::inverse::frame_of(target, 1.0) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 1.0,
             few: true,
-            given: None,
+            given: ::core::option::Option::None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 1.0),
@@ -192,7 +197,7 @@ impl LegWheel {
         let free = ::dh_robot::FreeJoints::NONE;
         let t_2 = t[0][2] * t[0][3] + t[1][2] * t[1][3] + t[2][2] * t[2][3];
         let r0 = ::dh_robot::ik::solve_quadratic(0.0, -1.0, t_2, 1e-11);
-        if r0.roots.is_empty() {
+        if !r0.is_regular() {
             attempt.note(r0.outcome, free, "x2", 1.0, "m");
         }
         let free = if r0.is_free() {
@@ -212,7 +217,7 @@ impl LegWheel {
                 t[0][2],
                 1e-11,
             );
-            if r1.roots.is_empty() {
+            if !r1.is_regular() {
                 attempt.note(r1.outcome, free, "q1", 1.0, "");
             }
             let free = if r1.is_free() {
@@ -268,6 +273,14 @@ impl ::dh_robot::ik::Kinematics<2> for LegWheel {
                 [1.0, 0.0],
             ],
         )
+    }
+    fn drive(&self) -> ::core::option::Option<::dh_robot::ik::Drive<2>> {
+        let det = self.p;
+        ::core::option::Option::Some(::dh_robot::ik::Drive {
+            rows: [[(1.0), 0.0], [(-1.0 * self.p), (self.p)]],
+            motors: [[(self.p) / det, 0.0], [(self.p) / det, (1.0) / det]],
+            turns: [true, false],
+        })
     }
 }
 impl ::dh_robot::InverseKinematics<2, 1, f64> for LegWheel {

@@ -418,6 +418,9 @@ impl Panda {
     pub const MAX_SOLUTIONS: usize = 8;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
+    /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
+    /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
+    ///
     /// Plan:
     /// 1. `q4`: a cos + b sin = c: two values.
     /// 2. `q5`: a cos + b sin = c: two values.
@@ -432,25 +435,29 @@ impl Panda {
         given: f64,
     ) -> ::dh_robot::Solutions<f64, 7, 8> {
         let frame = match ::dh_robot::inverse::frame_of(target, 1.393) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
-        let setting = ::dh_robot::inverse::Setting {
-            joints: &Self::JOINTS,
-            reach: 1.393,
-            few: false,
-            given: Some((6, given.into())),
-        };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 1.393),
-        );
-        ::dh_robot::inverse::solve(
-            self,
-            setting,
-            &task,
-            &frame,
-            |frame, pick, found| self.candidates(frame, given.into(), pick, found),
-        )
+        let mut q = [[0.0; 8]; 7];
+        let mut valid = [0.0; 8];
+        if !self.lanes(&frame, given.into(), &mut q, &mut valid) {
+            return self.robust(target, given);
+        }
+        if valid == [1.0; 8] {
+            let at = |l: usize| ::dh_robot::lanes::solution(
+                &Self::JOINTS,
+                &q,
+                &Self::BRANCHES,
+                l,
+            );
+            return ::dh_robot::Solutions::full(
+                &Self::JOINTS,
+                [at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)],
+            );
+        }
+        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
@@ -488,7 +495,7 @@ impl Panda {
             t_16,
             1e-11,
         );
-        if r0.roots.is_empty() {
+        if !r0.is_regular() {
             attempt
                 .note_distance(
                     r0.outcome,
@@ -512,7 +519,7 @@ impl Panda {
             let t_21 = 0.2756640344580043 + c4 * 0.22684852835606603
                 - 0.059224694903086864 * s4;
             let r1 = ::dh_robot::ik::solve_sincos(0.0, t_20, -t_17, 1e-11);
-            if r1.roots.is_empty() {
+            if !r1.is_regular() {
                 attempt.note(r1.outcome, free, "q5", 1.393, "m");
             }
             let free = if r1.is_free() {
@@ -535,7 +542,7 @@ impl Panda {
                     t_21,
                     1e-11,
                 );
-                if r2.roots.is_empty() {
+                if !r2.is_regular() {
                     attempt.note(r2.outcome, free, "q6", 1.393, "m");
                 }
                 let free = if r2.is_free() {
@@ -553,7 +560,7 @@ impl Panda {
                     let t_27 = s4 * (c5 * (t_8 * c6 + t[2][2] * s6) + t_24)
                         + c4 * (t_8 * s6 - t[2][2] * c6);
                     let r3 = ::dh_robot::ik::solve_sincos(-t_26, t_25, 0.0, 1e-11);
-                    if r3.roots.is_empty() {
+                    if !r3.is_regular() {
                         attempt.note(r3.outcome, free, "shoulder q1", 1.0, "");
                     }
                     let free = if r3.is_free() {
@@ -583,7 +590,7 @@ impl Panda {
                             t_27,
                             1e-11,
                         );
-                        if r4.roots.is_empty() {
+                        if !r4.is_regular() {
                             attempt.note(r4.outcome, free, "q2", 1.0, "");
                         }
                         let free = if r4.is_free() {
@@ -615,7 +622,7 @@ impl Panda {
                                 s5 * t_38 - c5 * t_37,
                                 1e-11,
                             );
-                            if r5.roots.is_empty() {
+                            if !r5.is_regular() {
                                 attempt.note(r5.outcome, free, "q3", 1.0, "");
                             }
                             let free = if r5.is_free() {
@@ -656,6 +663,262 @@ impl Panda {
             }
         }
         attempt
+    }
+    /// The plan root by root, with everything that special poses need.
+    #[cold]
+    #[inline(never)]
+    fn robust(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        given: f64,
+    ) -> ::dh_robot::Solutions<f64, 7, 8> {
+        let frame = match ::dh_robot::inverse::frame_of(target, 1.393) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
+        };
+        let setting = ::dh_robot::inverse::Setting {
+            joints: &Self::JOINTS,
+            reach: 1.393,
+            few: false,
+            given: ::core::option::Option::Some((6, given.into())),
+        };
+        let task = ::dh_robot::ik::Task::Pose(
+            ::dh_robot::inverse::in_units(&frame, 1.393),
+        );
+        ::dh_robot::inverse::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, pick, found| self.candidates(frame, given.into(), pick, found),
+        )
+    }
+    const BRANCHES: [::dh_robot::Branch; 8] = {
+        let mut all = [::dh_robot::Branch::ANY; 8];
+        let mut l = 0;
+        while l < 8 {
+            let i0 = l / 1 % 2;
+            let i1 = l / 2 % 2;
+            let i3 = l / 4 % 2;
+            all[l] = ::dh_robot::Branch::ANY
+                .with_step(0, i0)
+                .with_wrist(
+                    if i0 == 0 {
+                        ::dh_robot::Wrist::NoFlip
+                    } else {
+                        ::dh_robot::Wrist::Flip
+                    },
+                )
+                .with_step(1, i1)
+                .with_step(2, i3)
+                .with_shoulder(
+                    if i3 == 0 {
+                        ::dh_robot::Shoulder::Left
+                    } else {
+                        ::dh_robot::Shoulder::Right
+                    },
+                );
+            l += 1;
+        }
+        all
+    };
+    /// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.
+    #[inline]
+    fn lanes(
+        &self,
+        t: &::dh_robot::ik::Pose,
+        given: f64,
+        q: &mut [[f64; 8]; 7],
+        valid: &mut [f64; 8],
+    ) -> bool {
+        let a0 = given;
+        let (s7, c7) = ::dh_robot::math::sin_cos(a0);
+        q[6] = [Self::JOINTS[6].normalize(given); 8];
+        let t_2 = t[0][3] - t[0][2] * 0.07681263460157932;
+        let t_3 = t[1][3] - t[1][2] * 0.07681263460157932;
+        let t_4 = t[2][3] - t[2][2] * 0.07681263460157932;
+        let t_5 = t[2][2] * 0.2390524048815506;
+        let t_6 = t[0][0] * c7 - t[0][1] * s7;
+        let t_7 = t[1][0] * c7 - t[1][1] * s7;
+        let t_8 = t[2][0] * c7 - t[2][1] * s7;
+        let t_9 = t[0][0] * s7 + t[0][1] * c7;
+        let t_10 = t[1][0] * s7 + t[1][1] * c7;
+        let t_11 = t[2][0] * s7 + t[2][1] * c7;
+        let t_12 = t_2 - t_6 * 0.06317300789662599;
+        let t_13 = t_3 - t_7 * 0.06317300789662599;
+        let t_14 = t_4 - t_8 * 0.06317300789662599;
+        let t_15 = t_12 * t_12 + t_13 * t_13 + t_14 * t_14 - 0.13446604368370413;
+        let t_16 = 0.2390524048815506 * (0.2390524048815506 - t_14 * 2.0) + t_15;
+        let t_17 = t_9 * t_12 + t_10 * t_13 + t_11 * t_14 - t_11 * 0.2390524048815506;
+        let t_18 = t_6 * t_12 + t_7 * t_13 + t_8 * t_14 - t_8 * 0.2390524048815506;
+        let t_19 = t[0][2] * t_12 + t[1][2] * t_13 + t[2][2] * t_14 - t_5;
+        let ([x0, y0, z0, w0], e0, m0) = ::dh_robot::lanes::sincos(
+            0.11805283210226085,
+            -0.05952230643526318,
+            t_16,
+        );
+        let c4_ = [x0, z0];
+        let s4_ = [y0, w0];
+        let g0_ = ::dh_robot::lanes::angles(&[y0, w0], &[x0, z0]);
+        let mut v86_ = [0.0; 2];
+        let mut v99_ = [0.0; 2];
+        let mut f1 = [[0.0; 4]; 2];
+        let mut margin1_ = [0.0; 2];
+        let mut valid1_ = [0.0; 2];
+        for l in 0..2 {
+            let c4 = c4_[l];
+            let s4 = s4_[l];
+            let t_20 = 0.059224694903086864 * (1.0 - c4) - 0.22684852835606603 * s4;
+            let t_21 = 0.2756640344580043 + c4 * 0.22684852835606603
+                - 0.059224694903086864 * s4;
+            v86_[l] = t_20;
+            v99_[l] = t_21;
+            let ([x1, y1, z1, w1], e1, m1) = ::dh_robot::lanes::sincos(0.0, t_20, -t_17);
+            f1[0][l] = x1;
+            f1[1][l] = y1;
+            f1[0][l + 2] = z1;
+            f1[1][l + 2] = w1;
+            margin1_[l] = m1;
+            valid1_[l] = e1;
+        }
+        let g1_ = ::dh_robot::lanes::angles(&f1[1], &f1[0]);
+        q[4] = ::core::array::from_fn(|l| g1_[l / 2 % 2 * 2 + l % 2]);
+        let c5_ = f1[0];
+        let s5_ = f1[1];
+        let v86_: [f64; 4] = ::core::array::from_fn(|l| v86_[l % 2]);
+        let v99_: [f64; 4] = ::core::array::from_fn(|l| v99_[l % 2]);
+        let c4_: [f64; 4] = ::core::array::from_fn(|l| c4_[l % 2]);
+        let s4_: [f64; 4] = ::core::array::from_fn(|l| s4_[l % 2]);
+        let g0_: [f64; 4] = ::core::array::from_fn(|l| g0_[l / 1 % 2]);
+        let margin1_: [f64; 4] = ::core::array::from_fn(|l| margin1_[l % 2]);
+        let mut margin_ = [0.0; 4];
+        let valid1_: [f64; 4] = ::core::array::from_fn(|l| valid1_[l % 2]);
+        let mut valid_ = [0.0; 4];
+        let mut error_ = [0.0; 4];
+        for l in 0..4 {
+            let v86 = v86_[l];
+            let c5 = c5_[l];
+            let s5 = s5_[l];
+            let t_22 = t_9 * s5;
+            let t_23 = t_10 * s5;
+            let t_24 = t_11 * s5;
+            let s7s5 = s7 * s5;
+            let s7c5 = s7 * c5;
+            let v99 = v99_[l];
+            let ([c6, s6], m2) = ::dh_robot::lanes::pair(
+                t_18,
+                t_19,
+                -v86 * c5,
+                -t_19,
+                t_18,
+                v99,
+            );
+            let g2 = ::dh_robot::lanes::angle(s6, c6);
+            let c4 = c4_[l];
+            let s4 = s4_[l];
+            let t_25 = s4 * (c5 * (t_6 * c6 + t[0][2] * s6) + t_22)
+                + c4 * (t_6 * s6 - t[0][2] * c6);
+            let t_26 = s4 * (c5 * (t_7 * c6 + t[1][2] * s6) + t_23)
+                + c4 * (t_7 * s6 - t[1][2] * c6);
+            let t_27 = s4 * (c5 * (t_8 * c6 + t[2][2] * s6) + t_24)
+                + c4 * (t_8 * s6 - t[2][2] * c6);
+            let c7c6 = c7 * c6;
+            let c7s6 = c7 * s6;
+            let t_28 = c5 * c7c6 + s7s5;
+            let t_29 = s5 * c7c6 - s7c5;
+            let t_30 = c4 * t_28 - s4 * c7s6;
+            let t_31 = s4 * t_28 + c4 * c7s6;
+            let c5s6 = c5 * s6;
+            let s6s5 = s6 * s5;
+            let t_32 = c4 * c5s6 + s4 * c6;
+            let t_33 = s4 * c5s6 - c4 * c6;
+            let t_34 = 0.06317300789662599 * c6 + 0.07681263460157932 * s6;
+            let t_35 = 0.2756640344580043 + 0.06317300789662599 * s6
+                - 0.07681263460157932 * c6;
+            let t_36 = s5 * t_34;
+            let t_37 = 0.059224694903086864 - c5 * t_34;
+            let t_38 = 0.059224694903086864 - (c4 * t_37 + s4 * t_35);
+            let t_39 = 0.22684852835606603 - (s4 * t_37 - c4 * t_35);
+            let ([c1, s1], m3) = ::dh_robot::lanes::half_turn([[-t_26, t_25]]);
+            let g3 = ::dh_robot::lanes::angle(s1, c1);
+            let t_40 = t[0][0] * c1 + t[1][0] * s1;
+            let t_41 = t[0][1] * c1 + t[1][1] * s1;
+            let t_42 = t[0][2] * c1 + t[1][2] * s1;
+            let t_43 = c7 * t_40 - s7 * t_41;
+            let t_44 = c5 * (c6 * t_43 + s6 * t_42) + s5 * (s7 * t_40 + c7 * t_41);
+            let [c2, s2] = ::dh_robot::lanes::unit(
+                t_27,
+                s4 * t_44 + c4 * (s6 * t_43 - c6 * t_42),
+            );
+            let g4 = ::dh_robot::lanes::angle(s2, c2);
+            let t_45 = t_40 * c2 - t[2][0] * s2;
+            let t_46 = t_41 * c2 - t[2][1] * s2;
+            let t_47 = t_42 * c2 - t[2][2] * s2;
+            let t_48 = c7 * t_45 - s7 * t_46;
+            let t_49 = s7 * t_45 + c7 * t_46;
+            let t_50 = c6 * t_48 + s6 * t_47;
+            let t_51 = c4 * (c5 * t_50 + s5 * t_49) - s4 * (s6 * t_48 - c6 * t_47);
+            let t_52 = s2 * t_31;
+            let t_53 = c2 * t_31;
+            let t_54 = s2 * t_33;
+            let t_55 = c2 * t_33;
+            let t_56 = s2 * t_39;
+            let t_57 = c2 * t_39;
+            let [c3, s3] = ::dh_robot::lanes::unit(t_51, -(s5 * t_50 - c5 * t_49));
+            let g5 = ::dh_robot::lanes::angle(s3, c3);
+            let t_58 = t_30 * c3 - t_29 * s3;
+            let t_59 = t_30 * s3 + t_29 * c3;
+            let t_60 = c2 * t_58 + t_52;
+            let t_61 = c3 * t_32 - s3 * s6s5;
+            let t_62 = s3 * t_32 + c3 * s6s5;
+            let t_63 = c2 * t_61 + t_54;
+            let t_64 = c3 * t_38 - s3 * t_36;
+            let t_65 = s3 * t_38 + c3 * t_36;
+            let t_66 = c2 * t_64 + t_56;
+            let r7 = (c1 * t_60 - s1 * t_59 - t[0][0]).abs()
+                + (s1 * t_60 + c1 * t_59 - t[1][0]).abs()
+                + (-(s2 * t_58 - t_53) - t[2][0]).abs()
+                + (c1 * t_63 - s1 * t_62 - t[0][2]).abs()
+                + (s1 * t_63 + c1 * t_62 - t[1][2]).abs()
+                + (-(s2 * t_61 - t_55) - t[2][2]).abs()
+                + (c1 * t_66 - s1 * t_65 - t[0][3]).abs()
+                + (s1 * t_66 + c1 * t_65 - t[1][3]).abs()
+                + (0.2390524048815506 - (s2 * t_64 - t_57) - t[2][3]).abs();
+            let g0 = g0_[l];
+            let margin1 = margin1_[l];
+            let valid1 = valid1_[l];
+            margin_[l] = ::dh_robot::lanes::lesser(
+                ::dh_robot::lanes::lesser(::dh_robot::lanes::lesser(m0, margin1), m2),
+                m3,
+            );
+            valid_[l] = e0 * valid1;
+            error_[l] = r7;
+            let h3 = ::dh_robot::lanes::opposite(g3);
+            let h4 = ::dh_robot::lanes::negative(g4);
+            let h5 = ::dh_robot::lanes::opposite(g5);
+            q[0][l] = g3;
+            q[1][l] = g4;
+            q[2][l] = g5;
+            q[3][l] = g0;
+            q[5][l] = ::dh_robot::lanes::into_range(
+                g2,
+                -0.017453292519943295,
+                3.752457891787808,
+            );
+            q[0][l + 4] = h3;
+            q[1][l + 4] = h4;
+            q[2][l + 4] = h5;
+            q[3][l + 4] = g0;
+            q[5][l + 4] = ::dh_robot::lanes::into_range(
+                g2,
+                -0.017453292519943295,
+                3.752457891787808,
+            );
+        }
+        *valid = ::core::array::from_fn(|l| valid_[l % 4]);
+        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
@@ -795,5 +1058,11 @@ impl ::dh_robot::ik::Kinematics<7> for Panda {
                 [1.0, 0.0, c2, -s2s3, t_11, -t_17, 0.0],
             ],
         )
+    }
+}
+impl ::dh_robot::InverseKinematics<7, 8, f64> for Panda {
+    type Target = (::dh_robot::nalgebra::IsometryMatrix3<f64>, f64);
+    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 7, 8> {
+        Panda::inverse(self, &target.0, target.1)
     }
 }

@@ -608,6 +608,9 @@ impl Pieper {
     pub const MAX_SOLUTIONS: usize = 8;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
+    /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
+    /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
+    ///
     /// Plan:
     /// 1. `q1`, `q3`: two equations, each linear in both sines and cosines (Pieper).
     /// 2. `q2`: two equations in its sine and cosine: one value.
@@ -620,14 +623,16 @@ impl Pieper {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
         let frame = match ::dh_robot::inverse::frame_of(target, 6.19664904810903) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 6.19664904810903,
             few: false,
-            given: None,
+            given: ::core::option::Option::None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 6.19664904810903),
@@ -714,7 +719,7 @@ impl Pieper {
             [pick.angle(0), pick.angle(1)],
             1e-11,
         );
-        if r0.roots.is_empty() {
+        if !r0.is_regular() {
             attempt.note(r0.outcome, free, "q1, q3", 6.19664904810903, "m");
         }
         let free = if r0.is_free() {
@@ -757,7 +762,7 @@ impl Pieper {
                 t_45,
                 1e-11,
             );
-            if r1.roots.is_empty() {
+            if !r1.is_regular() {
                 attempt.note(r1.outcome, free, "q2", 6.19664904810903, "m");
             }
             let free = if r1.is_free() {
@@ -797,7 +802,7 @@ impl Pieper {
                     s_alpha3 * t_63 + c_alpha3 * t_57 - t_23,
                     1e-11,
                 );
-                if r2.roots.is_empty() {
+                if !r2.is_regular() {
                     attempt.note(r2.outcome, free, "wrist q5", 1.0, "");
                 }
                 let free = if r2.is_free() {
@@ -817,7 +822,7 @@ impl Pieper {
                         s_alpha5 * c_alpha4 * c5 + t_24,
                         1e-11,
                     );
-                    if r3.roots.is_empty() {
+                    if !r3.is_regular() {
                         attempt.note(r3.outcome, free, "q4", 1.0, "");
                     }
                     let free = if r3.is_free() {
@@ -845,7 +850,7 @@ impl Pieper {
                             t_70,
                             1e-11,
                         );
-                        if r4.roots.is_empty() {
+                        if !r4.is_regular() {
                             attempt.note(r4.outcome, free, "q6", 1.0, "");
                         }
                         let free = if r4.is_free() {

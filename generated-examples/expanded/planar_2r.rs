@@ -175,7 +175,7 @@ impl Planar2r {
             joints: &Self::JOINTS,
             reach: 1.6208883679528896,
             few: true,
-            given: None,
+            given: ::core::option::Option::None,
         };
         let task = ::dh_robot::ik::Task::Position(p);
         ::dh_robot::inverse::solve(
@@ -204,7 +204,7 @@ impl Planar2r {
             t_2 - (t_3 * t_3 + t_4 * t_4),
             1e-11,
         );
-        if r0.roots.is_empty() {
+        if !r0.is_regular() {
             attempt
                 .note_distance(
                     r0.outcome,
@@ -233,7 +233,7 @@ impl Planar2r {
                 -t_4 * s2,
                 1e-11,
             );
-            if r1.roots.is_empty() {
+            if !r1.is_regular() {
                 attempt.note(r1.outcome, free, "q1", 1.6208883679528896, "m");
             }
             let free = if r1.is_free() {

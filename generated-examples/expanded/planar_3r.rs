@@ -211,7 +211,7 @@ impl Planar3r {
             joints: &Self::JOINTS,
             reach: 8.108033400635161,
             few: false,
-            given: None,
+            given: ::core::option::Option::None,
         };
         let task = ::dh_robot::ik::Task::Planar(x, y, phi);
         ::dh_robot::inverse::solve(
@@ -247,7 +247,7 @@ impl Planar3r {
             t[0][1],
             1e-11,
         );
-        if r0.roots.is_empty() {
+        if !r0.is_regular() {
             attempt.note(r0.outcome, free, "q1 + q2 + q3", 1.0, "");
         }
         let free = if r0.is_free() {
@@ -259,7 +259,7 @@ impl Planar3r {
         for (i0, &[c123, s123]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
             let a0 = ::dh_robot::math::atan2(s123, c123);
             let r1 = ::dh_robot::ik::solve_sincos(2.0 * t_6 * t_7, 0.0, t_8, 1e-11);
-            if r1.roots.is_empty() {
+            if !r1.is_regular() {
                 attempt
                     .note_distance(
                         r1.outcome,
@@ -290,7 +290,7 @@ impl Planar3r {
                     t_4,
                     1e-11,
                 );
-                if r2.roots.is_empty() {
+                if !r2.is_regular() {
                     attempt.note(r2.outcome, free, "q1", 8.108033400635161, "m");
                 }
                 let free = if r2.is_free() {

@@ -193,7 +193,7 @@ impl Planar3rCraig {
             joints: &Self::JOINTS,
             reach: 7.088461226509633,
             few: false,
-            given: None,
+            given: ::core::option::Option::None,
         };
         let task = ::dh_robot::ik::Task::Planar(x, y, phi);
         ::dh_robot::inverse::solve(
@@ -225,7 +225,7 @@ impl Planar3rCraig {
             t[0][1],
             1e-11,
         );
-        if r0.roots.is_empty() {
+        if !r0.is_regular() {
             attempt.note(r0.outcome, free, "q1 + q2 + q3", 1.0, "");
         }
         let free = if r0.is_free() {
@@ -242,7 +242,7 @@ impl Planar3rCraig {
                 t_2 - (t_3 * t_3 + t_4 * t_4),
                 1e-11,
             );
-            if r1.roots.is_empty() {
+            if !r1.is_regular() {
                 attempt
                     .note_distance(
                         r1.outcome,
@@ -273,7 +273,7 @@ impl Planar3rCraig {
                     t[1][3],
                     1e-11,
                 );
-                if r2.roots.is_empty() {
+                if !r2.is_regular() {
                     attempt.note(r2.outcome, free, "q1", 7.088461226509633, "m");
                 }
                 let free = if r2.is_free() {

@@ -317,6 +317,9 @@ impl PolarOffsetWrist {
     pub const MAX_SOLUTIONS: usize = 16;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
+    /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
+    /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
+    ///
     /// Plan:
     /// 1. `q1`, `q2`, `q3`, `q4`, `q5`, `q6`: elimination of the general six-axis arm (Raghavan and Roth).
     #[must_use]
@@ -325,14 +328,16 @@ impl PolarOffsetWrist {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 16> {
         let frame = match ::dh_robot::inverse::frame_of(target, 1.07) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 1.07,
             few: false,
-            given: None,
+            given: ::core::option::Option::None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 1.07),
@@ -381,9 +386,9 @@ impl PolarOffsetWrist {
                 ],
                 &[false, false, true, false, false, false],
                 [
-                    ::dh_robot::ik::general::Choice::new(12),
                     ::dh_robot::ik::general::Choice::new(54),
                     ::dh_robot::ik::general::Choice::new(59),
+                    ::dh_robot::ik::general::Choice::new(12),
                 ],
             )
             .find(
@@ -393,7 +398,7 @@ impl PolarOffsetWrist {
                     [t[2][0], t[2][1], t[2][2], t[2][3] - t[2][2] * 0.08411214953271028],
                 ],
             );
-        if r0.roots.is_empty() {
+        if !r0.is_regular() {
             attempt.note(r0.outcome, free, "q1, q2, q3, q4, q5, q6", 1.0, "");
         }
         let free = if r0.is_free() {

@@ -303,6 +303,9 @@ impl Puma560 {
     pub const MAX_SOLUTIONS: usize = 8;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
+    /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
+    /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
+    ///
     /// Plan:
     /// 1. `q1`: a cos + b sin = c: two values.
     /// 2. `q3`: a cos + b sin = c: two values.
@@ -316,8 +319,10 @@ impl Puma560 {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
         let frame = match ::dh_robot::inverse::frame_of(target, 1.0518492311766083) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let mut q = [[0.0; 8]; 6];
         let mut valid = [0.0; 8];
@@ -354,7 +359,7 @@ impl Puma560 {
         let t_6 = self.a3 * 0.9507065940252585;
         let t_7 = self.d4 * 0.9507065940252585;
         let r0 = ::dh_robot::ik::solve_sincos(-t[1][3], t[0][3], -t_3, 1e-11);
-        if r0.roots.is_empty() {
+        if !r0.is_regular() {
             attempt.note(r0.outcome, free, "shoulder q1", 1.0518492311766083, "m");
         }
         let free = if r0.is_free() {
@@ -378,7 +383,7 @@ impl Puma560 {
                 t_2 - (t_4 * t_4 + t_6 * t_6 + t_3 * t_3 + t_7 * t_7),
                 1e-11,
             );
-            if r1.roots.is_empty() {
+            if !r1.is_regular() {
                 attempt
                     .note_distance(
                         r1.outcome,
@@ -407,7 +412,7 @@ impl Puma560 {
                     -(t_6 * s3 + t_7 * c3),
                     1e-11,
                 );
-                if r2.roots.is_empty() {
+                if !r2.is_regular() {
                     attempt.note(r2.outcome, free, "q2", 1.0518492311766083, "m");
                 }
                 let free = if r2.is_free() {
@@ -426,7 +431,7 @@ impl Puma560 {
                     let t_20 = t_11 * t_16 + t[2][1] * t_15;
                     let t_21 = t_13 * t_15 - t[2][2] * t_16;
                     let r3 = ::dh_robot::ik::solve_sincos(-t_14, t_21, 0.0, 1e-11);
-                    if r3.roots.is_empty() {
+                    if !r3.is_regular() {
                         attempt.note(r3.outcome, free, "wrist q4", 1.0, "");
                     }
                     let free = if r3.is_free() {
@@ -452,7 +457,7 @@ impl Puma560 {
                             -(t_13 * t_16 + t[2][2] * t_15),
                             1e-11,
                         );
-                        if r4.roots.is_empty() {
+                        if !r4.is_regular() {
                             attempt.note(r4.outcome, free, "q5", 1.0, "");
                         }
                         let free = if r4.is_free() {
@@ -476,7 +481,7 @@ impl Puma560 {
                                 t_23 * c5 - t_20 * s5,
                                 1e-11,
                             );
-                            if r5.roots.is_empty() {
+                            if !r5.is_regular() {
                                 attempt.note(r5.outcome, free, "q6", 1.0, "");
                             }
                             let free = if r5.is_free() {
@@ -533,14 +538,16 @@ impl Puma560 {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
         let frame = match ::dh_robot::inverse::frame_of(target, 1.0518492311766083) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 1.0518492311766083,
             few: false,
-            given: None,
+            given: ::core::option::Option::None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 1.0518492311766083),

@@ -144,6 +144,9 @@ impl RpParallel {
     pub const MAX_SOLUTIONS: usize = 1;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
+    /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
+    /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
+    ///
     /// Plan:
     /// 1. `q2`: a linear equation.
     /// 2. `q1`: two equations in its sine and cosine: one value.
@@ -153,8 +156,10 @@ impl RpParallel {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 2, 1> {
         let frame = match ::dh_robot::inverse::frame_of(target, 0.50565) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let mut q = [[0.0; 1]; 2];
         let mut valid = [0.0; 1];
@@ -182,7 +187,7 @@ impl RpParallel {
         let mut attempt = ::dh_robot::inverse::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
         let r0 = ::dh_robot::ik::solve_quadratic(0.0, 1.0, -t[2][3], 1e-11);
-        if r0.roots.is_empty() {
+        if !r0.is_regular() {
             attempt.note(r0.outcome, free, "q2", 0.50565, "m");
         }
         let free = if r0.is_free() {
@@ -202,7 +207,7 @@ impl RpParallel {
                 t[0][1],
                 1e-11,
             );
-            if r1.roots.is_empty() {
+            if !r1.is_regular() {
                 attempt.note(r1.outcome, free, "q1", 1.0, "");
             }
             let free = if r1.is_free() {
@@ -227,14 +232,16 @@ impl RpParallel {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 2, 1> {
         let frame = match ::dh_robot::inverse::frame_of(target, 0.50565) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 0.50565,
             few: true,
-            given: None,
+            given: ::core::option::Option::None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 0.50565),

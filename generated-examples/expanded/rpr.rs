@@ -157,6 +157,9 @@ impl Rpr {
     pub const MAX_SOLUTIONS: usize = 1;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
+    /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
+    /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
+    ///
     /// Plan:
     /// 1. `q2`: a linear equation.
     /// 2. `q1`: two equations in its sine and cosine: one value.
@@ -167,8 +170,10 @@ impl Rpr {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 3, 1> {
         let frame = match ::dh_robot::inverse::frame_of(target, 0.40452000000000005) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let mut q = [[0.0; 1]; 3];
         let mut valid = [0.0; 1];
@@ -204,7 +209,7 @@ impl Rpr {
             t_3 + t[2][2] * (t[2][3] - t[2][2] * t_2),
             1e-11,
         );
-        if r0.roots.is_empty() {
+        if !r0.is_regular() {
             attempt.note(r0.outcome, free, "q2", 0.40452000000000005, "m");
         }
         let free = if r0.is_free() {
@@ -224,7 +229,7 @@ impl Rpr {
                 t[1][2],
                 1e-11,
             );
-            if r1.roots.is_empty() {
+            if !r1.is_regular() {
                 attempt.note(r1.outcome, free, "q1", 1.0, "");
             }
             let free = if r1.is_free() {
@@ -244,7 +249,7 @@ impl Rpr {
                     t[0][1] * c1 + t[1][1] * s1,
                     1e-11,
                 );
-                if r2.roots.is_empty() {
+                if !r2.is_regular() {
                     attempt.note(r2.outcome, free, "q3", 1.0, "");
                 }
                 let free = if r2.is_free() {
@@ -270,14 +275,16 @@ impl Rpr {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 3, 1> {
         let frame = match ::dh_robot::inverse::frame_of(target, 0.40452000000000005) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 0.40452000000000005,
             few: true,
-            given: None,
+            given: ::core::option::Option::None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 0.40452000000000005),

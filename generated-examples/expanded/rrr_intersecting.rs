@@ -218,7 +218,7 @@ impl RrrIntersecting {
             joints: &Self::JOINTS,
             reach: 1.0675141762776192,
             few: false,
-            given: None,
+            given: ::core::option::Option::None,
         };
         let task = ::dh_robot::ik::Task::Position(p);
         ::dh_robot::inverse::solve(
@@ -243,7 +243,7 @@ impl RrrIntersecting {
         let t_4 = self.l2 * 0.9367557098744688;
         let t_5 = self.l3 * 0.9367557098744688;
         let r0 = ::dh_robot::ik::solve_sincos(-t[1][3], t[0][3], -t_3, 1e-11);
-        if r0.roots.is_empty() {
+        if !r0.is_regular() {
             attempt.note(r0.outcome, free, "shoulder q1", 1.0675141762776192, "m");
         }
         let free = if r0.is_free() {
@@ -261,7 +261,7 @@ impl RrrIntersecting {
                 t_2 - (t_3 * t_3 + t_4 * t_4 + t_5 * t_5),
                 1e-11,
             );
-            if r1.roots.is_empty() {
+            if !r1.is_regular() {
                 attempt
                     .note_distance(
                         r1.outcome,
@@ -290,7 +290,7 @@ impl RrrIntersecting {
                     -t_5 * s3,
                     1e-11,
                 );
-                if r2.roots.is_empty() {
+                if !r2.is_regular() {
                     attempt.note(r2.outcome, free, "q2", 1.0675141762776192, "m");
                 }
                 let free = if r2.is_free() {

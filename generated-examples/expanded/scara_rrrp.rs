@@ -191,6 +191,9 @@ impl ScaraRrrp {
     pub const MAX_SOLUTIONS: usize = 2;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
+    /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
+    /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
+    ///
     /// Plan:
     /// 1. `q4`: a linear equation.
     /// 2. `q1 + q2 + q3`: two equations in its sine and cosine: one value.
@@ -202,8 +205,10 @@ impl ScaraRrrp {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 4, 2> {
         let frame = match ::dh_robot::inverse::frame_of(target, 1.321360271039209) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let mut q = [[0.0; 2]; 4];
         let mut valid = [0.0; 2];
@@ -242,7 +247,7 @@ impl ScaraRrrp {
             -(t[2][3] - (t_2 + t_3)),
             1e-11,
         );
-        if r0.roots.is_empty() {
+        if !r0.is_regular() {
             attempt.note(r0.outcome, free, "q4", 1.321360271039209, "m");
         }
         let free = if r0.is_free() {
@@ -265,7 +270,7 @@ impl ScaraRrrp {
                 t[0][1],
                 1e-11,
             );
-            if r1.roots.is_empty() {
+            if !r1.is_regular() {
                 attempt.note(r1.outcome, free, "q1 + q2 + q3", 1.0, "");
             }
             let free = if r1.is_free() {
@@ -282,7 +287,7 @@ impl ScaraRrrp {
                     -(t_6 - (t_8 * t_8 + t_9 * t_9 + t_10 * t_10 - t_7)),
                     1e-11,
                 );
-                if r2.roots.is_empty() {
+                if !r2.is_regular() {
                     attempt
                         .note_distance(
                             r2.outcome,
@@ -313,7 +318,7 @@ impl ScaraRrrp {
                         t_9,
                         1e-11,
                     );
-                    if r3.roots.is_empty() {
+                    if !r3.is_regular() {
                         attempt.note(r3.outcome, free, "q1", 1.321360271039209, "m");
                     }
                     let free = if r3.is_free() {
@@ -352,14 +357,16 @@ impl ScaraRrrp {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 4, 2> {
         let frame = match ::dh_robot::inverse::frame_of(target, 1.321360271039209) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 1.321360271039209,
             few: true,
-            given: None,
+            given: ::core::option::Option::None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 1.321360271039209),

@@ -270,6 +270,9 @@ impl SixAxisChain {
     pub const MAX_SOLUTIONS: usize = 8;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
+    /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
+    /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
+    ///
     /// Plan:
     /// 1. `q1`: a cos + b sin = 0: two values half a turn apart.
     /// 2. `q2 + q3 + q4`: a cos + b sin = 0: two values half a turn apart.
@@ -283,8 +286,10 @@ impl SixAxisChain {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
         let frame = match ::dh_robot::inverse::frame_of(target, 1.1159566801270322) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let mut q = [[0.0; 8]; 6];
         let mut valid = [0.0; 8];
@@ -319,7 +324,7 @@ impl SixAxisChain {
         let t_4 = self.a3 * 0.896092131359586;
         let t_5 = t_3 * t_3 + t_4 * t_4;
         let r0 = ::dh_robot::ik::solve_sincos(-t[1][3], t[0][3], 0.0, 1e-11);
-        if r0.roots.is_empty() {
+        if !r0.is_regular() {
             attempt.note(r0.outcome, free, "shoulder q1", 1.1159566801270322, "m");
         }
         let free = if r0.is_free() {
@@ -335,8 +340,8 @@ impl SixAxisChain {
             let t_8 = t[0][1] * c1 + t[1][1] * s1;
             let t_9 = t[0][2] * c1 + t[1][2] * s1;
             let r1 = ::dh_robot::ik::solve_sincos(-t[2][2], t_9, 0.0, 1e-11);
-            if r1.roots.is_empty() {
-                attempt.note(r1.outcome, free, "elbow q2 + q3 + q4", 1.0, "");
+            if !r1.is_regular() {
+                attempt.note(r1.outcome, free, "wrist q2 + q3 + q4", 1.0, "");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -355,7 +360,7 @@ impl SixAxisChain {
                     t_9 * c234 + t[2][2] * s234,
                     1e-11,
                 );
-                if r2.roots.is_empty() {
+                if !r2.is_regular() {
                     attempt.note(r2.outcome, free, "q5", 1.0, "");
                 }
                 let free = if r2.is_free() {
@@ -380,7 +385,7 @@ impl SixAxisChain {
                         t_8,
                         1e-11,
                     );
-                    if r3.roots.is_empty() {
+                    if !r3.is_regular() {
                         attempt.note(r3.outcome, free, "q6", 1.0, "");
                     }
                     let free = if r3.is_free() {
@@ -407,12 +412,12 @@ impl SixAxisChain {
                             t_14 * t_14 + t_15 * t_15 + t_16 * t_16 - t_5,
                             1e-11,
                         );
-                        if r4.roots.is_empty() {
+                        if !r4.is_regular() {
                             attempt
                                 .note_distance(
                                     r4.outcome,
                                     free,
-                                    "q3",
+                                    "elbow q3",
                                     t_14 * t_14 + t_15 * t_15 + t_16 * t_16,
                                     t_14 * t_14 + t_15 * t_15 + t_16 * t_16 - t_5,
                                     1.1159566801270322,
@@ -442,7 +447,7 @@ impl SixAxisChain {
                                 t_16,
                                 1e-11,
                             );
-                            if r5.roots.is_empty() {
+                            if !r5.is_regular() {
                                 attempt
                                     .note(r5.outcome, free, "q2", 1.1159566801270322, "m");
                             }
@@ -468,14 +473,21 @@ impl SixAxisChain {
                                         },
                                     )
                                     .with_step(1, i1)
-                                    .with_elbow(
+                                    .with_wrist(
                                         if i1 == 0 {
+                                            ::dh_robot::Wrist::NoFlip
+                                        } else {
+                                            ::dh_robot::Wrist::Flip
+                                        },
+                                    )
+                                    .with_step(2, i4)
+                                    .with_elbow(
+                                        if i4 == 0 {
                                             ::dh_robot::Elbow::Up
                                         } else {
                                             ::dh_robot::Elbow::Down
                                         },
-                                    )
-                                    .with_step(2, i4);
+                                    );
                                 found([a0, a5, a4, a1 - a4 - a5, a2, a3], branch, free);
                             }
                         }
@@ -493,14 +505,16 @@ impl SixAxisChain {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
         let frame = match ::dh_robot::inverse::frame_of(target, 1.1159566801270322) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 1.1159566801270322,
             few: false,
-            given: None,
+            given: ::core::option::Option::None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 1.1159566801270322),
@@ -530,10 +544,17 @@ impl SixAxisChain {
                     },
                 )
                 .with_step(1, i1)
-                .with_elbow(
-                    if i1 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                .with_wrist(
+                    if i1 == 0 {
+                        ::dh_robot::Wrist::NoFlip
+                    } else {
+                        ::dh_robot::Wrist::Flip
+                    },
                 )
-                .with_step(2, i4);
+                .with_step(2, i4)
+                .with_elbow(
+                    if i4 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                );
             l += 1;
         }
         all

@@ -286,6 +286,9 @@ impl Stanford {
     pub const MAX_SOLUTIONS: usize = 8;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
+    /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
+    /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
+    ///
     /// Plan:
     /// 1. `q1`: a cos + b sin = c: two values.
     /// 2. `q2`: a cos + b sin = 0: two values half a turn apart.
@@ -299,8 +302,10 @@ impl Stanford {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
         let frame = match ::dh_robot::inverse::frame_of(target, 0.5862999999999999) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let mut q = [[0.0; 8]; 6];
         let mut valid = [0.0; 8];
@@ -337,7 +342,7 @@ impl Stanford {
             -0.22804025243049636,
             1e-11,
         );
-        if r0.roots.is_empty() {
+        if !r0.is_regular() {
             attempt.note(r0.outcome, free, "shoulder q1", 0.5862999999999999, "m");
         }
         let free = if r0.is_free() {
@@ -356,7 +361,7 @@ impl Stanford {
             let t_8 = t[0][2] * c1 + t[1][2] * s1;
             let t_9 = t[0][2] * s1 - t[1][2] * c1;
             let r1 = ::dh_robot::ik::solve_sincos(-t_3, t_2, 0.0, 1e-11);
-            if r1.roots.is_empty() {
+            if !r1.is_regular() {
                 attempt.note(r1.outcome, free, "elbow q2", 0.5862999999999999, "m");
             }
             let free = if r1.is_free() {
@@ -376,7 +381,7 @@ impl Stanford {
                     t_3 * s2 + t_2 * c2,
                     1e-11,
                 );
-                if r2.roots.is_empty() {
+                if !r2.is_regular() {
                     attempt.note(r2.outcome, free, "q3", 0.5862999999999999, "m");
                 }
                 let free = if r2.is_free() {
@@ -393,7 +398,7 @@ impl Stanford {
                         0.0,
                         1e-11,
                     );
-                    if r3.roots.is_empty() {
+                    if !r3.is_regular() {
                         attempt.note(r3.outcome, free, "wrist q6", 1.0, "");
                     }
                     let free = if r3.is_free() {
@@ -417,7 +422,7 @@ impl Stanford {
                             t_10 * s6 + t_11 * c6,
                             1e-11,
                         );
-                        if r4.roots.is_empty() {
+                        if !r4.is_regular() {
                             attempt.note(r4.outcome, free, "q4", 1.0, "");
                         }
                         let free = if r4.is_free() {
@@ -443,7 +448,7 @@ impl Stanford {
                                 -(t_9 * c4 + t_12 * s4),
                                 1e-11,
                             );
-                            if r5.roots.is_empty() {
+                            if !r5.is_regular() {
                                 attempt.note(r5.outcome, free, "q5", 1.0, "");
                             }
                             let free = if r5.is_free() {
@@ -500,14 +505,16 @@ impl Stanford {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
         let frame = match ::dh_robot::inverse::frame_of(target, 0.5862999999999999) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 0.5862999999999999,
             few: false,
-            given: None,
+            given: ::core::option::Option::None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 0.5862999999999999),

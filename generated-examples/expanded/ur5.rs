@@ -303,6 +303,9 @@ impl Ur5 {
     pub const MAX_SOLUTIONS: usize = 8;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
+    /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
+    /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
+    ///
     /// Plan:
     /// 1. `q1`: a cos + b sin = c: two values.
     /// 2. `q2 + q3 + q4`: a cos + b sin = 0: two values half a turn apart.
@@ -316,8 +319,10 @@ impl Ur5 {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
         let frame = match ::dh_robot::inverse::frame_of(target, 1.192809) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let mut q = [[0.0; 8]; 6];
         let mut valid = [0.0; 8];
@@ -352,7 +357,7 @@ impl Ur5 {
         let t_4 = t[2][3] - t[2][2] * 0.06899679663718164;
         let t_5 = t_4 - 0.07499859575170878;
         let r0 = ::dh_robot::ik::solve_sincos(-t_3, t_2, 0.09150668715611636, 1e-11);
-        if r0.roots.is_empty() {
+        if !r0.is_regular() {
             attempt.note(r0.outcome, free, "shoulder q1", 1.192809, "m");
         }
         let free = if r0.is_free() {
@@ -371,8 +376,8 @@ impl Ur5 {
             let t_11 = t[0][1] * s1 - t[1][1] * c1;
             let t_12 = t[0][2] * c1 + t[1][2] * s1;
             let r1 = ::dh_robot::ik::solve_sincos(-t[2][2], t_12, 0.0, 1e-11);
-            if r1.roots.is_empty() {
-                attempt.note(r1.outcome, free, "elbow q2 + q3 + q4", 1.0, "");
+            if !r1.is_regular() {
+                attempt.note(r1.outcome, free, "wrist q2 + q3 + q4", 1.0, "");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -390,7 +395,7 @@ impl Ur5 {
                     ],
                     1e-11,
                 );
-                if r2.roots.is_empty() {
+                if !r2.is_regular() {
                     attempt.note(r2.outcome, free, "q5", 1.0, "");
                 }
                 let free = if r2.is_free() {
@@ -413,7 +418,7 @@ impl Ur5 {
                         t_10,
                         1e-11,
                     );
-                    if r3.roots.is_empty() {
+                    if !r3.is_regular() {
                         attempt.note(r3.outcome, free, "q6", 1.0, "");
                     }
                     let free = if r3.is_free() {
@@ -444,12 +449,12 @@ impl Ur5 {
                             t_19,
                             1e-11,
                         );
-                        if r4.roots.is_empty() {
+                        if !r4.is_regular() {
                             attempt
                                 .note_distance(
                                     r4.outcome,
                                     free,
-                                    "q3",
+                                    "elbow q3",
                                     t_16 * t_16 + t_17 * t_17 + t_18 * t_18,
                                     t_19,
                                     1.192809,
@@ -478,7 +483,7 @@ impl Ur5 {
                                 ],
                                 1e-11,
                             );
-                            if r5.roots.is_empty() {
+                            if !r5.is_regular() {
                                 attempt.note(r5.outcome, free, "q2", 1.192809, "m");
                             }
                             let free = if r5.is_free() {
@@ -503,14 +508,21 @@ impl Ur5 {
                                         },
                                     )
                                     .with_step(1, i1)
-                                    .with_elbow(
+                                    .with_wrist(
                                         if i1 == 0 {
+                                            ::dh_robot::Wrist::NoFlip
+                                        } else {
+                                            ::dh_robot::Wrist::Flip
+                                        },
+                                    )
+                                    .with_step(2, i4)
+                                    .with_elbow(
+                                        if i4 == 0 {
                                             ::dh_robot::Elbow::Up
                                         } else {
                                             ::dh_robot::Elbow::Down
                                         },
-                                    )
-                                    .with_step(2, i4);
+                                    );
                                 found([a0, a5, a4, a1 - a4 - a5, a2, a3], branch, free);
                             }
                         }
@@ -528,14 +540,16 @@ impl Ur5 {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
         let frame = match ::dh_robot::inverse::frame_of(target, 1.192809) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 1.192809,
             few: false,
-            given: None,
+            given: ::core::option::Option::None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 1.192809),
@@ -565,10 +579,17 @@ impl Ur5 {
                     },
                 )
                 .with_step(1, i1)
-                .with_elbow(
-                    if i1 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                .with_wrist(
+                    if i1 == 0 {
+                        ::dh_robot::Wrist::NoFlip
+                    } else {
+                        ::dh_robot::Wrist::Flip
+                    },
                 )
-                .with_step(2, i4);
+                .with_step(2, i4)
+                .with_elbow(
+                    if i4 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                );
             l += 1;
         }
         all

@@ -196,6 +196,9 @@ impl WaferPrrr {
     pub const MAX_SOLUTIONS: usize = 2;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
+    /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
+    /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
+    ///
     /// Plan:
     /// 1. `q1`: a linear equation.
     /// 2. `q2 + q3 + q4`: two equations in its sine and cosine: one value.
@@ -207,8 +210,10 @@ impl WaferPrrr {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 4, 2> {
         let frame = match ::dh_robot::inverse::frame_of(target, 0.6091883671078886) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let mut q = [[0.0; 2]; 4];
         let mut valid = [0.0; 2];
@@ -247,7 +252,7 @@ impl WaferPrrr {
         let t_11 = t_8 * (t_8 + t_7 * 2.0);
         let t_12 = t_9 * t_9 + t_10 * t_10 + t_7 * t_7;
         let r0 = ::dh_robot::ik::solve_quadratic(0.0, 1.0, -(t_5 - (t_7 + t_8)), 1e-11);
-        if r0.roots.is_empty() {
+        if !r0.is_regular() {
             attempt.note(r0.outcome, free, "q1", 0.6091883671078886, "m");
         }
         let free = if r0.is_free() {
@@ -268,7 +273,7 @@ impl WaferPrrr {
                 t[0][1],
                 1e-11,
             );
-            if r1.roots.is_empty() {
+            if !r1.is_regular() {
                 attempt.note(r1.outcome, free, "q2 + q3 + q4", 1.0, "");
             }
             let free = if r1.is_free() {
@@ -285,7 +290,7 @@ impl WaferPrrr {
                     -(t_11 - (t_6 + t_13 * t_13 - t_12)),
                     1e-11,
                 );
-                if r2.roots.is_empty() {
+                if !r2.is_regular() {
                     attempt
                         .note_distance(
                             r2.outcome,
@@ -316,7 +321,7 @@ impl WaferPrrr {
                         t_4,
                         1e-11,
                     );
-                    if r3.roots.is_empty() {
+                    if !r3.is_regular() {
                         attempt.note(r3.outcome, free, "q2", 0.6091883671078886, "m");
                     }
                     let free = if r3.is_free() {
@@ -355,14 +360,16 @@ impl WaferPrrr {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 4, 2> {
         let frame = match ::dh_robot::inverse::frame_of(target, 0.6091883671078886) {
-            Ok(frame) => frame,
-            Err(why) => return ::dh_robot::Solutions::none(&Self::JOINTS, why),
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
         };
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
             reach: 0.6091883671078886,
             few: true,
-            given: None,
+            given: ::core::option::Option::None,
         };
         let task = ::dh_robot::ik::Task::Pose(
             ::dh_robot::inverse::in_units(&frame, 0.6091883671078886),

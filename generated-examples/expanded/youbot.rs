@@ -264,7 +264,7 @@ impl Youbot {
             joints: &Self::JOINTS,
             reach: 0.6875,
             few: true,
-            given: None,
+            given: ::core::option::Option::None,
         };
         let task = ::dh_robot::ik::Task::Axis(p, z);
         ::dh_robot::inverse::solve(
@@ -292,7 +292,7 @@ impl Youbot {
             [-t[1][3], t[0][3]],
             1e-11,
         );
-        if r0.roots.is_empty() {
+        if !r0.is_regular() {
             attempt.note(r0.outcome, free, "shoulder q1", 0.6875, "m");
         }
         let free = if r0.is_free() {
@@ -321,7 +321,7 @@ impl Youbot {
                 t[2][2],
                 1e-11,
             );
-            if r1.roots.is_empty() {
+            if !r1.is_regular() {
                 attempt.note(r1.outcome, free, "q2 + q3 + q4", 1.0, "");
             }
             let free = if r1.is_free() {
@@ -339,7 +339,7 @@ impl Youbot {
                     t_11,
                     1e-11,
                 );
-                if r2.roots.is_empty() {
+                if !r2.is_regular() {
                     attempt
                         .note_distance(
                             r2.outcome,
@@ -369,7 +369,7 @@ impl Youbot {
                         ],
                         1e-11,
                     );
-                    if r3.roots.is_empty() {
+                    if !r3.is_regular() {
                         attempt.note(r3.outcome, free, "q2", 0.6875, "m");
                     }
                     let free = if r3.is_free() {
@@ -385,7 +385,7 @@ impl Youbot {
                     {
                         let a3 = ::dh_robot::math::atan2(s2, c2);
                         let r4 = ::dh_robot::ik::solve_sincos(0.0, 0.0, 0.0, 1e-11);
-                        if r4.roots.is_empty() {
+                        if !r4.is_regular() {
                             attempt.note(r4.outcome, free, "q5", 1.0, "");
                         }
                         let free = if r4.is_free() {

@@ -176,14 +176,20 @@ pub fn same_solution<const N: usize>(
     if miss(&middle) <= enough {
         return true;
     }
-    // The way between them may be bent: a few steps lead back to it. From between two solutions they lead to one of them, or nowhere.
-    polish(arm, &mut middle, task, reach, 4);
-    if miss(&middle) > enough {
-        return false;
+    // The way between them may be bent: a step or two lead back to it. From between two solutions they lead to one of them, or nowhere.
+    // (Many steps lead to the end of the way, where the root of high order is.)
+    for _ in 0..4 {
+        polish(arm, &mut middle, task, reach, 1);
+        let distance =
+            |q: &[f64; N]| middle.iter().zip(q).fold(0.0f64, |m, (a, b)| m.max(super::math::sin_cos(a - b).0.abs()));
+        if distance(p).min(distance(q)) <= 0.2 * apart {
+            return false;
+        }
+        if miss(&middle) <= enough {
+            return true;
+        }
     }
-    let distance =
-        |q: &[f64; N]| middle.iter().zip(q).fold(0.0f64, |m, (a, b)| m.max(super::math::sin_cos(a - b).0.abs()));
-    distance(p).min(distance(q)) > 0.2 * apart
+    false
 }
 
 /// Drives `error(q)` to zero in the sense of least squares; `jacobian` is minus its derivative. Gives back the last error and

@@ -6,8 +6,6 @@ use crate::{Branch, FreeJoints, Real, Solution, Solutions};
 
 /// Residual (position over reach, rotation in rad) up to which a candidate is taken as it is: rounding of a chain of seven links.
 const EXACT: f64 = 1e-13;
-/// Residual between two joint vectors below which they are one solution.
-const BLURRED: f64 = 1e-14;
 /// Residual up to which a polished candidate is a solution.
 const REACHED: f64 = 1e-10;
 /// The same for arms with fewer joints than the task has dimensions: their targets are rounded off what the arm can do.
@@ -177,12 +175,11 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
 
     /// Adds a regular solution.
     pub(super) fn insert(&mut self, q: [f64; N], branch: Branch) {
-        // Between two solutions the target is missed; between two ends of the way to a root of high order by no more than at the ends.
+        // Two ends of the way to a root of high order, seen as regular from both.
         let miss = self.miss(&q);
         let one = |p: &[f64; N], _| {
-            let way = self.apart(p, &q);
-            way.iter().all(|x| x.abs() <= CLOSE)
-                && self.miss(&self.moved_by(p, &way, 0.5)) <= BLURRED.max(2.0 * miss).max(2.0 * self.miss(p))
+            self.apart(p, &q).iter().all(|x| x.abs() <= CLOSE)
+                && same_solution(self.arm, self.task, self.setting.reach, p, &q)
         };
         if let Some(i) = self.find(one) {
             let better = self.out.get(i).is_some_and(|s| miss < 0.5 * self.miss(&s.q.map(T::to_f64)));
