@@ -294,7 +294,7 @@ impl GantryWrist {
             };
             for (i1, &q2) in r1.or_if_free(pick.length(1)).iter().enumerate() {
                 let a1 = q2 * 0.30000000000000004;
-                let r2 = ::dh_robot::ik::solve_quadratic(0.0, 1.0, -t_6, 1e-11);
+                let r2 = ::dh_robot::ik::solve_quadratic(0.0, -1.0, t_6, 1e-11);
                 if !r2.is_regular() {
                     attempt.note(r2.outcome, free, "q3", 0.30000000000000004, "m");
                 }
@@ -469,7 +469,7 @@ impl GantryWrist {
         );
         let q2 = q2;
         let g1 = q2 * 0.30000000000000004;
-        let (q3, m2) = ::dh_robot::lanes::linear(1.0, -t_6);
+        let (q3, m2) = ::dh_robot::lanes::linear(-1.0, t_6);
         let q3 = q3;
         let g2 = q3 * 0.30000000000000004;
         let t_7 = 0.3333333333333333 + q3;

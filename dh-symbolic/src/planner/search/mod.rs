@@ -205,7 +205,9 @@ impl Search<'_> {
 
     /// How long an equation is: its terms, and what was found before and is needed here (so that steps which depend on the target
     /// alone come first, and errors do not pile up).
-    fn size(&self, c: &Collected) -> usize {
+    fn size(&self, (equation, c): &(Equation, Collected)) -> usize {
+        // An element of a known matrix is seen at once.
+        let unusual = if matches!(equation.scalar, Scalar::Across(_) | Scalar::Bridge(..)) { 12 } else { 0 };
         let terms: usize = c.values().map(|p| p.terms().len()).sum();
         let mut symbols: Vec<_> = c.values().flat_map(Poly::symbols).collect();
         symbols.sort_unstable();
@@ -222,7 +224,7 @@ impl Search<'_> {
             .map(|k| joints(0, k.left) + joints(k.right, self.axes.hops.len()))
             .max()
             .unwrap_or(0);
-        terms + 4 * (known + folded)
+        terms + 4 * (known + folded) + unusual
     }
 }
 

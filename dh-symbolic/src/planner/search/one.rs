@@ -54,7 +54,7 @@ impl Search<'_> {
         };
         let first_joint = form.iter().position(|k| *k != 0).unwrap_or(0);
         let turns = self.axes.turns(first_joint);
-        let size = |c: &Collected| self.size(c);
+        let size = |row: &(Equation, Collected)| self.size(row);
         let mut options = Vec::new();
         if !turns {
             for row in &rows {
@@ -62,16 +62,12 @@ impl Search<'_> {
                 let lead = row.1.get(&vec![Part::Power(degree)]);
                 let firm = lead.is_some_and(|p| self.constants(p));
                 match degree {
-                    1 if firm => options.push(Ranked {
-                        rank: (0, size(&row.1), first_joint),
-                        step: step(StepKind::Linear, 1, vec![row]),
-                    }),
-                    1 => options.push(Ranked {
-                        rank: (3, size(&row.1), first_joint),
-                        step: step(StepKind::Linear, 1, vec![row]),
-                    }),
+                    1 if firm => options
+                        .push(Ranked { rank: (0, size(row), first_joint), step: step(StepKind::Linear, 1, vec![row]) }),
+                    1 => options
+                        .push(Ranked { rank: (3, size(row), first_joint), step: step(StepKind::Linear, 1, vec![row]) }),
                     2 => options.push(Ranked {
-                        rank: (5, size(&row.1), first_joint),
+                        rank: (5, size(row), first_joint),
                         step: step(StepKind::Quadratic, 2, vec![row]),
                     }),
                     _ => {}
@@ -84,7 +80,7 @@ impl Search<'_> {
         };
         let first: Vec<&(Equation, Collected)> = rows.iter().filter(|r| degree(&r.1) == 1).collect();
         if let Some(chosen) = self.independent(&first) {
-            let total = chosen.iter().map(|r| size(&r.1)).sum();
+            let total = chosen.iter().map(|r| size(r)).sum();
             options.push(Ranked { rank: (1, total, first_joint), step: step(StepKind::AtanPair, 1, chosen) });
         }
         let has_constant = |r: &&(Equation, Collected)| r.1.contains_key(&vec![Part::One]);
@@ -92,21 +88,18 @@ impl Search<'_> {
         let special = if ratios.len() > 1 { self.samples(0, 32) } else { Vec::new() };
         for row in &first {
             if has_constant(row) {
-                options
-                    .push(Ranked { rank: (4, size(&row.1), first_joint), step: step(StepKind::SinCos, 2, vec![row]) });
+                options.push(Ranked { rank: (4, size(row), first_joint), step: step(StepKind::SinCos, 2, vec![row]) });
             } else {
                 let second = self.second_half_turn(row, &ratios, &special);
                 options.push(Ranked {
-                    rank: (2, size(&row.1), first_joint),
+                    rank: (2, size(row), first_joint),
                     step: step(StepKind::HalfTurn, 2, std::iter::once(*row).chain(second).collect()),
                 });
             }
         }
         for row in rows.iter().filter(|r| degree(&r.1) == 2) {
-            options.push(Ranked {
-                rank: (6, size(&row.1), first_joint),
-                step: step(StepKind::SecondHarmonic, 4, vec![row]),
-            });
+            options
+                .push(Ranked { rank: (6, size(row), first_joint), step: step(StepKind::SecondHarmonic, 4, vec![row]) });
         }
         options
     }
@@ -123,7 +116,7 @@ impl Search<'_> {
         let empty: Vec<&Sample<'_>> = special.iter().filter(|s| slope(&row.1, s) < 1e-9).collect();
         let mut others = rows.to_vec();
         others.retain(|r| r.1 != row.1 && empty.iter().any(|s| slope(&r.1, s) > 1e-3));
-        others.into_iter().min_by_key(|r| self.size(&r.1))
+        others.into_iter().min_by_key(|r| self.size(r))
     }
 
     /// Rows in cos u and sin u that together fix u at every generic pose, and at as many special poses as the rows allow.

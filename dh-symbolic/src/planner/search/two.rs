@@ -57,7 +57,6 @@ impl Search<'_> {
             .collect();
         let slide = pair[0].iter().position(|k| *k != 0).is_some_and(|i| !self.axes.turns(i));
         let sample = self.samples(2, 0);
-        let size = |c: &Collected| self.size(c);
         let mut best: Option<(usize, usize, usize)> = None;
         for i in 0..rows.len() {
             for j in i + 1..rows.len() {
@@ -65,7 +64,7 @@ impl Search<'_> {
                     let (a, b) = (gradient(&rows[i].1, pair, s), gradient(&rows[j].1, pair, s));
                     (a[0] * b[1] - a[1] * b[0]).abs() > 1e-5
                 });
-                let total = size(&rows[i].1) + size(&rows[j].1);
+                let total = self.size(&rows[i]) + self.size(&rows[j]);
                 if independent && best.is_none_or(|b| total < b.0) {
                     best = Some((total, i, j));
                 }
