@@ -2,8 +2,8 @@
 
 use std::f64::consts::{PI, TAU};
 
-use dh_robot::nalgebra::IsometryMatrix3;
-use dh_robot::{Branch, ForwardKinematics, InverseKinematics, Solution, dh_robot};
+use dh_robot::nalgebra::{IsometryMatrix3, Vector3};
+use dh_robot::{Branch, Elbow, ForwardKinematics, InverseKinematics, Shoulder, Solution, Wrist, dh_robot};
 use dh_tests::sample::Random;
 use generated_examples::cup_arm::CupArm;
 use generated_examples::kuka_kr6_r700::KukaKr6R700;
@@ -87,6 +87,52 @@ fn named<const N: usize, const M: usize>(
         assert!(!found.is_empty(), "{q:?}: {}", found.why());
     }
     assert!(moved >= 60, "{moved}");
+}
+
+/// Looks whether names say what the frames show. `at` are the frames whose origins are shoulder, elbow and wrist centre, and the one whose
+/// z axis is that of the second joint.
+fn shown<const M: usize>(
+    arm: &impl InverseKinematics<6, M, Target = Target>,
+    pose: impl Fn(&[f64; 6]) -> (Target, [Target; 6]),
+    at: [usize; 4],
+    middle: impl Fn(&[f64; 6]) -> f64,
+) {
+    let mut random = Random::new(8);
+    for _ in 0..60 {
+        let q: [f64; 6] = std::array::from_fn(|_| PI * random.signed());
+        for solution in &arm.inverse(&pose(&q).0) {
+            let frames = pose(&solution.q).1;
+            let [shoulder, elbow, wrist] = [at[0], at[1], at[2]].map(|k| frames[k].translation.vector);
+            let up = Vector3::z();
+            let across = frames[at[3]].rotation * Vector3::z();
+            let level = across.cross(&up).normalize();
+            let facing = level * wrist.dot(&level).signum();
+            let left = up.cross(&facing);
+            let aside = wrist.dot(&left);
+            // Without a shoulder offset: the wrist is ahead, where the first frame's x axis points.
+            let is_left =
+                if aside.abs() > 1e-9 { aside > 0.0 } else { wrist.dot(&(frames[0].rotation * Vector3::x())) > 0.0 };
+            let (e, w) = (elbow - shoulder, wrist - shoulder);
+            let is_up = e.dot(&up) * w.dot(&facing) > e.dot(&facing) * w.dot(&up);
+            let is_positive = middle(&solution.q) > 0.0;
+            let side = if is_left { Shoulder::Left } else { Shoulder::Right };
+            let height = if is_up { Elbow::Up } else { Elbow::Down };
+            let turn = if is_positive { Wrist::NoFlip } else { Wrist::Flip };
+            let branch = solution.branch;
+            assert_eq!(
+                (branch.shoulder(), branch.elbow(), branch.wrist()),
+                (Some(side), Some(height), Some(turn)),
+                "{solution}"
+            );
+        }
+    }
+}
+
+#[test]
+fn names_of_branches_say_what_the_frames_show() {
+    let puma = Puma560::default();
+    shown(&puma, |q| (puma.forward(q), puma.frames(q)), [1, 2, 3, 1], |q| q[4].sin());
+    shown(&KukaKr6R700, |q| (KukaKr6R700.forward(q), KukaKr6R700.frames(q)), [0, 1, 3, 0], |q| q[4].sin());
 }
 
 #[test]

@@ -2,34 +2,35 @@
 
 use core::fmt;
 
-/// Which way the first joint turns the arm: the two roots of the step that decides it.
+/// On which side of the arm's way forward the shoulder is (the indicators of Lee and Ziegler, 1984).
 ///
-/// The names are those of the roots and tell solutions apart everywhere in the workspace; which of the two is the left one in space
-/// depends on how the table lays the axes.
+/// The macro finds out which root is which on sample poses; on arms where they do not tell (the first two axes parallel, say) the names are
+/// those of the first root and the second.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Shoulder {
-    /// The first root: lefty or righty on arms with a shoulder offset, front or back on others.
+    /// Lefty: facing its wrist, the arm hangs on the left of the waist. "Front" on arms without a shoulder offset: the wrist is ahead of
+    /// the waist, where the shoulder is (or the first frame's x axis points).
     Left,
-    /// The second root: the waist turned so that the arm reaches its target over the other side.
+    /// Righty; "back" on arms without a shoulder offset, where the arm reaches over its own shoulder.
     Right,
 }
 
-/// On which side of the line from shoulder to wrist the elbow is: the two roots of the step that decides it. Which of them is above
-/// the line depends on how the table lays the axes.
+/// On which side of the line from shoulder to wrist the elbow is, on arms whose second and third axes are parallel; else first root and
+/// second.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Elbow {
-    /// The elbow on the side of the first root.
+    /// The elbow is above the line.
     Up,
-    /// The elbow on the other side.
+    /// The elbow is below the line.
     Down,
 }
 
-/// Which of the two ways round the wrist takes, first root and second: the middle wrist joint bends one way or the other.
+/// Which of the two ways round the wrist takes: the middle wrist joint bends one way or the other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Wrist {
-    /// It bends as the first root says.
+    /// The sine of the middle wrist joint's angle (as the table has it, with its offset) is positive.
     NoFlip,
-    /// It bends the other way.
+    /// It is negative.
     Flip,
 }
 

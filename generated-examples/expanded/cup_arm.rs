@@ -524,7 +524,7 @@ impl CupArm {
                                     )
                                     .with_step(1, i1)
                                     .with_elbow(
-                                        if i1 == 0 {
+                                        if (i1 == 1) == (i0 == 0) {
                                             ::dh_robot::Elbow::Up
                                         } else {
                                             ::dh_robot::Elbow::Down
@@ -595,7 +595,11 @@ impl CupArm {
                 )
                 .with_step(1, i1)
                 .with_elbow(
-                    if i1 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                    if (i1 == 1) == (i0 == 0) {
+                        ::dh_robot::Elbow::Up
+                    } else {
+                        ::dh_robot::Elbow::Down
+                    },
                 )
                 .with_step(2, i3)
                 .with_wrist(

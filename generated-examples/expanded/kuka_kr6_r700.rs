@@ -515,7 +515,7 @@ impl KukaKr6R700 {
                                 let branch = ::dh_robot::Branch::ANY
                                     .with_step(0, i0)
                                     .with_shoulder(
-                                        if i0 == 0 {
+                                        if i0 == 1 {
                                             ::dh_robot::Shoulder::Left
                                         } else {
                                             ::dh_robot::Shoulder::Right
@@ -523,7 +523,7 @@ impl KukaKr6R700 {
                                     )
                                     .with_step(1, i1)
                                     .with_elbow(
-                                        if i1 == 0 {
+                                        if (i1 == 1) == (i0 == 0) {
                                             ::dh_robot::Elbow::Up
                                         } else {
                                             ::dh_robot::Elbow::Down
@@ -586,7 +586,7 @@ impl KukaKr6R700 {
             all[l] = ::dh_robot::Branch::ANY
                 .with_step(0, i0)
                 .with_shoulder(
-                    if i0 == 0 {
+                    if i0 == 1 {
                         ::dh_robot::Shoulder::Left
                     } else {
                         ::dh_robot::Shoulder::Right
@@ -594,7 +594,11 @@ impl KukaKr6R700 {
                 )
                 .with_step(1, i1)
                 .with_elbow(
-                    if i1 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                    if (i1 == 1) == (i0 == 0) {
+                        ::dh_robot::Elbow::Up
+                    } else {
+                        ::dh_robot::Elbow::Down
+                    },
                 )
                 .with_step(2, i3)
                 .with_wrist(

@@ -869,7 +869,7 @@ impl Pieper {
                                 .with_step(0, i0)
                                 .with_step(1, i2)
                                 .with_wrist(
-                                    if i2 == 0 {
+                                    if i2 == 1 {
                                         ::dh_robot::Wrist::NoFlip
                                     } else {
                                         ::dh_robot::Wrist::Flip

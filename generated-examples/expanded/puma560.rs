@@ -499,7 +499,7 @@ impl Puma560 {
                                 let branch = ::dh_robot::Branch::ANY
                                     .with_step(0, i0)
                                     .with_shoulder(
-                                        if i0 == 0 {
+                                        if i0 == 1 {
                                             ::dh_robot::Shoulder::Left
                                         } else {
                                             ::dh_robot::Shoulder::Right
@@ -507,7 +507,7 @@ impl Puma560 {
                                     )
                                     .with_step(1, i1)
                                     .with_elbow(
-                                        if i1 == 0 {
+                                        if (i1 == 1) == (i0 == 0) {
                                             ::dh_robot::Elbow::Up
                                         } else {
                                             ::dh_robot::Elbow::Down
@@ -570,7 +570,7 @@ impl Puma560 {
             all[l] = ::dh_robot::Branch::ANY
                 .with_step(0, i0)
                 .with_shoulder(
-                    if i0 == 0 {
+                    if i0 == 1 {
                         ::dh_robot::Shoulder::Left
                     } else {
                         ::dh_robot::Shoulder::Right
@@ -578,7 +578,11 @@ impl Puma560 {
                 )
                 .with_step(1, i1)
                 .with_elbow(
-                    if i1 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                    if (i1 == 1) == (i0 == 0) {
+                        ::dh_robot::Elbow::Up
+                    } else {
+                        ::dh_robot::Elbow::Down
+                    },
                 )
                 .with_step(2, i3)
                 .with_wrist(

@@ -474,7 +474,7 @@ impl SixAxisChain {
                                     )
                                     .with_step(1, i1)
                                     .with_wrist(
-                                        if i1 == 0 {
+                                        if i1 == 1 {
                                             ::dh_robot::Wrist::NoFlip
                                         } else {
                                             ::dh_robot::Wrist::Flip
@@ -545,7 +545,7 @@ impl SixAxisChain {
                 )
                 .with_step(1, i1)
                 .with_wrist(
-                    if i1 == 0 {
+                    if i1 == 1 {
                         ::dh_robot::Wrist::NoFlip
                     } else {
                         ::dh_robot::Wrist::Flip

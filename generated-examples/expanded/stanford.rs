@@ -466,7 +466,7 @@ impl Stanford {
                                 let branch = ::dh_robot::Branch::ANY
                                     .with_step(0, i0)
                                     .with_shoulder(
-                                        if i0 == 0 {
+                                        if i0 == 1 {
                                             ::dh_robot::Shoulder::Left
                                         } else {
                                             ::dh_robot::Shoulder::Right
@@ -537,7 +537,7 @@ impl Stanford {
             all[l] = ::dh_robot::Branch::ANY
                 .with_step(0, i0)
                 .with_shoulder(
-                    if i0 == 0 {
+                    if i0 == 1 {
                         ::dh_robot::Shoulder::Left
                     } else {
                         ::dh_robot::Shoulder::Right

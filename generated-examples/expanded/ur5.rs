@@ -517,7 +517,7 @@ impl Ur5 {
                                     )
                                     .with_step(2, i4)
                                     .with_elbow(
-                                        if i4 == 0 {
+                                        if (i4 == 0) == (i0 == 0) {
                                             ::dh_robot::Elbow::Up
                                         } else {
                                             ::dh_robot::Elbow::Down
@@ -588,7 +588,11 @@ impl Ur5 {
                 )
                 .with_step(2, i4)
                 .with_elbow(
-                    if i4 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                    if (i4 == 0) == (i0 == 0) {
+                        ::dh_robot::Elbow::Up
+                    } else {
+                        ::dh_robot::Elbow::Down
+                    },
                 );
             l += 1;
         }

@@ -3,7 +3,7 @@
 //! For frames a <= b of the arm, the part of the chain between them equals the target brought back over the two ends:
 //! M(a, b) = M(0, a)^-1 W M(b, n)^-1. From both sides are read the nine direction cosines, the position p, the position seen from
 //! the other end -R^T p, and p.p: sixteen scalar equations per pair of frames (Pieper 1968; Paul 1981; Raghavan and Roth 1990).
-//! Those that no sliding length occurs in come from [`slides`](super::slides).
+//! Those that no sliding length occurs in come from `planner/slides.rs`.
 //!
 //! On which joints an equation depends is measured (derivatives at random points, the space they span); what the plan then uses
 //! is derived exactly.

@@ -3,9 +3,9 @@
 //! All lengths are over the arm's reach, so that one tolerance fits all. Known combinations enter as symbols of their cosine and
 //! sine; which symbols an instruction needs tells at which depth of the search it is computed.
 
-use super::Node;
 use super::graph::{Graph, Value, ZERO};
 use super::vector::V3;
+use super::{Names, Node};
 use crate::algebra::{Factor, Monomial, Poly, Rational, Symbol, Transform};
 use crate::chain::{Chain, Coordinate};
 use crate::planner::{Collected, Form, Knowledge, KnownPose, Part, Plan, StepKind};
@@ -40,6 +40,8 @@ pub struct Inverse {
     pub slides: [bool; 6],
     /// For the general elimination: the best ways to cut the loop of joints (`ik::general::Choice`).
     pub choices: [u8; 3],
+    /// How the roots of shoulder, elbow and wrist are named.
+    pub names: [Names; 3],
 }
 
 /// A pose of values.
@@ -101,10 +103,11 @@ impl Inverse {
             .collect();
         let confirmation = l.confirmation(chain);
         let graph = l.g;
-        let mut inverse =
-            Inverse { graph, target, solvers, joints, confirmation, slides: [false; 6], choices: [0; 3], plan };
+        let (slides, choices, names) = ([false; 6], [0; 3], [Names::PLAIN; 3]);
+        let mut inverse = Inverse { graph, target, solvers, joints, confirmation, slides, choices, names, plan };
         inverse.slides = inverse.sliding();
         inverse.choices = inverse.best_choices(chain);
+        inverse.names = inverse.find_names(chain);
         inverse
     }
 

@@ -13,6 +13,7 @@ mod interpret;
 mod inverse;
 mod jacobian;
 mod links;
+mod names;
 mod proof;
 mod solve;
 mod vector;
@@ -23,6 +24,7 @@ pub use graph::{Graph, Node, Value};
 pub use identity::test_identities;
 pub use interpret::Inputs;
 pub use inverse::{Inverse, Solver};
+pub use names::Names;
 pub use proof::{Disproof, prove_frames, prove_jacobian, prove_pose};
 pub use solve::{Attempt, Candidate, NOISE};
 

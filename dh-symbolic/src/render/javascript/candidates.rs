@@ -7,7 +7,7 @@ use crate::program::{Inverse, Solver, Value};
 use crate::render::rust::body::{Body, Dialect};
 use crate::render::rust::drive::{chosen, motors};
 use crate::render::rust::literal;
-use crate::render::rust::steps::{combination, identifier, inputs, joints_of, part_of, reported};
+use crate::render::rust::steps::{combination, identifier, inputs, is_first, joints_of, reported};
 
 /// The method that runs the plan: it calls `take` with every candidate.
 pub(super) fn candidates(chain: &Chain, inverse: &Inverse) -> String {
@@ -108,13 +108,14 @@ fn branch(inverse: &Inverse) -> String {
     let choices: Vec<String> =
         inverse.plan.steps.iter().enumerate().filter(|(_, s)| s.roots > 1).map(|(i, _)| format!("i{i}")).collect();
     for (i, step) in inverse.plan.steps.iter().enumerate() {
-        let (part, first, second) = match part_of(inverse, i).filter(|_| step.roots > 1) {
+        let (part, first, second) = match inverse.part(i).filter(|_| step.roots > 1) {
             Some(0) => ("shoulder", "left", "right"),
             Some(1) => ("elbow", "up", "down"),
             Some(_) => ("wrist", "no flip", "flip"),
             None => continue,
         };
-        parts.push(format!("{part}: i{i} === 0 ? \"{first}\" : \"{second}\""));
+        let is_first = is_first(inverse, i, "===");
+        parts.push(format!("{part}: {is_first} ? \"{first}\" : \"{second}\""));
     }
     parts.push(format!("steps: [{}]", choices.join(", ")));
     format!("{{ {} }}", parts.join(", "))

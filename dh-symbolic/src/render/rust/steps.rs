@@ -57,7 +57,7 @@ pub(in crate::render) fn reported(chain: &Chain, inverse: &Inverse, i: usize, bo
     let step = &plan.steps[i];
     let names: Vec<String> = step.unknown.iter().map(|f| plan.knowledge.form_name(&plan.axes, f)).collect();
     let reach = literal(plan.axes.reach, Scalar::F64);
-    let part = part_of(inverse, i).map_or("", |p| ["shoulder ", "elbow ", "wrist "][p]);
+    let part = inverse.part(i).map_or("", |p| ["shoulder ", "elbow ", "wrist "][p]);
     let name = format!("{part}{}", names.join(", "));
     if let (StepKind::SinCos, [crate::planner::Equation { scalar: crate::planner::Scalar::Distance, .. }]) =
         (step.kind, step.equations.as_slice())
@@ -74,20 +74,14 @@ pub(in crate::render) fn reported(chain: &Chain, inverse: &Inverse, i: usize, bo
     Reported { name, scale, unit, square: None }
 }
 
-/// Which part of an arm with six joints a step with two roots decides: 0 shoulder, 1 elbow, 2 wrist; each part once. A sum of angles
-/// belongs to its last joint: `q2 + q3 + q4` is how the hand points, not where the elbow is.
-pub(in crate::render) fn part_of(inverse: &Inverse, i: usize) -> Option<usize> {
-    let part = |i: usize| {
-        let step = &inverse.plan.steps[i];
-        let joint = joints_of(step.unknown.first()?, inverse.plan.axes.real).last().copied()?;
-        (step.roots == 2).then_some(match joint {
-            0 => 0,
-            1 | 2 => 1,
-            _ => 2,
-        })
-    };
-    let own = part(i)?;
-    (!(0..i).any(|k| part(k) == Some(own))).then_some(own)
+/// The condition under which the root of a step that decides a part has its first name; `equal` compares in the language at hand.
+pub(in crate::render) fn is_first(inverse: &Inverse, i: usize, equal: &str) -> String {
+    let names = inverse.part(i).and_then(|part| inverse.names.get(part));
+    let first = names.map_or(0, |n| n.first);
+    match names.and_then(|n| n.over) {
+        Some(shoulder) => format!("(i{i} {equal} {first}) {equal} (i{shoulder} {equal} 0)"),
+        None => format!("i{i} {equal} {first}"),
+    }
 }
 
 /// Which root each step took, with the names that robot controllers use.
@@ -97,14 +91,15 @@ pub(super) fn branch(inverse: &Inverse) -> String {
         if place < 8 {
             out.push_str(&format!(".with_step({place}, i{i})"));
         }
-        let (setter, first, second) = match part_of(inverse, i) {
+        let (setter, first, second) = match inverse.part(i) {
             Some(0) => ("shoulder", "Shoulder::Left", "Shoulder::Right"),
             Some(1) => ("elbow", "Elbow::Up", "Elbow::Down"),
             Some(_) => ("wrist", "Wrist::NoFlip", "Wrist::Flip"),
             None => continue,
         };
+        let is_first = is_first(inverse, i, "==");
         out.push_str(&format!(
-            ".with_{setter}(if i{i} == 0 {{ ::dh_robot::{first} }} else {{ ::dh_robot::{second} }})"
+            ".with_{setter}(if {is_first} {{ ::dh_robot::{first} }} else {{ ::dh_robot::{second} }})"
         ));
     }
     out
