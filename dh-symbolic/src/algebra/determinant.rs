@@ -30,6 +30,21 @@ pub(crate) fn determinant(m: &[Vec<Poly>], budget: usize) -> Option<Poly> {
     minors.pop()?
 }
 
+/// Adjugate and determinant of a small matrix of formulas.
+pub(crate) fn adjugate(m: &[Vec<Poly>]) -> (Vec<Vec<Poly>>, Poly) {
+    let n = m.len();
+    let minor = |skip_row: usize, skip_column: usize| -> Poly {
+        let rows: Vec<Vec<Poly>> = (0..n)
+            .filter(|i| *i != skip_row)
+            .map(|i| (0..n).filter(|j| *j != skip_column).map(|j| m[i][j].clone()).collect())
+            .collect();
+        determinant(&rows, usize::MAX).unwrap_or_default()
+    };
+    let signed = |p: Poly, odd: bool| if odd { -&p } else { p };
+    let adjugate = (0..n).map(|i| (0..n).map(|j| signed(minor(j, i), (i + j) % 2 == 1)).collect()).collect();
+    (adjugate, determinant(m, usize::MAX).unwrap_or_default())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -42,5 +57,17 @@ mod tests {
         assert_eq!(determinant(&m(&[[2, -1, 0], [3, 5, 7], [-4, 1, 6]]), 99), Some(Poly::int(92)));
         assert_eq!(determinant(&m(&[[0, 0, 1], [0, 1, 0], [1, 0, 0]]), 99), Some(Poly::int(-1)));
         assert_eq!(determinant(&m(&[[2, -1, 3], [3, 5, 7], [-4, 1, 6]]), 5), None);
+    }
+
+    #[test]
+    fn the_adjugate_times_the_matrix_is_the_determinant() {
+        let m: Vec<Vec<Poly>> = [[1, 2, 0], [-1, 3, 4], [0, 5, -2]].map(|r| r.map(Poly::int).to_vec()).to_vec();
+        let (adjugate, det) = adjugate(&m);
+        for i in 0..3 {
+            for j in 0..3 {
+                let entry: Poly = (0..3).map(|k| &adjugate[i][k] * &m[k][j]).sum();
+                assert_eq!(entry, if i == j { det.clone() } else { Poly::zero() }, "{i} {j}");
+            }
+        }
     }
 }

@@ -29,7 +29,7 @@ mod tests;
 mod text;
 
 pub use angle::Angle;
-pub(crate) use determinant::determinant;
+pub(crate) use determinant::{adjugate, determinant};
 pub use evaluate::Point;
 pub use field::{Element, FieldPoint};
 pub(crate) use matrix::cross;

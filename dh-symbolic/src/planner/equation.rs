@@ -2,14 +2,9 @@
 
 use super::axes::Axes;
 use super::known::Knowledge;
-use super::pool::{Equation, Scalar};
+use super::scalar::{Equation, Scalar, fold};
 use super::slides;
 use crate::algebra::{Poly, Transform, Vector, dot};
-
-/// The frames up to which, and from which on, the target is brought back over known joints for this equation.
-pub(super) fn fold(axes: &Axes, knowledge: &Knowledge, e: &Equation) -> (usize, usize) {
-    (knowledge.prefix(axes).min(e.a), knowledge.suffix(axes).max(e.b))
-}
 
 /// About how many terms the products of an equation have before any are put together.
 pub(super) fn weight(axes: &Axes, knowledge: &mut Knowledge, e: &Equation) -> usize {

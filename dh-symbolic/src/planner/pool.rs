@@ -10,37 +10,10 @@
 
 use super::axes::Axes;
 use super::kernels::pose::{self, Pose};
+use super::random::Random;
+use super::scalar::{Equation, Scalar};
 use super::slides;
 use super::span::Span;
-
-/// Which scalar of a pair of transforms.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Scalar {
-    /// Direction cosine (row, column).
-    Rotation(u8, u8),
-    /// Component of the position.
-    Position(u8),
-    /// Component of the position of the first origin in the second frame.
-    Back(u8),
-    /// Squared distance of the origins.
-    Distance,
-    /// Component of the position across two sliding axes: the one that frame `a` stands on, and that of this hop.
-    Across(u8),
-    /// The same for the slides of two hops, where the way from the turning axis of hop `a` to that of hop `b - 1` is taken apart along
-    /// these axes, so that neither angle occurs.
-    Bridge(u8, u8),
-}
-
-/// An equation of the pool.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Equation {
-    /// First frame.
-    pub a: usize,
-    /// Second frame.
-    pub b: usize,
-    /// Which scalar.
-    pub scalar: Scalar,
-}
 
 /// Equations that depend on the same joint combinations.
 #[derive(Clone, Debug)]
@@ -96,25 +69,6 @@ fn scalars(t: &Pose) -> [f64; 16] {
         back(2),
         d,
     ]
-}
-
-/// A fixed sequence of numbers in (-1, 1): plans must not change from run to run.
-pub(super) struct Random(u64);
-
-impl Random {
-    pub(super) fn new(seed: u64) -> Random {
-        Random(seed)
-    }
-
-    /// The next number (SplitMix64).
-    pub(super) fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^= z >> 31;
-        (z >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
 }
 
 /// All equations, sorted into families.

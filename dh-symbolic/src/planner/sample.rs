@@ -61,7 +61,7 @@ impl<'a> Sample<'a> {
 
 /// Joint vectors at which plans are judged: generic ones first, then special ones (all joints at multiples of a quarter turn).
 pub(crate) fn joint_vectors(axes: &Axes, generic: usize, special: usize) -> Vec<Vec<f64>> {
-    let mut random = super::pool::Random::new(11);
+    let mut random = super::random::Random::new(11);
     let n = axes.count();
     let mut all: Vec<Vec<f64>> = (0..generic).map(|_| (0..n).map(|_| 2.7 * random.next()).collect()).collect();
     for _ in 0..special {

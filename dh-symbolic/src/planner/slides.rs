@@ -15,10 +15,9 @@
 //! cosine of each: [`Scalar::Bridge`]. With the angle between x and y, seen from the same side, these are two equations in two angles.
 
 use super::axes::Axes;
-use super::equation::fold;
 use super::kernels::pose::{self, Pose};
 use super::known::Knowledge;
-use super::pool::{Equation, Scalar};
+use super::scalar::{Equation, Scalar, fold};
 use super::span::Span;
 use crate::algebra::Poly;
 
@@ -173,7 +172,7 @@ pub(super) fn equations(axes: &Axes) -> Vec<(Equation, Span)> {
             list.extend(pairs().map(bridge));
         }
     }
-    let mut random = super::pool::Random::new(19);
+    let mut random = super::random::Random::new(19);
     let mut spans = vec![Span::default(); list.len()];
     for _ in 0..3 {
         let mut point = || -> Vec<f64> { (0..axes.count()).map(|_| 2.3 * random.next()).collect() };

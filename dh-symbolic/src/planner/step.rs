@@ -2,7 +2,7 @@
 
 use super::axes::Axes;
 use super::known::{Collected, Knowledge};
-use super::pool::Equation;
+use super::scalar::Equation;
 use super::span::Form;
 
 /// What kind of equations a step solves. Every collected equation reads "sum = 0".

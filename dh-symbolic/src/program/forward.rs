@@ -6,7 +6,7 @@
 
 use super::graph::{Graph, Value};
 use super::links::link_by_link;
-use super::vector::{V3, unit};
+use super::vector::{V3, identity, turn_columns, unit};
 use super::{Cost, Program};
 use crate::algebra::Poly;
 use crate::chain::Chain;
@@ -77,17 +77,6 @@ pub(super) fn columns_from_tip(g: &mut Graph, blocks: &[Block], crossed: Option<
     columns
 }
 
-/// Turns three columns by Rz on the right: the forward way.
-pub(super) fn turn_columns(g: &mut Graph, axis: usize, (c, s): (Value, Value), m: [V3; 3]) -> [V3; 3] {
-    let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
-    let mut w = m;
-    let (a, b) = (g.times(c, m[j]), g.times(s, m[k]));
-    w[j] = g.plus(a, b);
-    let (a, b) = (g.times(c, m[k]), g.times(s, m[j]));
-    w[k] = g.minus(a, b);
-    w
-}
-
 /// The columns after a block's turn and its constant turns, from the columns before it.
 pub(super) fn columns_forward(g: &mut Graph, turn: &Wave, exit: &[crate::chain::Elementary], m: [V3; 3]) -> [V3; 3] {
     let cs = g.cos_sin(&turn.0);
@@ -99,11 +88,6 @@ pub(super) fn columns_forward(g: &mut Graph, turn: &Wave, exit: &[crate::chain::
         }
         crate::chain::Elementary::Translate(..) => m,
     })
-}
-
-/// Unit columns.
-pub(super) fn identity() -> [V3; 3] {
-    [unit(0), unit(1), unit(2)]
 }
 
 fn outputs(columns: [V3; 3], p: V3) -> Vec<Value> {

@@ -371,7 +371,7 @@ impl Lower<'_> {
         let before = step.before;
         let open = |j: usize| step.unknown.iter().any(|f| f[j] != 0);
         let flat = |t: Pose| [t.columns[0], t.columns[1], t.columns[2], t.p].concat();
-        let identity = Pose { columns: super::forward::identity(), p: [ZERO; 3] };
+        let identity = Pose { columns: super::vector::identity(), p: [ZERO; 3] };
         // Constants between open joints; what stands before the first one is taken off the target.
         let mut list: Vec<Pose> = vec![identity];
         for hop in self.plan.axes.hops.clone() {

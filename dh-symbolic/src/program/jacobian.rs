@@ -5,10 +5,10 @@
 //! columns and axes into the base, and there are several ways: one block at a time from the tip, along columns that are known
 //! anyway, or as a multiple of an axis. The cheapest is taken column by column.
 
-use super::forward::{COLUMN_CHOICES, Shifts, columns_forward, columns_from_tip, identity, lever, outwards, to_base};
+use super::forward::{COLUMN_CHOICES, Shifts, columns_forward, columns_from_tip, lever, outwards, to_base};
 use super::graph::{Graph, Value, ZERO};
 use super::links::link_by_link;
-use super::vector::{V3, unit};
+use super::vector::{V3, identity, unit};
 use super::{Cost, Program};
 use crate::chain::{Chain, Coordinate, Joint};
 use crate::kinematics::Block;

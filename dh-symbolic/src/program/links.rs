@@ -1,9 +1,8 @@
 //! The plain product, link by link: the textbook's formula, for tables in which nothing else is cheaper (turns by constant angles in the
 //! middle of links, mostly).
 
-use super::forward::{identity, turn_columns};
 use super::graph::{Graph, ZERO};
-use super::vector::V3;
+use super::vector::{V3, identity, turn_columns};
 use crate::chain::{Chain, Convention, Elementary};
 
 /// Columns and origin of a frame.

@@ -13,6 +13,22 @@ pub(super) fn unit(axis: usize) -> V3 {
     std::array::from_fn(|i| if i == axis { ONE } else { ZERO })
 }
 
+/// Unit columns.
+pub(super) fn identity() -> [V3; 3] {
+    [unit(0), unit(1), unit(2)]
+}
+
+/// Turns three columns by Rz on the right: the forward way.
+pub(super) fn turn_columns(g: &mut Graph, axis: usize, (c, s): (Value, Value), m: [V3; 3]) -> [V3; 3] {
+    let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+    let mut w = m;
+    let (a, b) = (g.times(c, m[j]), g.times(s, m[k]));
+    w[j] = g.plus(a, b);
+    let (a, b) = (g.times(c, m[k]), g.times(s, m[j]));
+    w[k] = g.minus(a, b);
+    w
+}
+
 impl Graph {
     /// x * c + y * s.
     fn mix(&mut self, x: Value, c: Value, y: Value, s: Value) -> Value {

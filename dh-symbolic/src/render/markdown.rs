@@ -24,7 +24,7 @@ pub(super) fn linked(d: &Document, stem: &str) -> (String, Vec<(String, String)>
                 let name = format!("{stem}-{}.svg", files.len() + 1);
                 let caption = text(&f.caption);
                 out.push_str(&format!("![{}]({name})\n\n*{caption}*\n", f.word));
-                files.push((name, super::figure::svg::element(&f.drawing, &super::text::text(&f.caption))));
+                files.push((name, super::html::svg::element(&f.drawing, &super::text::text(&f.caption))));
             }
             other => out.push_str(&block(other)),
         }

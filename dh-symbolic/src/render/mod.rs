@@ -13,6 +13,8 @@ pub mod document;
 pub mod errata;
 pub mod expression;
 pub mod figure;
+mod format;
+mod frames;
 pub mod grouping;
 pub mod html;
 pub mod javascript;
@@ -39,7 +41,8 @@ mod typeset;
 pub mod typst;
 pub mod verdict;
 
-pub use document::{Document, Format};
+pub use document::Document;
+pub use format::Format;
 pub use notes::{Language, Options, Part, notes};
 pub use page::page;
 pub use plan::plan;

@@ -1,6 +1,7 @@
 //! LaTeX commands: what comes after a backslash.
 
-use super::ink::{Ink, Item, Reader, rows};
+use super::ink::{Ink, Item, rows};
+use super::reader::Reader;
 use super::tables::{IGNORED, LOOKS, MATRICES, SILENT, function, greek_command, relation};
 
 impl Reader<'_> {

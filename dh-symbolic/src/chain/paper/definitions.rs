@@ -1,8 +1,9 @@
 //! Statements that give a meaning and claim nothing: legends, names of entries, definitions, given values.
 
 use super::ink::{Ink, Item};
+use super::letter::Letter;
 use super::meaning::formula;
-use super::names::{Letter, Names, Unknown};
+use super::names::{Names, Unknown};
 use super::pieces::Statement;
 use super::statements::{declare_general, is_number, text};
 use super::transforms;

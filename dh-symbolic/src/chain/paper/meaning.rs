@@ -2,7 +2,8 @@
 
 use super::Word;
 use super::ink::{Ink, Item};
-use super::names::{Letter, Names, Unknown, field, index_text};
+use super::letter::{Letter, field, index_text};
+use super::names::{Names, Unknown};
 use super::tables::function;
 use super::transforms;
 

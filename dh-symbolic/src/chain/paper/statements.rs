@@ -1,9 +1,11 @@
 //! From a stretch of formulas to lines of a derivation: rows, sides, definitions, given values, claims.
 
-use super::ink::{Ink, items};
+use super::ink::Ink;
+use super::letter::Letter;
 use super::meaning::{formula, top_level};
-use super::names::{Letter, Names, Unknown};
+use super::names::{Names, Unknown};
 use super::pieces::{Statement, pieces, rows};
+use super::reader::items;
 use super::regions::Region;
 use super::transforms;
 use super::{Sheet, Word};

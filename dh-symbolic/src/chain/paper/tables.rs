@@ -162,3 +162,8 @@ pub(super) const DISPLAYS: [&str; 9] =
 /// Environments that are matrices.
 pub(super) const MATRICES: [&str; 8] =
     ["matrix", "pmatrix", "bmatrix", "Bmatrix", "vmatrix", "Vmatrix", "smallmatrix", "array"];
+
+/// Greek names that plain text may spell out.
+pub(super) fn spelled_greek(word: &str) -> bool {
+    GREEK.iter().any(|g| g.0 == word)
+}

@@ -1,7 +1,8 @@
 //! `{}^0_6T`, `T_6^0`, `A_1`, `{}^0_3R`, `{}^0P_4`: transforms between frames in their many spellings.
 
 use super::ink::{Ink, Item};
-use super::names::{Names, Unknown, general, index_text};
+use super::letter::{general, index_text};
+use super::names::{Names, Unknown};
 use crate::chain::{Convention, Coordinate};
 
 /// A frame by its label.

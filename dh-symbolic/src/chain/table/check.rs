@@ -3,11 +3,12 @@
 use super::cell::{self, Site};
 use super::drive::{self, Moving};
 use super::expression;
-use super::names::{suggestion, variable_number};
+use super::names::variable_number;
 use super::origin::Column;
 use super::range::{self, Measure};
 use super::rows::{Cell, Grid, Row};
 use super::scope::{Kind, Scope};
+use super::spelling::suggestion;
 use super::sum::Sum;
 use super::text;
 use crate::chain::RowSpec;

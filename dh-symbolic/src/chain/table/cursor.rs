@@ -39,6 +39,20 @@ impl<'a> Cursor<'a> {
         matches!(self.look(n), Some(TokenTree::Ident(i)) if i == word)
     }
 
+    /// Does a line of the table's text (a setting, `let`, `struct`, `prove`, an attribute) start here? Inside of cells nothing looks like this.
+    pub(super) fn starts_line(&self) -> bool {
+        let next_is = |wanted| matches!(self.look(1), Some(TokenTree::Group(g)) if g.delimiter() == wanted);
+        match self.peek() {
+            Some(TokenTree::Ident(_)) => {
+                let word = |w| self.is_word(0, w);
+                let setting = self.is_punct(1, '=');
+                word("let") || word("struct") || word("pub") || setting || (word("prove") && next_is(Delimiter::Brace))
+            }
+            Some(TokenTree::Punct(p)) if p.as_char() == '#' => next_is(Delimiter::Bracket),
+            _ => false,
+        }
+    }
+
     /// Takes this character, if it is next.
     pub(super) fn eat_punct(&mut self, c: char) -> Option<Place> {
         let place = self.peek().filter(|_| self.is_punct(0, c)).map(Place::of)?;

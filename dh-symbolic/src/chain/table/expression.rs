@@ -1,9 +1,10 @@
 //! Arithmetic in a cell: tokens to a [`Sum`]. `+ - * /`, parentheses, numbers with units, `pi`, `approx`, names.
 
-use super::names::{shown, suggestion, variable_number};
+use super::names::variable_number;
 use super::number::{self, Unit};
 use super::radians;
 use super::scope::{Kind, Scope};
+use super::spelling::{shown, suggestion};
 use super::sum::{AngleUnit, Sum, Term};
 use crate::algebra::Rational;
 use crate::diagnostic::{Error, Place};

@@ -26,6 +26,7 @@ mod range;
 mod rows;
 mod scope;
 mod settings;
+mod spelling;
 mod statements;
 mod sum;
 #[cfg(test)]

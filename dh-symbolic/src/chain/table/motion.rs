@@ -3,8 +3,8 @@
 use super::cell::{self, Site};
 use super::cursor::Cursor;
 use super::expression;
-use super::names::suggestion;
 use super::scope::{Kind, Scope};
+use super::spelling::suggestion;
 use super::statements::Setting;
 use crate::chain::MotionSpec;
 use crate::diagnostic::{Error, Errors, Place};

@@ -1,6 +1,6 @@
 //! Literals: exact digits and a unit.
 
-use super::names::{shown, suggestion};
+use super::spelling::{shown, suggestion};
 use crate::algebra::Rational;
 use crate::chain::LengthUnit;
 use crate::diagnostic::{Error, Place};

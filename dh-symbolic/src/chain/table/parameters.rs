@@ -2,8 +2,9 @@
 
 use super::cell::{self, Site};
 use super::expression;
-use super::names;
+use super::names::check_parameter;
 use super::scope::{Declared, Kind, Scope};
+use super::spelling::suggestion;
 use super::statements::Let;
 use super::sum::{AngleUnit, Sum, Term};
 use crate::algebra::Rational;
@@ -17,7 +18,7 @@ const MOST: usize = 64;
 pub(super) fn declare(line: &Let, scope: &mut Scope, errors: &mut Errors) {
     let name = line.name.to_string();
     let place = crate::diagnostic::Place::at(line.name.span());
-    errors.take(names::check_parameter(&line.name));
+    errors.take(check_parameter(&line.name));
     if let Some(first) = scope.find(&name).and_then(|i| scope.names.get(i)) {
         errors
             .push(Error::new(place, format!("`{name}` is declared twice")).related(first.place, "first declared here"));
@@ -73,7 +74,7 @@ fn read_kind(kind: &super::statements::Words) -> Result<Kind, Error> {
         "number" => Ok(Kind::Number),
         other => {
             let error = Error::new(kind.place, "a name is a `length`, an `angle` or a `number`");
-            match names::suggestion(other, ["length", "angle", "number"]) {
+            match suggestion(other, ["length", "angle", "number"]) {
                 Some(near) => Err(error.help(format!("did you mean `{near}`?"))),
                 None => Err(error),
             }

@@ -3,7 +3,6 @@
 //! A cell is never empty, so two bars side by side end one row and start the next.
 
 use super::cursor::{Cursor, unwrapped};
-use super::statements::starts_line;
 use super::text;
 use crate::diagnostic::{Error, Errors, Place};
 use proc_macro2::TokenTree;
@@ -105,7 +104,7 @@ fn segments<'a>(c: &mut Cursor<'a>) -> Vec<Segment<'a>> {
     let mut list = Vec::new();
     let Some(mut open) = c.eat_punct('|') else { return list };
     loop {
-        let tokens = c.take_while(|c| !c.is_punct(0, '|') && !c.is_punct(0, ';') && !starts_line(c, 0));
+        let tokens = c.take_while(|c| !c.is_punct(0, '|') && !c.is_punct(0, ';') && !c.starts_line());
         match c.eat_punct('|') {
             Some(close) => {
                 list.push(Segment { tokens, open, close, closed: true });

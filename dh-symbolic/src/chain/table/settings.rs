@@ -1,7 +1,7 @@
 //! Settings: `convention = modified;` and the others.
 
-use super::names::{shown, suggestion};
 use super::number;
+use super::spelling::{shown, suggestion};
 use super::statements::Setting;
 use super::text;
 use crate::algebra::Rational;

@@ -63,21 +63,6 @@ pub(super) struct Written {
     pub(super) claims: Vec<ClaimTokens>,
 }
 
-/// Does a line start at the token `n` further on? Inside of cells nothing looks like this.
-pub(super) fn starts_line(c: &Cursor<'_>, n: usize) -> bool {
-    match c.look(n) {
-        Some(TokenTree::Ident(_)) => {
-            let word = |w| c.is_word(n, w);
-            let braces = matches!(c.look(n + 1), Some(TokenTree::Group(g)) if g.delimiter() == Delimiter::Brace);
-            word("let") || word("struct") || word("pub") || c.is_punct(n + 1, '=') || (word("prove") && braces)
-        }
-        Some(TokenTree::Punct(p)) if p.as_char() == '#' => {
-            matches!(c.look(n + 1), Some(TokenTree::Group(g)) if g.delimiter() == Delimiter::Bracket)
-        }
-        _ => false,
-    }
-}
-
 /// Reads everything, and goes on after each error.
 pub(super) fn read(tokens: &[TokenTree], errors: &mut Errors) -> Written {
     let mut c = Cursor::new(tokens);
@@ -128,7 +113,7 @@ pub(super) fn read(tokens: &[TokenTree], errors: &mut Errors) -> Written {
 /// To the next place where a line may start.
 fn skip_line(c: &mut Cursor<'_>) {
     c.next();
-    c.take_while(|c| !c.is_punct(0, ';') && !c.is_punct(0, '|') && !starts_line(c, 0));
+    c.take_while(|c| !c.is_punct(0, ';') && !c.is_punct(0, '|') && !c.starts_line());
     c.eat_punct(';');
 }
 
@@ -175,7 +160,7 @@ fn head(c: &mut Cursor<'_>, errors: &mut Errors) -> Head {
     let place = c.place();
     if !c.is_word(0, "struct") {
         errors.push(Error::new(place, "`struct` is missing").help(FORM));
-        if c.peek().is_some() && !starts_line(c, 0) && !c.is_punct(0, '|') {
+        if c.peek().is_some() && !c.starts_line() && !c.is_punct(0, '|') {
             skip_line(c);
         }
         return head;
@@ -199,7 +184,7 @@ fn head(c: &mut Cursor<'_>, errors: &mut Errors) -> Head {
             c.next();
             c.eat_punct(';');
         }
-        Some(_) if !starts_line(c, 0) && !c.is_punct(0, '|') => {
+        Some(_) if !c.starts_line() && !c.is_punct(0, '|') => {
             errors.push(error);
             skip_line(c);
         }
@@ -210,7 +195,7 @@ fn head(c: &mut Cursor<'_>, errors: &mut Errors) -> Head {
 
 /// The tokens up to `;`.
 fn value(c: &mut Cursor<'_>, errors: &mut Errors) -> Vec<TokenTree> {
-    let tokens = c.take_while(|c| !c.is_punct(0, ';') && !c.is_punct(0, '|') && !starts_line(c, 0)).to_vec();
+    let tokens = c.take_while(|c| !c.is_punct(0, ';') && !c.is_punct(0, '|') && !c.starts_line()).to_vec();
     let before = c.before();
     if c.eat_punct(';').is_none() {
         errors.push(Error::new(before, "`;` is missing after this"));
@@ -239,7 +224,7 @@ fn let_line(c: &mut Cursor<'_>, docs: Vec<String>, errors: &mut Errors) -> Optio
         line.value = Some(tokens);
     } else if c.eat_punct(';').is_none() {
         let error = Error::new(c.before(), "`;` is missing after this");
-        let stray = c.peek().is_some() && !c.is_word(0, "let") && !c.is_punct(0, '|') && !starts_line(c, 0);
+        let stray = c.peek().is_some() && !c.is_word(0, "let") && !c.is_punct(0, '|') && !c.starts_line();
         errors.push(match c.peek() {
             Some(token) if stray => Error::new(Place::of(token), "`:`, `=` or `;` was expected here"),
             _ => error,

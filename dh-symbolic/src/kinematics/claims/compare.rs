@@ -1,7 +1,7 @@
 //! Are two values the same? Decided in the normal form; where a square root or an angle leaves a sign open, the condition is found.
 
-use super::evaluate::{At, Understood, refuse};
 use super::ratio::{Ratio, Worked};
+use super::refusal::{At, Understood, refuse};
 use super::value::{Matrix, Turn, Value};
 use super::{Condition, Evaluator};
 use crate::algebra::{Factor, Monomial, Poly, Rational, Symbol};

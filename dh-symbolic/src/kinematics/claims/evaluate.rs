@@ -3,26 +3,10 @@
 use super::Evaluator;
 use super::number::Written;
 use super::ratio::{Ratio, Worked};
+use super::refusal::{At, Understood, refuse};
 use super::value::{Matrix, Turn, Value};
 use crate::algebra::{Angle, LinearAngle, Poly, Rational};
-use crate::chain::claim::{Expr, ExprKind, NotUnderstood, Place};
-
-pub(super) type Understood<T> = Result<T, NotUnderstood>;
-
-pub(super) fn refuse<T>(place: &Place, why: impl Into<String>) -> Understood<T> {
-    Err(NotUnderstood { place: place.clone(), why: why.into() })
-}
-
-/// Puts a place to a trouble of arithmetic.
-pub(super) trait At<T> {
-    fn at(self, place: &Place) -> Understood<T>;
-}
-
-impl<T> At<T> for Worked<T> {
-    fn at(self, place: &Place) -> Understood<T> {
-        self.or_else(|t| refuse(place, t.why()))
-    }
-}
+use crate::chain::claim::{Expr, ExprKind, Place};
 
 impl Evaluator<'_> {
     pub(super) fn evaluate(&mut self, e: &Expr) -> Understood<Value> {

@@ -1,8 +1,8 @@
 //! Functions and entries: what `T(0,6).px`, `subst(...)` and the like stand for.
 
 use super::Evaluator;
-use super::evaluate::{At, Understood, refuse};
 use super::ratio::{Ratio, dot};
+use super::refusal::{At, Understood, refuse};
 use super::value::{Matrix, Turn, Value};
 use crate::algebra::{Poly, Transform};
 use crate::chain::claim::{Expr, ExprKind, Place};

@@ -1,8 +1,8 @@
 //! One line to one verdict.
 
 use super::compare::{Outcome, Pair};
-use super::evaluate::{Understood, refuse};
 use super::ratio::Trouble;
+use super::refusal::{Understood, refuse};
 use super::value::{Matrix, Turn, Value};
 use super::{Condition, Evaluator, Fault, FaultKind, Verdict};
 use crate::chain::Quantity;

@@ -17,6 +17,7 @@ mod number;
 mod point;
 mod quick;
 mod ratio;
+mod refusal;
 mod root;
 mod scope;
 mod substitute;

@@ -1,10 +1,10 @@
 //! Lines that speak of numbers: `~`, `<` and the like, at the values of the last `at` line.
 
 use super::compare::{Outcome, Pair};
-use super::evaluate::{Understood, refuse};
 use super::line::{Sides, joined};
 use super::point::{Rounding, rounding, wrapped};
 use super::ratio::Ratio;
+use super::refusal::{Understood, refuse};
 use super::value::Value;
 use super::{Evaluator, Fault, FaultKind, Verdict};
 use crate::chain::claim::{Expr, ExprKind, Relation};

@@ -1,8 +1,8 @@
 //! Numbers as written: digits, unit, and how they were rounded.
 
 use super::Evaluator;
-use super::evaluate::{Understood, refuse};
 use super::ratio::Ratio;
+use super::refusal::{Understood, refuse};
 use super::scope::radians;
 use super::value::{Turn, Value};
 use crate::algebra::{Angle, Rational};

@@ -1,9 +1,9 @@
 //! Numbers at a point: the values of an `at` line, rounding, and random points that keep a verdict honest.
 
 use super::Evaluator;
-use super::evaluate::{Understood, refuse};
 use super::number::Written;
 use super::ratio::Ratio;
+use super::refusal::{Understood, refuse};
 use super::substitute::{Variable, variable_of};
 use super::value::{Turn, Value};
 use crate::algebra::{Angle, AngleVar, Monomial, Point, Poly, Rational, Symbol};

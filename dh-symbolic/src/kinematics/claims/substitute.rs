@@ -1,8 +1,8 @@
 //! Variables of a formula: putting others in their place, and derivatives by them.
 
 use super::Evaluator;
-use super::evaluate::{At, Understood, refuse};
 use super::ratio::{Ratio, Worked};
+use super::refusal::{At, Understood, refuse};
 use super::value::{Matrix, Turn, Value};
 use crate::algebra::{AngleVar, Factor, LinearAngle, Poly, Rational, Symbol};
 use crate::chain::claim::{Expr, Place};

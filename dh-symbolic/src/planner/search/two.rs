@@ -2,8 +2,8 @@
 
 use super::super::equation::exact;
 use super::super::known::{Collected, Part};
-use super::super::pool::Equation;
 use super::super::sample::Sample;
+use super::super::scalar::Equation;
 use super::super::span::{Form, numbers};
 use super::super::step::{Step, StepKind};
 use super::{Ranked, Search};

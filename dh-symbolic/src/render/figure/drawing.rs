@@ -50,9 +50,14 @@ impl Pen {
 pub struct Color(pub u8, pub u8, pub u8);
 
 /// Height of a label's letters.
-pub(super) const LETTER: f64 = 10.0;
+pub(in crate::render) const LETTER: f64 = 10.0;
 
 impl Shape {
+    /// A circle that only takes room?
+    pub(in crate::render) fn is_blank(&self) -> bool {
+        matches!(self, Shape::Circle(_, _, None, None))
+    }
+
     /// The smallest box: least and greatest x and y.
     fn bounds(&self) -> [[f64; 2]; 2] {
         let around = |points: &[[f64; 2]], by: f64| {
@@ -82,6 +87,16 @@ impl Shape {
             Shape::Line(points, _) | Shape::Area(points, ..) => points.iter_mut().for_each(shift),
             Shape::Circle(at, ..) | Shape::Label(at, ..) => shift(at),
         }
+    }
+}
+
+/// A length with one decimal: a tenth of a point.
+pub(in crate::render) fn tenths(x: f64) -> String {
+    let text = format!("{x:.1}");
+    match text.strip_suffix(".0") {
+        Some("-0") => "0".into(),
+        Some(whole) => whole.into(),
+        None => text,
     }
 }
 

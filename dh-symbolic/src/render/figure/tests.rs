@@ -91,6 +91,7 @@ fn a_small_drawing_in_both_languages() {
         | alpha | a | d | theta |
         | 0     | 0 | 0 | q1    |";
     let d = drawn(table, &[0.5]);
-    let both = format!("{}\n{}", svg::element(&d, "One link"), tikz::picture(&d));
+    let both =
+        format!("{}\n{}", crate::render::html::svg::element(&d, "One link"), crate::render::latex::tikz::picture(&d));
     insta::with_settings!({ omit_expression => true }, { insta::assert_snapshot!("one_link", both) });
 }

@@ -8,7 +8,7 @@ use crate::algebra::Transform;
 use crate::chain::{Chain, Handle, MotionSpec, Role, Task};
 use crate::kinematics::Kinematics;
 use crate::planner::kernels::pose::{self, Pose};
-use crate::render::style::{Frame, decimal};
+use crate::render::frames::{Frame, decimal};
 
 /// What the example starts from.
 #[derive(Clone, Debug)]

@@ -6,9 +6,10 @@ use crate::algebra::{LinearAngle, Poly, Ring, Transform};
 use crate::chain::{Convention, Elementary, Link};
 use crate::kinematics::Kinematics;
 use crate::render::expression::Expression;
+use crate::render::frames::Frame;
 use crate::render::grouping::Order;
 use crate::render::notation::{Name, Notation};
-use crate::render::style::{Frame, Transforms};
+use crate::render::style::Transforms;
 
 impl Writer<'_> {
     pub(super) fn links(&mut self, kinematics: &Kinematics) {

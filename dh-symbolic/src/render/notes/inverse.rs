@@ -4,8 +4,8 @@ use super::{Block, Equation, Math, Phrase, Sign, Span, Text, Writer};
 use crate::algebra::Transform;
 use crate::chain::Task;
 use crate::planner::{self, StepKind};
+use crate::render::frames::Frame;
 use crate::render::story::{Source, StepStory, Story};
-use crate::render::style::Frame;
 
 impl Writer<'_> {
     pub(super) fn inverse(&mut self) {

@@ -27,11 +27,11 @@ pub use words::Language;
 
 use super::document::{Block, Document, Equation, Span, Text};
 use super::expression::{Expression, Wave};
+use super::frames::Frame;
 use super::grouping::Order;
 use super::math::{Math, Sign};
 use super::notation::{Notation, waves};
 use super::quantities::named_offsets;
-use super::style::Frame;
 use crate::algebra::{Poly, Transform};
 use crate::chain::Chain;
 use crate::kinematics::Kinematics;

@@ -6,7 +6,7 @@ use crate::algebra::Poly;
 use crate::chain::Bound;
 use crate::kinematics::Kinematics;
 use crate::kinematics::reach::{self, Length, Planar, TurnAndSlide};
-use crate::render::style::{Frame, decimal};
+use crate::render::frames::{Frame, decimal};
 use std::f64::consts::TAU;
 
 impl Writer<'_> {

@@ -10,10 +10,10 @@ mod solution;
 mod tests;
 
 use super::expression::Expression;
+use super::frames::Frame;
 use super::grouping::Order;
 use super::math::Math;
 use super::notation::Notation;
-use super::style::Frame;
 use crate::algebra::{Poly, Symbol};
 use crate::chain::Chain;
 use crate::planner::{Equation, Form, Plan, Step, StepKind};

@@ -5,9 +5,9 @@ use crate::algebra::{AngleVar, Symbol, Transform};
 use crate::chain::{Chain, Convention, Coordinate, Elementary, Task};
 use crate::planner::{Equation, KnownPose, Plan, Scalar, constant_height};
 use crate::render::expression::Wave;
+use crate::render::frames::Frame;
 use crate::render::math::{Math, Sign};
 use crate::render::notation::{Name, Notation};
-use crate::render::style::Frame;
 
 /// Letters for known poses after the target's, which is r and p. M is the matrix of the singular configurations.
 const LETTERS: [&str; 8] = ["u", "v", "w", "h", "f", "n", "o", "l"];

@@ -4,17 +4,18 @@
 //! short ones they unroll first, and find less in what they then see.
 
 mod loops;
+mod motors;
 mod ranges;
 mod segments;
 mod twin;
 mod writer;
 
 use super::body::Body;
-use super::drive::whole_motors;
 use super::steps::{branch, inputs, known_beforehand};
 use crate::chain::{Chain, Scalar, Task};
 use crate::planner::StepKind;
 use crate::program::{Inverse, Solver, Value};
+use motors::whole_motors;
 use segments::What;
 use writer::Writer;
 

@@ -3,11 +3,11 @@
 use std::collections::BTreeSet;
 
 use super::super::body::Body;
-use super::super::drive::Motor;
 use super::super::literal;
 use super::super::steps::identifier;
 use super::branches;
 use super::loops::{KINDS, Layout, Loops, joined};
+use super::motors::Motor;
 use super::ranges::into_range;
 use super::segments::{Item, What, needs, segments};
 use super::twin::Twin;

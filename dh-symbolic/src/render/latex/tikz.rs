@@ -1,8 +1,7 @@
 //! Drawings as TikZ pictures, for LaTeX: its own fonts stand in the labels.
 
-use super::drawing::{Color, Drawing, Pen, Shape};
-use super::svg::{is_blank, number};
-use crate::render::latex;
+use super::formula::math as formula;
+use crate::render::figure::{Color, Drawing, Pen, Shape, tenths};
 
 /// Width of the text on a page, in points.
 const WIDEST: f64 = 440.0;
@@ -12,7 +11,7 @@ pub fn picture(d: &Drawing) -> String {
     // Letters keep their size where a wide drawing is made smaller.
     let scale = (WIDEST / d.size[0].max(1.0)).min(1.0);
     let mut out = format!("\\begin{{tikzpicture}}[x={scale:.3}bp,y=-{scale:.3}bp,line cap=round,line join=round]\n");
-    for shape in d.shapes.iter().filter(|s| !is_blank(s)) {
+    for shape in d.shapes.iter().filter(|s| !s.is_blank()) {
         out.push_str(&line(shape));
     }
     out.push_str("\\end{tikzpicture}\n");
@@ -30,13 +29,13 @@ fn line(shape: &Shape) -> String {
             let mut options: Vec<String> = Vec::new();
             options.extend(fill.map(|f| format!("fill={}", color(f))));
             options.extend(pen.as_ref().map(edge));
-            format!("\\path[{}] {} circle ({}bp);\n", options.join(","), point(*at), number(*r))
+            format!("\\path[{}] {} circle ({}bp);\n", options.join(","), point(*at), tenths(*r))
         }
         Shape::Label(at, math, fill) => format!(
             "\\node[text={},font=\\footnotesize,fill=white,fill opacity=0.7,text opacity=1,inner sep=0.6pt] at {} {{${}$}};\n",
             color(*fill),
             point(*at),
-            latex::math(math)
+            formula(math)
         ),
     }
 }
@@ -46,12 +45,12 @@ fn list(points: &[[f64; 2]]) -> String {
 }
 
 fn point(p: [f64; 2]) -> String {
-    format!("({},{})", number(p[0]), number(p[1]))
+    format!("({},{})", tenths(p[0]), tenths(p[1]))
 }
 
 fn edge(pen: &Pen) -> String {
     let dashes = if pen.dashed { ",dash pattern=on 3bp off 3bp" } else { "" };
-    format!("draw={},line width={}bp{dashes}", color(pen.color), number(pen.width))
+    format!("draw={},line width={}bp{dashes}", color(pen.color), tenths(pen.width))
 }
 
 fn color(Color(r, g, b): Color) -> String {

@@ -1,6 +1,7 @@
 //! Drawings as SVG: one element, without style sheet, as browsers and Typst read it.
 
-use super::drawing::{Color, Drawing, LETTER, Pen, Shape};
+use super::mathml::escape;
+use crate::render::figure::{Color, Drawing, LETTER, Pen, Shape, tenths};
 use crate::render::math::{Math, Sign};
 
 /// The drawing as an `svg` element; its size is in points.
@@ -9,11 +10,11 @@ pub fn element(d: &Drawing, title: &str) -> String {
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}pt\" height=\"{1}pt\" viewBox=\"0 0 {0} {1}\" role=\"img\" \
          stroke-linecap=\"round\" stroke-linejoin=\"round\" font-family=\"Latin Modern Math, STIX Two Text, New Computer Modern, Times New Roman, serif\" font-size=\"{LETTER}\">\n",
-        number(w),
-        number(h)
+        tenths(w),
+        tenths(h)
     );
     if !title.is_empty() {
-        out.push_str(&format!("<title>{}</title>\n", crate::render::html::escape(title)));
+        out.push_str(&format!("<title>{}</title>\n", escape(title)));
     }
     for shape in &d.shapes {
         out.push_str(&line(shape));
@@ -30,10 +31,10 @@ fn line(shape: &Shape) -> String {
         Shape::Area(points, fill, pen) => {
             format!("<polygon points=\"{}\" fill=\"{}\"{}/>\n", list(points), color(*fill), edge(*pen))
         }
-        Shape::Circle(..) if is_blank(shape) => String::new(),
+        Shape::Circle(..) if shape.is_blank() => String::new(),
         Shape::Circle(at, r, fill, pen) => {
             let fill = fill.map_or("none".to_string(), color);
-            let (x, y, r) = (number(at[0]), number(at[1]), number(*r));
+            let (x, y, r) = (tenths(at[0]), tenths(at[1]), tenths(*r));
             format!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"{fill}\"{}/>\n", edge(*pen))
         }
         Shape::Label(at, math, fill) => {
@@ -47,48 +48,33 @@ fn line(shape: &Shape) -> String {
                     (true, false) => " dy=\"-2.6\"",
                     _ => "",
                 };
-                let size = if run.low { format!(" font-size=\"{}\"", number(0.72 * LETTER)) } else { String::new() };
+                let size = if run.low { format!(" font-size=\"{}\"", tenths(0.72 * LETTER)) } else { String::new() };
                 let style = if run.italic { " font-style=\"italic\"" } else { "" };
-                text.push_str(&format!("<tspan{dy}{size}{style}>{}</tspan>", crate::render::html::escape(&run.text)));
+                text.push_str(&format!("<tspan{dy}{size}{style}>{}</tspan>", escape(&run.text)));
                 low = run.low;
             }
             format!(
                 "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" fill=\"{}\" stroke=\"#ffffff\" stroke-width=\"2\" paint-order=\"stroke\">{text}</text>\n",
-                number(at[0]),
-                number(at[1] + 0.33 * LETTER),
+                tenths(at[0]),
+                tenths(at[1] + 0.33 * LETTER),
                 color(*fill)
             )
         }
     }
 }
 
-/// A circle that only takes room.
-pub(super) fn is_blank(shape: &Shape) -> bool {
-    matches!(shape, Shape::Circle(_, _, None, None))
-}
-
 fn list(points: &[[f64; 2]]) -> String {
-    points.iter().map(|p| format!("{},{}", number(p[0]), number(p[1]))).collect::<Vec<_>>().join(" ")
+    points.iter().map(|p| format!("{},{}", tenths(p[0]), tenths(p[1]))).collect::<Vec<_>>().join(" ")
 }
 
 fn edge(pen: Option<Pen>) -> String {
     let Some(pen) = pen else { return String::new() };
     let dashes = if pen.dashed { " stroke-dasharray=\"3 3\"" } else { "" };
-    format!(" stroke=\"{}\" stroke-width=\"{}\"{dashes}", color(pen.color), number(pen.width))
+    format!(" stroke=\"{}\" stroke-width=\"{}\"{dashes}", color(pen.color), tenths(pen.width))
 }
 
 fn color(Color(r, g, b): Color) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
-}
-
-/// With one decimal: a tenth of a point.
-pub(super) fn number(x: f64) -> String {
-    let text = format!("{x:.1}");
-    match text.strip_suffix(".0") {
-        Some("-0") => "0".into(),
-        Some(whole) => whole.into(),
-        None => text,
-    }
 }
 
 /// Letters of one kind.

@@ -1,0 +1,93 @@
+//! LaTeX: formulas for any document, and whole notes that compile with amsmath alone.
+
+mod formula;
+pub mod tikz;
+
+use formula::escape;
+pub use formula::math;
+
+use crate::render::document::{Block, Document, Equation, Span, Text};
+
+/// The note as a document.
+pub fn document(d: &Document) -> String {
+    let chinese = d.language == "zh";
+    let class = if chinese { "ctexart" } else { "article" };
+    let figures = if d.blocks.iter().any(|b| matches!(b, Block::Figure(_))) { "\\usepackage{tikz}\n" } else { "" };
+    let mut out = format!(
+        "\\documentclass[a4paper,11pt]{{{class}}}\n\\usepackage{{amsmath}}\n{figures}\\usepackage[margin=25mm]{{geometry}}\n\
+         \\setcounter{{MaxMatrixCols}}{{20}}\n\\allowdisplaybreaks\n\\setlength{{\\parindent}}{{0pt}}\n\
+         \\setlength{{\\parskip}}{{0.5em}}\n\\title{{{}}}\n\\author{{}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n",
+        escape(&d.title)
+    );
+    let mut before: Option<&Block> = None;
+    for b in &d.blocks {
+        // an empty line before a display would end its paragraph, with too much room above
+        let display = matches!(b, Block::Equations(_));
+        if !(display && matches!(before, Some(Block::Paragraph(_)))) {
+            out.push('\n');
+        }
+        out.push_str(&block(b));
+        before = Some(b);
+    }
+    out.push_str("\n\\end{document}\n");
+    out
+}
+
+fn block(b: &Block) -> String {
+    match b {
+        Block::Heading(1, t) => format!("\\section{{{}}}\n", text(t)),
+        Block::Heading(_, t) => format!("\\subsection{{{}}}\n", text(t)),
+        Block::Paragraph(t) => format!("{}\n", text(t)),
+        Block::Equations(list) => {
+            format!("\\begin{{align*}}\n{}\n\\end{{align*}}\n", aligned(list, true))
+        }
+        Block::Table(header, rows) => {
+            let line = |r: &[Text]| format!("{} \\\\\n", r.iter().map(text).collect::<Vec<_>>().join(" & "));
+            format!(
+                "\\begin{{center}}\n\\begin{{tabular}}{{{}}}\n\\hline\n{}\\hline\n{}\\hline\n\\end{{tabular}}\n\\end{{center}}\n",
+                "c".repeat(header.len()),
+                line(header),
+                rows.iter().map(|r| line(r)).collect::<String>()
+            )
+        }
+        Block::List(items) => {
+            let items: String = items.iter().map(|t| format!("\\item {}\n", text(t))).collect();
+            format!("\\begin{{itemize}}\n{items}\\end{{itemize}}\n")
+        }
+        Block::Figure(f) => format!(
+            "\\begin{{center}}\n{}\\par\\smallskip\n{{\\small {}}}\n\\end{{center}}\n",
+            tikz::picture(&f.drawing),
+            text(&f.caption)
+        ),
+        Block::Code(_, code) => format!("\\begin{{verbatim}}\n{}\n\\end{{verbatim}}\n", code.trim_end()),
+    }
+}
+
+/// Rows of an `aligned` or `align*` environment.
+pub(super) fn aligned(list: &[Equation], tags: bool) -> String {
+    let mut rows = Vec::new();
+    for e in list {
+        for (i, line) in e.right.iter().enumerate() {
+            let tag = match e.number {
+                Some(n) if tags && i + 1 == e.right.len() => format!(" \\tag{{{n}}}"),
+                _ => String::new(),
+            };
+            rows.push(match i {
+                0 => format!("  {} &= {}{tag}", math(&e.left), math(line)),
+                _ => format!("  &\\quad {{}}{}{tag}", math(line)),
+            });
+        }
+    }
+    rows.join(" \\\\\n")
+}
+
+/// Running text.
+pub fn text(t: &Text) -> String {
+    t.0.iter()
+        .map(|s| match s {
+            Span::Plain(words) => escape(words),
+            Span::Code(words) => format!("\\texttt{{{}}}", escape(words)),
+            Span::Math(m) => format!("${}$", math(m)),
+        })
+        .collect()
+}
