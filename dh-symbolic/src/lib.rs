@@ -3,6 +3,7 @@
 pub mod algebra;
 pub mod chain;
 pub mod diagnostic;
+mod greek;
 pub mod kinematics;
 pub mod planner;
 pub mod program;

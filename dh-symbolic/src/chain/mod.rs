@@ -8,6 +8,8 @@ mod build;
 pub mod claim;
 mod convention;
 pub mod paper;
+#[cfg(test)]
+pub(crate) mod samples;
 mod spec;
 pub mod table;
 #[cfg(test)]

@@ -101,12 +101,12 @@ fn turns_in_a_row(blocks: &[Block]) -> usize {
 mod tests {
     use super::*;
     use crate::chain::Convention;
+    use crate::chain::samples::{PUMA, UR5, chain};
     use crate::chain::tests::revolute_chain;
 
-    fn counts(convention: Convention, rows: &[(i64, &str, &str, i64)]) -> [(usize, usize, usize); 2] {
-        let chain = revolute_chain(convention, rows);
-        let f = Forward::derive(&chain).unwrap_or_else(|e| panic!("{e}"));
-        f.prove(&chain).unwrap_or_else(|e| panic!("{e}"));
+    fn counts(chain: &Chain) -> [(usize, usize, usize); 2] {
+        let f = Forward::derive(chain).unwrap_or_else(|e| panic!("{e}"));
+        f.prove(chain).unwrap_or_else(|e| panic!("{e}"));
         [&f.pose, &f.jacobian].map(|p| {
             let c = Cost::of(&p.graph, &p.outputs);
             (c.multiplications, c.additions, c.sincos)
@@ -115,22 +115,6 @@ mod tests {
 
     #[test]
     fn counts_of_known_arms() {
-        let puma = [
-            (0, "0", "0", 0),
-            (-90, "0", "0", 0),
-            (0, "0.4318", "0.15005", 0),
-            (-90, "0.0203", "0.4318", 0),
-            (90, "0", "0", 0),
-            (-90, "0", "0", 0),
-        ];
-        let ur5 = [
-            (90, "0", "0.089159", 0),
-            (0, "-0.425", "0", 0),
-            (0, "-0.39225", "0", 0),
-            (90, "0", "0.10915", 0),
-            (-90, "0", "0.09465", 0),
-            (0, "0", "0.0823", 0),
-        ];
         // Without the flange: what the published hand counts are for.
         let panda = [
             (0, "0", "0.333", 0),
@@ -141,11 +125,7 @@ mod tests {
             (90, "0", "0", 0),
             (90, "0.088", "0", 0),
         ];
-        let got = [
-            counts(Convention::Modified, &puma),
-            counts(Convention::Standard, &ur5),
-            counts(Convention::Modified, &panda),
-        ];
+        let got = [counts(&chain(PUMA)), counts(&chain(UR5)), counts(&revolute_chain(Convention::Modified, &panda))];
         insta::assert_debug_snapshot!(got);
     }
 }

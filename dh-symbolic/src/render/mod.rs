@@ -32,8 +32,6 @@ pub mod plan;
 mod quantities;
 pub mod rust;
 mod rustdoc;
-#[cfg(test)]
-mod samples;
 mod story;
 mod style;
 pub mod text;

@@ -1,6 +1,7 @@
 //! Names split into a letter or word and an index: a2, theta3, L_tool, px.
 
 use super::math::{Math, Sign};
+use crate::greek;
 
 /// A name: a letter or word, and an index.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -10,30 +11,6 @@ pub struct Name {
     /// What stands below: digits mostly.
     pub index: String,
 }
-
-/// Greek letters that parameters may be named after.
-const GREEK: [(&str, char); 20] = [
-    ("alpha", 'α'),
-    ("beta", 'β'),
-    ("gamma", 'γ'),
-    ("delta", 'δ'),
-    ("epsilon", 'ε'),
-    ("zeta", 'ζ'),
-    ("eta", 'η'),
-    ("theta", 'θ'),
-    ("kappa", 'κ'),
-    ("lambda", 'λ'),
-    ("mu", 'μ'),
-    ("nu", 'ν'),
-    ("xi", 'ξ'),
-    ("rho", 'ρ'),
-    ("sigma", 'σ'),
-    ("tau", 'τ'),
-    ("phi", 'φ'),
-    ("chi", 'χ'),
-    ("psi", 'ψ'),
-    ("omega", 'ω'),
-];
 
 impl Name {
     /// Splits `a2`, `theta3`, `a2_2`, `L_tool`, `px`.
@@ -58,7 +35,7 @@ impl Name {
 
     /// As typeset.
     pub fn math(&self) -> Math {
-        let greek = GREEK.iter().find(|(name, _)| *name == self.stem).map(|(_, c)| *c);
+        let greek = greek::letter(&self.stem);
         let mut letters = self.stem.chars();
         let base = match (greek, letters.next(), letters.next()) {
             (Some(c), _, _) | (None, Some(c), None) => Math::Letter(c),

@@ -2,9 +2,10 @@
 
 use super::ink::Item;
 use super::letter::{Letter, field, general};
-use super::tables::{function, spelled_greek};
+use super::tables::function;
 use crate::algebra::{Poly, Rational};
 use crate::chain::{Chain, Convention, Coordinate, Handle, Parameter, Role, Value};
+use crate::greek;
 
 /// A name without a meaning, or why it has none.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,7 +59,7 @@ impl<'a> Names<'a> {
     pub(super) fn is_word(&self, run: &str) -> bool {
         run.len() == 1
             || function(run).is_some()
-            || spelled_greek(run)
+            || greek::letter(run).is_some()
             || matches!(run, "pi" | "deg" | "mm" | "cm")
             || run.len() == 2 && run.ends_with(['x', 'y', 'z'])
             || self.declared().any(|p| p.name.split(|c: char| !c.is_ascii_alphabetic()).any(|part| part == run))
@@ -72,7 +73,7 @@ impl<'a> Names<'a> {
             "cos", "sin", "tan", "atan2", "arctan2", "atan", "arctan", "acos", "arccos", "asin", "arcsin", "sqrt",
             "Rot", "Trans", "inv",
         ];
-        let greek = super::tables::GREEK.iter().map(|g| g.0);
+        let greek = greek::GREEK.iter().map(|g| g.0);
         let own = self.declared().map(|p| p.name.as_str());
         let fits = |word: &&str| {
             let last = word.chars().last().unwrap_or(' ');
@@ -345,7 +346,7 @@ impl<'a> Names<'a> {
         match named {
             Some(p) => own(p),
             None => {
-                let greek = spelled_greek(&letter.stem) && letter.stem != "pi";
+                let greek = greek::letter(&letter.stem).is_some() && letter.stem != "pi";
                 greek || matches!(letter.stem.as_str(), "q" | "t") && !letter.index.is_empty()
             }
         }

@@ -2,7 +2,8 @@
 
 use super::ink::{Ink, Item};
 use super::names::Names;
-use super::tables::{greek, relation, script};
+use super::tables::{relation, script};
+use crate::greek;
 
 /// Deepest nesting of groups.
 const DEPTH: usize = 40;
@@ -138,12 +139,12 @@ impl Reader<'_> {
             c if relation(c.encode_utf8(&mut [0; 4])).is_some() => {
                 relation(c.encode_utf8(&mut [0; 4])).map_or(Ink::Gap, Ink::Relation)
             }
-            c if greek(c).is_some() => Ink::Name(greek(c).unwrap_or_default().to_string()),
+            c if greek::name(c).is_some() => Ink::Name(greek::name(c).unwrap_or_default().to_string()),
             c if c.is_ascii_alphabetic() => Ink::Name(c.to_string()),
             c => Ink::Mark(c),
         };
         self.push(ink);
-        if greek(c).is_some() || c.is_ascii_alphabetic() {
+        if greek::name(c).is_some() || c.is_ascii_alphabetic() {
             self.digits_below();
         }
     }
@@ -285,7 +286,7 @@ impl Reader<'_> {
         }
         let line = self.line();
         let Some(c) = self.peek() else { return Vec::new() };
-        if self.plain && (c.is_ascii_alphanumeric() || greek(c).is_some()) {
+        if self.plain && (c.is_ascii_alphanumeric() || greek::name(c).is_some()) {
             let outer = std::mem::take(&mut self.out);
             match c {
                 _ if c.is_ascii_digit() => {

@@ -204,10 +204,8 @@ fn formula<'a>(line: &'a str, names: &Names<'_>) -> Option<(&'a str, bool)> {
     let mut word = 0;
     let left = &line[..first];
     for (i, c) in left.char_indices().chain([(left.len(), ' ')]) {
-        let wide = !c.is_ascii()
-            && c.is_alphabetic()
-            && super::tables::greek(c).is_none()
-            && super::tables::script(c).is_none();
+        let wide =
+            !c.is_ascii() && c.is_alphabetic() && crate::greek::name(c).is_none() && super::tables::script(c).is_none();
         if c.is_ascii_alphabetic() {
             continue;
         }

@@ -1,5 +1,7 @@
 //! Letters, signs and commands of printed formulas.
 
+use crate::greek::GREEK;
+
 /// Functions by their spellings.
 pub(super) fn function(word: &str) -> Option<&'static str> {
     Some(match word {
@@ -17,43 +19,6 @@ pub(super) fn function(word: &str) -> Option<&'static str> {
         "det" => "det",
         _ => return None,
     })
-}
-
-/// Names of Greek letters, as commands spell them and as names of a table do.
-pub(super) const GREEK: [(&str, char); 22] = [
-    ("alpha", 'α'),
-    ("beta", 'β'),
-    ("gamma", 'γ'),
-    ("delta", 'δ'),
-    ("epsilon", 'ε'),
-    ("zeta", 'ζ'),
-    ("eta", 'η'),
-    ("theta", 'θ'),
-    ("kappa", 'κ'),
-    ("lambda", 'λ'),
-    ("mu", 'μ'),
-    ("nu", 'ν'),
-    ("xi", 'ξ'),
-    ("pi", 'π'),
-    ("rho", 'ρ'),
-    ("sigma", 'σ'),
-    ("tau", 'τ'),
-    ("phi", 'φ'),
-    ("chi", 'χ'),
-    ("psi", 'ψ'),
-    ("omega", 'ω'),
-    ("iota", 'ι'),
-];
-
-/// The name of a Greek letter.
-pub(super) fn greek(c: char) -> Option<&'static str> {
-    let c = match c {
-        'ϑ' => 'θ',
-        'ϕ' => 'φ',
-        'ϵ' => 'ε',
-        c => c,
-    };
-    GREEK.iter().find(|g| g.1 == c).map(|g| g.0)
 }
 
 /// The name of a Greek letter's command, variants included.
@@ -162,8 +127,3 @@ pub(super) const DISPLAYS: [&str; 9] =
 /// Environments that are matrices.
 pub(super) const MATRICES: [&str; 8] =
     ["matrix", "pmatrix", "bmatrix", "Bmatrix", "vmatrix", "Vmatrix", "smallmatrix", "array"];
-
-/// Greek names that plain text may spell out.
-pub(super) fn spelled_greek(word: &str) -> bool {
-    GREEK.iter().any(|g| g.0 == word)
-}

@@ -1,23 +1,8 @@
 //! Spellings of formulas and what they are read as.
 
 use super::Paper;
-use crate::chain::Chain;
 use crate::chain::claim::{Statement, line_text};
-use crate::chain::table::parse;
-
-const PUMA: &str = "
-pub struct Puma;
-convention = modified;
-let a2: length = 0.4; let a3: length; let d3: length; let d4: length;
-| alpha  | a  | d  | theta |
-|--------|----|----|-------|
-|   0    | 0  | 0  | q1    |
-| -90deg | 0  | 0  | q2    |
-|   0    | a2 | d3 | q3    |
-| -90deg | a3 | d4 | q4    |
-|  90deg | 0  | 0  | q5    |
-| -90deg | 0  | 0  | q6    |
-";
+use crate::chain::samples::{PUMA, chain};
 
 /// Joints with an offset, a base and a tool.
 const OFFSET: &str = "
@@ -31,11 +16,6 @@ base = tz(300mm); tool = tz(100mm);
 |   0    | L_1 | 0 | q2 - 90deg |
 |   0    | l2  | 0 | q3         |
 ";
-
-fn chain(table: &str) -> Chain {
-    let parsed = parse(table.parse().expect("words"));
-    Chain::new(parsed.spec.expect("a table"))
-}
 
 /// The lines that a document is read as; what is not understood with its reason.
 fn lines(table: &str, text: &str) -> Vec<String> {

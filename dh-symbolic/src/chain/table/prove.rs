@@ -75,12 +75,7 @@ impl Words {
                 TokenTree::Punct(p) => self.put(TokenKind::Mark, &p.as_char().to_string(), Place::of(t)),
                 TokenTree::Literal(l) => self.literal(&l.to_string(), Place::of(t)),
                 TokenTree::Group(g) => {
-                    let (open, close) = match g.delimiter() {
-                        Delimiter::Parenthesis => ("(", ")"),
-                        Delimiter::Bracket => ("[", "]"),
-                        Delimiter::Brace => ("{", "}"),
-                        Delimiter::None => ("", ""),
-                    };
+                    let (open, close) = super::text::brackets(g.delimiter());
                     if !open.is_empty() {
                         self.put(TokenKind::Mark, open, Place::at(g.span_open()));
                     }

@@ -13,6 +13,16 @@ pub(super) fn of(tokens: &[TokenTree]) -> String {
     out
 }
 
+/// What stands around a group.
+pub(super) fn brackets(delimiter: Delimiter) -> (&'static str, &'static str) {
+    match delimiter {
+        Delimiter::Parenthesis => ("(", ")"),
+        Delimiter::Bracket => ("[", "]"),
+        Delimiter::Brace => ("{", "}"),
+        Delimiter::None => ("", ""),
+    }
+}
+
 fn write(tokens: &[TokenTree], out: &mut String, depth: usize) {
     // What stands before: nothing or an operator makes the next minus a sign.
     let mut operand = false;
@@ -34,12 +44,7 @@ fn write(tokens: &[TokenTree], out: &mut String, depth: usize) {
                 operand = false;
             }
             TokenTree::Group(g) => {
-                let (open, close) = match g.delimiter() {
-                    Delimiter::Parenthesis => ("(", ")"),
-                    Delimiter::Bracket => ("[", "]"),
-                    Delimiter::Brace => ("{", "}"),
-                    Delimiter::None => ("", ""),
-                };
+                let (open, close) = brackets(g.delimiter());
                 out.push_str(open);
                 write(&g.stream().into_iter().collect::<Vec<_>>(), out, depth - 1);
                 out.push_str(close);

@@ -3,7 +3,7 @@
 use super::Evaluator;
 use super::ratio::{Ratio, Worked};
 use super::value::{Turn, Value};
-use crate::algebra::{Angle, AngleVar, Poly, Rational};
+use crate::algebra::{Angle, AngleVar, Poly, Rational, adjugate};
 use crate::chain::{AngleCell, Chain, Convention, Coordinate, Handle, Parameter, Role, Value as Nominal};
 
 /// `prefix` and a number from 0: `a2` is ("a", 2).
@@ -198,9 +198,12 @@ pub(super) fn joint_variables(chain: &Chain, scalar: impl Fn(&Turn) -> Ratio) ->
         return Ok(coordinates);
     }
     let mut work = super::ratio::Work::new();
-    let inverse = inverse(&chain.drive, &mut work)?;
+    let (adjugate, determinant) = adjugate(&chain.drive);
+    let determinant = Ratio::from(determinant);
     let mut out = Vec::new();
-    for row in &inverse {
+    for row in &adjugate {
+        let row: Vec<Ratio> =
+            row.iter().map(|k| Ratio::from(k.clone()).over(&determinant, &mut work)).collect::<Worked<_>>()?;
         let used: Vec<(&Ratio, &Value)> = row.iter().zip(&coordinates).filter(|(k, _)| !k.is_zero()).collect();
         let turns: Option<Vec<Turn>> = used
             .iter()
@@ -226,36 +229,4 @@ pub(super) fn joint_variables(chain: &Chain, scalar: impl Fn(&Turn) -> Ratio) ->
         });
     }
     Ok(out)
-}
-
-/// Inverse of a square matrix of formulas, by elimination.
-fn inverse(drive: &[Vec<Poly>], w: &mut super::ratio::Work) -> Worked<Vec<Vec<Ratio>>> {
-    let n = drive.len();
-    let mut left: Vec<Vec<Ratio>> = drive.iter().map(|r| r.iter().cloned().map(Ratio::from).collect()).collect();
-    let mut right: Vec<Vec<Ratio>> = (0..n).map(|i| (0..n).map(|j| Ratio::int(i64::from(i == j))).collect()).collect();
-    for k in 0..n {
-        let pivot = (k..n).find(|i| left[*i].get(k).is_some_and(|x| !x.is_zero()));
-        let pivot = pivot.ok_or(super::ratio::Trouble::DivisionByZero)?;
-        left.swap(k, pivot);
-        right.swap(k, pivot);
-        let p = left[k][k].clone();
-        for row in [&mut left[k], &mut right[k]] {
-            for x in row.iter_mut() {
-                *x = x.over(&p, w)?;
-            }
-        }
-        for i in (0..n).filter(|i| *i != k) {
-            let f = left[i][k].clone();
-            if f.is_zero() {
-                continue;
-            }
-            for m in [&mut left, &mut right] {
-                let line = m[k].clone();
-                for (x, y) in m[i].iter_mut().zip(&line) {
-                    *x = x.minus(&y.times(&f, w)?, w)?;
-                }
-            }
-        }
-    }
-    Ok(right)
 }

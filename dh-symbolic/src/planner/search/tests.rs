@@ -3,11 +3,11 @@
 use super::super::step::StepKind;
 use super::*;
 use crate::chain::Convention;
+use crate::chain::samples::{KUKA, PUMA, UR5, chain};
 use crate::chain::tests::revolute_chain;
 
-fn outline(convention: Convention, rows: &[(i64, &str, &str, i64)]) -> String {
-    let chain = revolute_chain(convention, rows);
-    match search(&chain) {
+fn outline(chain: &Chain) -> String {
+    match search(chain) {
         Ok(plan) => plan
             .steps
             .iter()
@@ -23,36 +23,7 @@ fn outline(convention: Convention, rows: &[(i64, &str, &str, i64)]) -> String {
 
 #[test]
 fn plans_of_known_arms() {
-    let puma = [
-        (0, "0", "0", 0),
-        (-90, "0", "0", 0),
-        (0, "0.4318", "0.15005", 0),
-        (-90, "0.0203", "0.4318", 0),
-        (90, "0", "0", 0),
-        (-90, "0", "0", 0),
-    ];
-    let ur5 = [
-        (90, "0", "0.089159", 0),
-        (0, "-0.425", "0", 0),
-        (0, "-0.39225", "0", 0),
-        (90, "0", "0.10915", 0),
-        (-90, "0", "0.09465", 0),
-        (0, "0", "0.0823", 0),
-    ];
-    let kuka = [
-        (-90, "0.025", "0.4", 0),
-        (0, "0.315", "0", -90),
-        (-90, "0.035", "0", 0),
-        (90, "0", "0.365", 0),
-        (-90, "0", "0", 0),
-        (0, "0", "0.08", 0),
-    ];
-    let text = [
-        outline(Convention::Modified, &puma),
-        outline(Convention::Standard, &ur5),
-        outline(Convention::Standard, &kuka),
-    ]
-    .join("\n\n");
+    let text = [PUMA, UR5, KUKA].map(|table| outline(&chain(table))).join("\n\n");
     insta::assert_snapshot!(text);
 }
 

@@ -3,10 +3,10 @@
 use super::drawing::label_size;
 use super::*;
 use crate::chain::Chain;
+use crate::chain::samples::{PANDA, PLANAR, PUMA, SCARA, STANFORD, UR5, chain};
 use crate::kinematics::Kinematics;
 use crate::render::math::Math;
 use crate::render::notation::Notation;
-use crate::render::samples::{PANDA, PLANAR, PUMA, SCARA, STANFORD, UR5, chain};
 
 fn posture(chain: &Chain, x: &[f64]) -> Posture {
     Posture::at(chain, &Kinematics::new(chain), x)

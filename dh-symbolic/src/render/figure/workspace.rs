@@ -228,7 +228,7 @@ fn short(x: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::render::samples::chain;
+    use crate::chain::samples::chain;
 
     fn of(table: &str) -> Option<Rings> {
         let chain = chain(table);
@@ -278,7 +278,7 @@ mod tests {
 
     #[test]
     fn arms_in_space_have_no_rings() {
-        assert_eq!(of(crate::render::samples::PUMA), None);
-        assert_eq!(of(crate::render::samples::STANFORD), None);
+        assert_eq!(of(crate::chain::samples::PUMA), None);
+        assert_eq!(of(crate::chain::samples::STANFORD), None);
     }
 }

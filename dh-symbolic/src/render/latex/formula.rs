@@ -1,5 +1,6 @@
 //! Formulas as LaTeX.
 
+use crate::greek;
 use crate::render::math::{Math, Script, Sign};
 
 /// Text without special meaning.
@@ -42,8 +43,12 @@ fn push(out: &mut String, text: &str) {
 fn write(m: &Math, out: &mut String) {
     match m {
         Math::Row(list) => list.iter().for_each(|x| write(x, out)),
-        Math::Letter(c) => match greek(*c) {
-            Some(name) => push(out, name),
+        Math::Letter('∗') => push(out, "\\ast"),
+        Math::Letter('Δ') => push(out, "\\Delta"),
+        // The plain commands draw older forms of these two.
+        Math::Letter(c @ ('ε' | 'φ')) => push(out, &format!("\\var{}", greek::name(*c).unwrap_or_default())),
+        Math::Letter(c) => match greek::name(*c) {
+            Some(name) => push(out, &format!("\\{name}")),
             None => push(out, &c.to_string()),
         },
         Math::Word(w) => match w.as_str() {
@@ -118,33 +123,4 @@ fn script(s: &Script, out: &mut String) {
     }
     index('_', &s.sub, out);
     index('^', &s.sup, out);
-}
-
-fn greek(c: char) -> Option<&'static str> {
-    Some(match c {
-        '∗' => "\\ast",
-        'α' => "\\alpha",
-        'β' => "\\beta",
-        'γ' => "\\gamma",
-        'δ' => "\\delta",
-        'ε' => "\\varepsilon",
-        'ζ' => "\\zeta",
-        'η' => "\\eta",
-        'θ' => "\\theta",
-        'κ' => "\\kappa",
-        'λ' => "\\lambda",
-        'μ' => "\\mu",
-        'ν' => "\\nu",
-        'ξ' => "\\xi",
-        'π' => "\\pi",
-        'ρ' => "\\rho",
-        'σ' => "\\sigma",
-        'τ' => "\\tau",
-        'φ' => "\\varphi",
-        'χ' => "\\chi",
-        'ψ' => "\\psi",
-        'ω' => "\\omega",
-        'Δ' => "\\Delta",
-        _ => return None,
-    })
 }

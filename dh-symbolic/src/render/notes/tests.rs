@@ -2,19 +2,8 @@
 
 use super::*;
 use crate::algebra::Poly;
+use crate::chain::samples::*;
 use crate::render::Format;
-use crate::render::samples::*;
-
-const ALL: [(&str, &str); 8] = [
-    ("puma", PUMA),
-    ("ur5", UR5),
-    ("scara", SCARA),
-    ("stanford", STANFORD),
-    ("planar", PLANAR),
-    ("rpr", RPR),
-    ("panda", PANDA),
-    ("odd", ODD),
-];
 
 fn entries(t: &Transform) -> impl Iterator<Item = Poly> + '_ {
     (0..3).flat_map(|i| (0..4).map(move |j| (i, j))).map(|(i, j)| t.entry(i, j))

@@ -2,12 +2,12 @@
 
 use super::Story;
 use crate::algebra::{Point, Poly, Transform};
+use crate::chain::samples::*;
 use crate::chain::{Chain, Coordinate, Handle};
 use crate::planner::{Plan, search};
 use crate::render::expression::Expression;
 use crate::render::math::{Math, Sign};
 use crate::render::notation::{Notation, waves};
-use crate::render::samples::*;
 use crate::render::text;
 use std::collections::BTreeMap;
 
@@ -225,16 +225,7 @@ fn check(name: &str, table: &str) {
 
 #[test]
 fn printed_equations_hold_and_printed_solutions_solve_them() {
-    for (name, table) in [
-        ("puma", PUMA),
-        ("ur5", UR5),
-        ("scara", SCARA),
-        ("stanford", STANFORD),
-        ("planar", PLANAR),
-        ("rpr", RPR),
-        ("panda", PANDA),
-        ("odd", ODD),
-    ] {
+    for (name, table) in ALL {
         check(name, table);
     }
 }

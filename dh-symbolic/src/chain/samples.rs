@@ -1,16 +1,28 @@
-//! Tables for the tests of this folder.
+//! Tables of known arms for tests.
 
 use crate::chain::Chain;
 use crate::chain::table::parse;
 
 /// The chain of a table.
-pub(super) fn chain(table: &str) -> Chain {
+pub(crate) fn chain(table: &str) -> Chain {
     let tokens = crate::diagnostic::lex(table).unwrap_or_else(|e| panic!("{}", e.draw(table, "table")));
     let parsed = parse(tokens);
     Chain::new(parsed.spec.unwrap_or_else(|| panic!("{}", parsed.errors.draw(table, "table"))))
 }
 
-pub(super) const PUMA: &str = "
+/// All but the KUKA, by name.
+pub(crate) const ALL: [(&str, &str); 8] = [
+    ("puma", PUMA),
+    ("ur5", UR5),
+    ("scara", SCARA),
+    ("stanford", STANFORD),
+    ("planar", PLANAR),
+    ("rpr", RPR),
+    ("panda", PANDA),
+    ("odd", ODD),
+];
+
+pub(crate) const PUMA: &str = "
 pub struct Puma560;
 convention = modified;
 let a2: length = 431.8mm;
@@ -27,7 +39,7 @@ let d4: length = 431.8mm;
 |   6   | -90deg | 0  | 0  | q6    | -266deg..=266deg |
 ";
 
-pub(super) const UR5: &str = "
+pub(crate) const UR5: &str = "
 pub struct Ur5;
 convention = standard;
 | theta | d        | a        | alpha  |
@@ -40,7 +52,7 @@ convention = standard;
 | q6    | 0.0823   | 0        |  0     |
 ";
 
-pub(super) const SCARA: &str = "
+pub(crate) const SCARA: &str = "
 pub struct Scara;
 convention = modified;
 let d1: length;
@@ -55,7 +67,7 @@ let a2: length;
 | 0     | 0  | q4 | 0     |
 ";
 
-pub(super) const STANFORD: &str = "
+pub(crate) const STANFORD: &str = "
 pub struct Stanford;
 convention = standard;
 let d2: length;
@@ -69,7 +81,7 @@ let d2: length;
 | q6    | 0  | 0 |  0     |
 ";
 
-pub(super) const PLANAR: &str = "
+pub(crate) const PLANAR: &str = "
 pub struct Planar;
 convention = modified;
 unit = mm;
@@ -84,7 +96,7 @@ let L3: length;
 tool = tx(L3);
 ";
 
-pub(super) const RPR: &str = "
+pub(crate) const RPR: &str = "
 pub struct Rpr;
 convention = modified;
 let L2: length;
@@ -95,7 +107,7 @@ let L2: length;
 | 0     | 0 | L2 | q3    |
 ";
 
-pub(super) const PANDA: &str = "
+pub(crate) const PANDA: &str = "
 pub struct Panda;
 convention = modified;
 redundant = q7;
@@ -111,7 +123,7 @@ redundant = q7;
 ";
 
 /// Odd twists, an angle without exact sine, offsets, a coupled drive, a base.
-pub(super) const ODD: &str = "
+pub(crate) const ODD: &str = "
 pub struct Odd;
 convention = standard;
 let beta: angle = 20deg;
@@ -124,4 +136,18 @@ base = tz(0.3) * ry(45deg);
 | q2 - q1         | 0.25   | offset| 60deg  |
 | 0               | p*(q3 - q2) | 0 | beta  |
 | q4 + approx 0.3rad | 0   | 0.07  | -45deg |
+";
+
+/// KUKA KR 6 R700.
+pub(crate) const KUKA: &str = "
+pub struct Kuka;
+convention = standard;
+| theta      | d     | a     | alpha  |
+|------------|-------|-------|--------|
+| q1         | 0.4   | 0.025 | -90deg |
+| q2 - 90deg | 0     | 0.315 | 0      |
+| q3         | 0     | 0.035 | -90deg |
+| q4         | 0.365 | 0     | 90deg  |
+| q5         | 0     | 0     | -90deg |
+| q6         | 0.08  | 0     | 0      |
 ";
