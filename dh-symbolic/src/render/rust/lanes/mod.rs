@@ -7,6 +7,7 @@ mod loops;
 mod motors;
 mod ranges;
 mod segments;
+mod step;
 mod twin;
 mod writer;
 
