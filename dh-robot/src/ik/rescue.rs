@@ -28,32 +28,50 @@ pub fn add_polished<const N: usize, const R: usize>(
     reached
 }
 
-/// Solves poses near `target` and polishes their solutions onto `target` itself; what is new goes to `known`.
+/// Solves poses near `target` and hands on their solutions, to be polished onto `target` itself. `solve` also tells whether its
+/// solutions are all there are; neighbours in further directions are only asked where those in the first one seldom know.
 ///
 /// Solutions that are regular at `target` have exactly one neighbour each, and double ones have two on one of two opposite sides: so the
 /// neighbours lie on both sides, at two distances.
 pub fn solve_nearby<const N: usize, const R: usize>(
-    arm: &impl Kinematics<N>,
     target: &Pose,
     reach: f64,
-    mut solve: impl FnMut(&Pose) -> List<[f64; N], R>,
-    known: &mut List<[f64; N], R>,
+    solve: impl Fn(&Pose) -> (List<[f64; N], R>, bool),
+    mut found: impl FnMut([f64; N]),
 ) {
-    let task = Task::Pose(*target);
-    for distance in [1e-3, -1e-3, 2e-5, -2e-5] {
-        for &q in &solve(&displaced(target, reach, distance)) {
-            add_polished(arm, &task, reach, q, STEPS, known);
+    let mut complete = 0;
+    for direction in DIRECTIONS {
+        for distance in [1e-3, -1e-3, 2e-5, -2e-5] {
+            let (solutions, all) = solve(&displaced(target, reach, direction, distance));
+            for &q in &solutions {
+                found(q);
+            }
+            complete += usize::from(all);
+        }
+        if complete >= ENOUGH {
+            return;
         }
     }
 }
 
-/// A pose near `pose`, in a direction that nothing in an arm is parallel to.
-fn displaced(pose: &Pose, reach: f64, distance: f64) -> Pose {
+/// Neighbours that know all their solutions, at least, for a pose that doesn't.
+const ENOUGH: usize = 2;
+
+/// Directions (turns about z, x, y; ways along x, y, z) that nothing in an arm is parallel to.
+const DIRECTIONS: [[f64; 6]; 3] = [
+    [0.731, -0.459, 0.505, 0.536, -0.711, 0.455],
+    [-0.387, -0.822, 0.418, -0.673, 0.349, 0.652],
+    [0.618, 0.337, -0.711, 0.287, 0.583, -0.760],
+];
+
+/// A pose near `pose`.
+fn displaced(pose: &Pose, reach: f64, direction: [f64; 6], distance: f64) -> Pose {
+    let [turns @ .., x, y, z] = direction;
     let mut small = IDENTITY;
-    for (row, direction) in small.iter_mut().zip([0.536, -0.711, 0.455]) {
-        row[3] = direction * distance * reach;
+    for (row, way) in small.iter_mut().zip([x, y, z]) {
+        row[3] = way * distance * reach;
     }
-    for angle in [0.731, -0.459, 0.505] {
+    for angle in turns {
         let (s, c) = sin_cos(angle * distance);
         // About z; then the axes change places, and after three changes each of them was z.
         small = turn(&small, [c, s]).map(|[x, y, z, p]| [y, z, x, p]);

@@ -3,9 +3,10 @@
 use super::super::math::sin_cos;
 use super::super::pose::Chain;
 use super::super::{Blank, Kinematics, List};
+use super::attempt::Account;
 use super::closure::Closure;
 use super::dialytic::Dialytic;
-use super::solve::{Account, General6R};
+use super::solve::General6R;
 
 /// How the loop of six joints is cut. There are [`Choice::COUNT`]; structured arms make many of them useless.
 ///

@@ -13,6 +13,9 @@ const AGAIN: usize = 4;
 const SINGULAR: f64 = 1e-11;
 /// Relative rounding error of a function above which its roots mean nothing.
 const ALL_NOISE: f64 = 1e-4;
+/// The same two above and below which few digits are left.
+const BLURRED: f64 = 1e-7;
+const FAINT: f64 = 1e-9;
 /// Slope (relative) of a root that is certainly a simple one.
 const STEEP: f64 = 1e-3;
 /// Smallest relative limit for roots that only touch.
@@ -190,6 +193,11 @@ impl<const D: usize, const C: usize, const K: usize> Determinant<D, C, K> {
     /// Does the function neither vanish everywhere nor drown in rounding errors?
     pub(super) fn means_something(&self) -> bool {
         self.noise < ALL_NOISE && self.regularity > SINGULAR
+    }
+
+    /// Has the function lost so many digits that another elimination is called for?
+    pub(super) fn is_blurred(&self) -> bool {
+        !(self.noise < BLURRED && self.regularity > FAINT)
     }
 
     /// Is the polynomial so flat at a root that it may be a multiple one, or next to others?

@@ -4,7 +4,8 @@
 //! conformal   what a rigid transform does to an axis: fourteen numbers, linear in the sine and cosine of every joint
 //! closure     the loop, cut at a joint: 14 equations in 5 angles; two of them eliminated linearly, 6 equations are left
 //! dialytic    those six as a 12 x 12 matrix in one angle, whose determinant vanishes at solutions
-//! solve       determinant -> trigonometric polynomial of degree 8 -> roots -> null vectors -> polished joint vectors
+//! attempt     determinant -> trigonometric polynomial of degree 8 -> roots -> null vectors -> polished joint vectors
+//! solve       one attempt after another, until all roots are accounted for; neighbours of singular poses
 //! pairs       arms with two parallel neighbours and two neighbours that meet: a polynomial of degree 8 or 4 without any matrix
 //! choice      which joint plays which part; found once per arm
 //! ```
@@ -13,6 +14,7 @@
 //! tangents replaced by sines and cosines throughout. That makes no angle special, and it removes the
 //! extraneous factor `(1 + x^2)^4` of their determinant: the harmonics 9 to 12 vanish, and their size shows the rounding error.
 
+mod attempt;
 mod choice;
 mod closure;
 mod conformal;

@@ -1,27 +1,23 @@
-//! From the determinant of a loop to the joint vectors of the arm.
+//! All solutions of a target: eliminations with several choices, and what is left to do at singular poses.
 
-use super::super::arcs::square;
-use super::super::math::{atan2, sin_cos, wrapped};
-use super::super::pose::{Chain, IDENTITY, Pose, compose, inverse, slide, turn};
+use super::super::math::{sin_cos, wrapped};
+use super::super::pose::{Chain, Pose, slide};
 use super::super::tolerance::{NEAR, REACHED};
 use super::super::{
     Found, Kinematics, List, Outcome, Task, polish, same_solution, solve_from_everywhere, solve_nearby,
 };
+use super::attempt::Account;
 use super::choice::{Choice, best_conditioned};
-use super::closure::Closure;
-use super::determinant::{Determinant, Root, crossing};
-use super::dialytic::{Dialytic, Refined};
 
-/// Steps of polishing.
-pub(super) const STEPS: usize = 12;
-/// Mean work of a bisection.
-const BISECTION: usize = 20;
+/// Steps of polishing from a neighbour.
+const PATIENT_STEPS: usize = 40;
+/// A pivot of the Jacobian that is smaller belongs to a singular pose, or to one that can't be told from it.
+const SINGULAR: f64 = 1e-4;
 /// Starting points of the very last resort.
 const STARTS: usize = 64;
-/// Steps of the eigenvalue iteration.
-const REFINEMENTS: usize = 6;
-/// Where a root is degenerate, solutions are looked for at these distances (rad) too.
-pub(super) const NEIGHBOURS: [f64; 4] = [1e-4, -1e-4, 1e-2, -1e-2];
+
+/// A joint vector that has nothing special.
+pub(super) const ELSEWHERE: [f64; 6] = [0.7, -1.1, 1.9, -0.4, 1.3, -2.1];
 
 /// A six-joint arm without usable structure.
 #[derive(Clone, Copy, Debug)]
@@ -39,28 +35,6 @@ pub struct Solved {
     pub solutions: List<[f64; 6], 16>,
     /// Did the last elimination account for each of its roots? If not, the pose is singular or nearly so: a fold, or a continuum.
     pub clean: bool,
-}
-
-/// What became of the roots of a determinant.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Account {
-    /// Each belongs to a solution.
-    Full,
-    /// Each belongs to a solution or to the complex null vectors that are there at every pose; but a solution next to such a
-    /// root of high order is hard to see.
-    WithPhantoms,
-    /// Not all of them could be explained.
-    Open,
-}
-
-/// How one elimination went.
-pub(super) struct Attempt {
-    /// What became of the roots of the determinant.
-    pub(super) account: Account,
-    /// Roughly the number of factorisations of a 12 x 12 matrix that it took.
-    pub(super) work: usize,
-    /// Does the determinant vanish at every angle, so that nothing could be learnt?
-    pub(super) vanishes: bool,
 }
 
 impl General6R {
@@ -103,15 +77,23 @@ impl General6R {
         if !target.iter().flatten().all(|x| x.is_finite()) {
             return solved;
         }
-        let mut useful = self.eliminate(&target, &self.choices, &mut solved);
-        if !solved.clean && useful.is_none() {
-            // The choices were made for an arm of these links, but with other values of what varies (a locked joint, a length): for some
-            // values the arm has more structure, which makes them useless.
-            let others = best_conditioned::<3>(&self.arm);
-            useful = self.eliminate(&target, others.as_slice(), &mut solved);
-        }
+        self.eliminate(&target, &self.choices, &mut solved);
         if !solved.clean {
-            self.rescue(&target, useful.unwrap_or(self.choices[0]), &mut solved.solutions);
+            let mut choices = self.fitting();
+            if choices.len() < self.choices.len() {
+                // They were made for an arm of these links, but with other values of what varies (a locked joint, a length): for some values the
+                // arm has more structure, which makes some of them useless.
+                let mut others = List::<Choice, 3>::new();
+                for &choice in &best_conditioned::<3>(&self.arm) {
+                    if !choices.contains(&choice) && choices.push(choice) {
+                        others.push(choice);
+                    }
+                }
+                self.eliminate(&target, &others, &mut solved);
+            }
+            if !solved.clean {
+                self.rescue(&target, choices.as_slice(), &mut solved.solutions);
+            }
         }
         for q in solved.solutions.as_mut_slice() {
             for (q, slides) in q.iter_mut().zip(self.arm.slides) {
@@ -121,15 +103,23 @@ impl General6R {
         solved
     }
 
-    /// Eliminates with one choice after another until all roots are accounted for. The first one with a determinant at all.
-    fn eliminate(&self, target: &Pose, choices: &[Choice], solved: &mut Solved) -> Option<Choice> {
-        let mut useful = None;
+    /// The choices whose determinant has enough digits at a pose that has nothing special.
+    fn fitting(&self) -> List<Choice, 3> {
+        let mut fitting = List::new();
+        let elsewhere = self.arm.forward(&ELSEWHERE);
+        for &choice in &self.choices {
+            if !self.is_blurred(&elsewhere, choice) {
+                fitting.push(choice);
+            }
+        }
+        fitting
+    }
+
+    /// Eliminates with one choice after another until all roots are accounted for.
+    fn eliminate(&self, target: &Pose, choices: &[Choice], solved: &mut Solved) {
         for (i, &choice) in choices.iter().enumerate() {
             let before = solved.solutions.len();
             let attempt = self.attempt(target, choice, &mut solved.solutions);
-            if !attempt.vanishes {
-                useful = useful.or(Some(choice));
-            }
             solved.clean = match attempt.account {
                 Account::Full => true,
                 // Two eliminations that agree.
@@ -140,19 +130,22 @@ impl General6R {
                 break;
             }
         }
-        useful
     }
 
     /// What can be found at a singular pose (scaled).
-    fn rescue(&self, target: &Pose, first: Choice, solutions: &mut List<[f64; 6], 16>) {
-        let neighbour = |pose: &Pose| {
-            let mut solutions = List::new();
-            self.attempt(pose, first, &mut solutions);
-            solutions
+    fn rescue(&self, target: &Pose, choices: &[Choice], solutions: &mut List<[f64; 6], 16>) {
+        let task = Task::Pose(*target);
+        let solve = |pose: &Pose| {
+            let mut solved = Solved { solutions: List::new(), clean: false };
+            self.eliminate(pose, choices, &mut solved);
+            (solved.solutions, solved.clean)
         };
-        solve_nearby(&self.arm, target, 1.0, neighbour, solutions);
+        solve_nearby(target, 1.0, solve, |mut q| {
+            if polish(&self.arm, &mut q, &task, 1.0, PATIENT_STEPS).reaches(REACHED) {
+                self.add(target, solutions, self.wrapped(q));
+            }
+        });
         if solutions.is_empty() {
-            let task = Task::Pose(*target);
             solve_from_everywhere(&self.arm, &self.arm.slides, &task, 1.0, STARTS, 1, solutions);
         }
     }
@@ -176,108 +169,8 @@ impl General6R {
         Found { roots, outcome }
     }
 
-    /// Adds the solutions that one elimination finds.
-    pub(super) fn attempt(&self, target: &Pose, choice: Choice, solutions: &mut List<[f64; 6], 16>) -> Attempt {
-        if choice.is_pairs() {
-            return self.attempt_in_pairs(target, choice, solutions);
-        }
-        let closure = Closure::new(&self.arm, target, choice);
-        let dialytic = Dialytic::new(&closure, choice);
-        if choice.has_least_degree() && self.arm.slides == [false; 6] {
-            let determinant = Determinant::<8, 17, 20>::new(&dialytic);
-            self.solutions_of(&determinant, &dialytic, &closure, target, choice, solutions)
-        } else {
-            let determinant = Determinant::<12, 25, 28>::new(&dialytic);
-            self.solutions_of(&determinant, &dialytic, &closure, target, choice, solutions)
-        }
-    }
-
-    fn solutions_of<const D: usize, const C: usize, const K: usize>(
-        &self,
-        determinant: &Determinant<D, C, K>,
-        dialytic: &Dialytic,
-        closure: &Closure,
-        target: &Pose,
-        choice: Choice,
-        solutions: &mut List<[f64; 6], 16>,
-    ) -> Attempt {
-        let mut attempt = Attempt { account: Account::Open, work: K, vanishes: false };
-        if !determinant.means_something() {
-            attempt.vanishes = true;
-            return attempt;
-        }
-        let (mut clean, mut phantoms) = (true, false);
-        let (mut roots, mut found, mut extra, mut work, mut bisections) = (0, 0, 0, 0, 0);
-        let effort = determinant.each_root(dialytic, |root, kind| {
-            let mut try_from = |refined: &Refined| {
-                let mut q = self.joints(closure, choice, target, refined);
-                let done = polish(&self.arm, &mut q, &Task::Pose(*target), 1.0, STEPS);
-                work += 1 + done.steps;
-                let reached = done.reaches(REACHED);
-                (reached, reached && self.add(target, solutions, self.wrapped(q)))
-            };
-            let mut refined = dialytic.refined(root, REFINEMENTS);
-            if let Root::Crossing(ends) = kind {
-                if !(refined.settled() && inside(&ends, refined.hidden)) {
-                    // Drawn away by a neighbour.
-                    refined = dialytic.refined(crossing(dialytic, &ends), 0);
-                    bisections += 1;
-                }
-                if refined.settled() && refined.fits() {
-                    let (reached, new) = try_from(&refined);
-                    roots += 1;
-                    found += usize::from(new);
-                    clean &= reached;
-                    return;
-                }
-            }
-            let nullity = if refined.settled() { dialytic.nullity(refined.hidden) } else { 1 };
-            if nullity == 2 && dialytic.vanishes_to(refined.hidden, 2) {
-                // Two solutions may share the hidden angle.
-                let pair = dialytic.pair(refined.hidden);
-                if pair.iter().all(Refined::fits) && !pair.is_empty() {
-                    roots += pair.len();
-                    for refined in &pair {
-                        let (reached, new) = try_from(refined);
-                        found += usize::from(new);
-                        clean &= reached;
-                    }
-                    return;
-                }
-            }
-            if nullity >= 2
-                && nullity == self.usual_nullity(choice, refined.hidden)
-                && dialytic.vanishes_to(refined.hidden, nullity)
-            {
-                // The null vectors are complex, and there at every pose.
-                phantoms = true;
-                return;
-            }
-            // A target that is out of reach by rounding only misses its double root nearly: worth a try, but nothing is missing otherwise.
-            clean &= matches!(kind, Root::NearMiss);
-            extra += usize::from(try_from(&refined).1);
-            for by in NEIGHBOURS {
-                let (s, c) = sin_cos(by);
-                let root = [root[0] * c - root[1] * s, root[0] * s + root[1] * c];
-                extra += usize::from(try_from(&dialytic.refined(root, REFINEMENTS)).1);
-            }
-        });
-        attempt.work += effort.determinants + work + BISECTION * bisections;
-        // Later eliminations may only confirm what is known.
-        if clean && !effort.exhausted && (found == roots || solutions.len() == roots + extra) {
-            attempt.account = if phantoms { Account::WithPhantoms } else { Account::Full };
-        }
-        attempt
-    }
-
-    /// The number of null vectors at a hidden angle for a pose that has nothing to do with the target.
-    fn usual_nullity(&self, choice: Choice, hidden: [f64; 2]) -> usize {
-        let elsewhere = self.arm.forward(&[0.7, -1.1, 1.9, -0.4, 1.3, -2.1]);
-        Dialytic::new(&Closure::new(&self.arm, &elsewhere, choice), choice).nullity(hidden)
-    }
-
     /// Adds a solution if it is new.
-    fn add(&self, target: &Pose, solutions: &mut List<[f64; 6], 16>, q: [f64; 6]) -> bool {
+    pub(super) fn add(&self, target: &Pose, solutions: &mut List<[f64; 6], 16>, q: [f64; 6]) -> bool {
         self.place(target, solutions, q).1
     }
 
@@ -286,7 +179,19 @@ impl General6R {
         let task = Task::Pose(*target);
         let known =
             solutions.iter().position(|p| self.may_be_same(p, &q) && same_solution(&self.arm, &task, 1.0, p, &q));
-        known.map_or_else(|| (solutions.len(), solutions.push(q)), |place| (place, false))
+        if let Some(place) = known {
+            return (place, false);
+        }
+        if solutions.push(q) {
+            return (solutions.len() - 1, true);
+        }
+        // Full of points of a continuum, one of which makes room.
+        let full = solutions.as_mut_slice();
+        let room = full.iter().position(|p| is_singular(&self.arm, p)).filter(|_| !is_singular(&self.arm, &q));
+        if let Some(p) = room.and_then(|place| full.get_mut(place)) {
+            *p = q;
+        }
+        (room.unwrap_or(full.len()), room.is_some())
     }
 
     /// A cheap look before [`same_solution`]; angles in (-pi, pi].
@@ -302,42 +207,36 @@ impl General6R {
     pub(super) fn wrapped(&self, q: [f64; 6]) -> [f64; 6] {
         core::array::from_fn(|j| if self.arm.slides[j] { q[j] } else { wrapped(q[j]) })
     }
-
-    /// All joint values from the three middle ones.
-    fn joints(&self, closure: &Closure, choice: Choice, target: &Pose, root: &Refined) -> [f64; 6] {
-        let mut middle = [[1.0, 0.0]; 3];
-        let [h, d, s] = choice.middle();
-        (middle[h], middle[d], middle[s]) = (root.hidden, root.others[0], root.others[1]);
-        let linear = closure.linear_values(&middle);
-        let joints = choice.joints();
-        let mut values = [[1.0, 0.0]; 6];
-        for (part, &[x, y]) in linear.iter().chain(&middle).enumerate() {
-            let j = joints[part];
-            values[j] = match (choice.reversed(), self.arm.slides[j]) {
-                (false, _) => [x, y],
-                (true, false) => [x, -y],
-                (true, true) => [-x, y],
-            };
-        }
-        // The joint that dropped out: what is missing from the product of the joints before and after it.
-        let moved = |pose: &Pose, j: usize| {
-            let joint = if self.arm.slides[j] { slide(pose, values[j][0]) } else { turn(pose, values[j]) };
-            compose(&joint, &self.arm.links[j])
-        };
-        let drop = joints[5];
-        let before = (0..drop).fold(IDENTITY, |t, j| moved(&t, j));
-        let after = (drop + 1..6).fold(self.arm.links[drop], |t, j| moved(&t, j));
-        let rest = compose(&compose(&inverse(&before), target), &inverse(&after));
-        values[drop] = [rest[0][0] + rest[1][1], rest[1][0] - rest[0][1]];
-        core::array::from_fn(|j| if self.arm.slides[j] { values[j][0] } else { atan2(values[j][1], values[j][0]) })
-    }
 }
 
-/// Is an angle between two half-angle vectors, less than half a turn apart?
-fn inside(ends: &[[f64; 2]; 2], at: [f64; 2]) -> bool {
-    let [from, to] = ends.map(square);
-    let (above, below) = (from[0] * at[1] - from[1] * at[0], at[0] * to[1] - at[1] * to[0]);
-    above >= 0.0 && below >= 0.0 && from[0] * at[0] + from[1] * at[1] > 0.0
+/// Is there a motion of the arm that hardly moves the tool?
+pub(super) fn is_singular(arm: &Chain<6>, q: &[f64; 6]) -> bool {
+    let mut m = arm.forward_and_jacobian(q).1;
+    for k in 0..6 {
+        let (mut row, mut column) = (k, k);
+        for r in k..6 {
+            for c in k..6 {
+                if m[r][c].abs() > m[row][column].abs() {
+                    (row, column) = (r, c);
+                }
+            }
+        }
+        if !(m[row][column].abs() > SINGULAR) {
+            return true;
+        }
+        m.swap(k, row);
+        for r in &mut m {
+            r.swap(k, column);
+        }
+        let top = m[k];
+        for r in &mut m[k + 1..] {
+            let factor = r[k] / top[k];
+            for c in k..6 {
+                r[c] -= factor * top[c];
+            }
+        }
+    }
+    false
 }
 
 /// The same links with every frame moved along its own axis to where the frame before is nearest.

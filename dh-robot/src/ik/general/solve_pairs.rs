@@ -4,10 +4,11 @@ use super::super::math::{atan2, sin_cos};
 use super::super::pose::Pose;
 use super::super::tolerance::REACHED;
 use super::super::{List, Task, polish};
+use super::attempt::{Account, Attempt, NEIGHBOURS, STEPS};
 use super::choice::Choice;
 use super::determinant::{Determinant, Root, crossing};
 use super::pairs::{Candidate, Pairs};
-use super::solve::{Account, Attempt, General6R, NEIGHBOURS, STEPS};
+use super::solve::General6R;
 
 /// A root whose best candidate misses by more is computed anew from the function itself.
 const SLOPPY: f64 = 1e-8;
@@ -24,7 +25,7 @@ impl General6R {
         solutions: &mut List<[f64; 6], 16>,
     ) -> Attempt {
         match Pairs::new(self.scaled_arm(), target, choice) {
-            None => Attempt { account: Account::Open, work: 0, vanishes: true },
+            None => Attempt { account: Account::Open, work: 0 },
             Some(pairs) if pairs.symmetric => {
                 self.solutions_in_pairs(&Determinant::<4, 9, 12>::new(&pairs), &pairs, target, choice, solutions)
             }
@@ -42,9 +43,8 @@ impl General6R {
         choice: Choice,
         solutions: &mut List<[f64; 6], 16>,
     ) -> Attempt {
-        let mut attempt = Attempt { account: Account::Open, work: 1, vanishes: false };
+        let mut attempt = Attempt { account: Account::Open, work: 1 };
         if !polynomial.means_something() {
-            attempt.vanishes = true;
             return attempt;
         }
         // One root, two directions of the parallel axes.

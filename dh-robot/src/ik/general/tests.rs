@@ -1,11 +1,13 @@
 //! Whole arms through the general solver: generated poses, published poses, singular poses.
 
-use super::solve::Account;
+use super::attempt::Account;
 use super::*;
 use crate::ik::pose::{IDENTITY, Pose, compose, turn};
 use crate::ik::testing::{Rng, general_6r, link};
 use crate::ik::tolerance::REACHED;
 use crate::ik::{Chain, Kinematics, List, Task, polish};
+
+mod locked;
 
 fn arm(links: [Pose; 6]) -> Chain<6> {
     Chain { links, slides: [false; 6] }
