@@ -38,6 +38,31 @@ dh_robot! {
     | q4 + q2 | 0           | 0   | 0     | -            |
 }
 
+dh_robot! {
+    /// A SCARA with a ball screw and a spline: the last motor lifts while it turns.
+    struct Screw;
+
+    convention = standard;
+
+    | theta | d               | a    | alpha  |
+    | q1    | 0               | 0.25 |   0    |
+    | q2    | 0               | 0.3  | 180deg |
+    | 0     | q3 + 0.00398*q4 | 0    |   0    |
+    | q4    | 0               | 0    |   0    |
+}
+
+#[test]
+fn rows_without_ranges_turn_by_less_than_a_turn() {
+    // A whole turn of the last motor is a stroke of the third: of all these solutions it is the one without whole turns.
+    for q in vectors(&Screw, 60) {
+        let found = Screw.inverse(&Screw.forward(&q));
+        let own = found.iter().any(|s| s.q.iter().zip(&q).all(|(a, b)| (a - b).abs() < 1e-7));
+        let edge = q.iter().any(|x| PI - x.abs() < 1e-9);
+        assert!(own || edge || found.iter().any(|s| !s.free.is_empty()), "{q:?} is not among {found}");
+        assert!(found.iter().all(|s| s.q[3].abs() < PI + 1e-9), "{found}");
+    }
+}
+
 /// What rows of the tables above turn or slide by, without offsets: (turns, coefficients).
 type Rows<const N: usize> = [(bool, [f64; N]); N];
 

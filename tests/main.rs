@@ -9,6 +9,7 @@ mod closure;
 mod corners;
 mod coupled;
 mod determinism;
+mod digits;
 mod fixtures;
 mod fresh;
 mod javascript;

@@ -42,7 +42,7 @@
 //!   [names](#names-let), [joint variables](#joint-variables), [coupled drives](#coupled-drives)
 //! - [The settings](#the-settings): `convention`, `unit`, `base` and `tool`, `task`, `redundant`, `ik`, `scalar`
 //! - [Checking a derivation](#checking-a-derivation): `prove`
-//! - [What you get](#what-you-get): the generated type, solutions, empty answers
+//! - [What you get](#what-you-get): the generated type, solutions, [targets that lost digits](#targets-that-lost-digits), empty answers
 //! - [Programs that are generic over robots](#programs-that-are-generic-over-robots)
 //! - [Without the standard library](#without-the-standard-library)
 //!
@@ -178,13 +178,27 @@
 //! - `jacobian` is the geometric one: rows 0..3 are linear, 3..6 angular velocity per joint speed, in base axes, at the
 //!   origin of the last frame (or tool).
 //! - `inverse` returns every real solution, each once, and none that misses the target: a list on the stack, [`Solutions`].
-//!   Angles are in `(-pi, pi]`, or a few whole turns away where only that is in the joint's range.
+//!   Angles are in `(-pi, pi]`, or a few whole turns away where only that is in the joint's range. Where motors are geared, so that a whole
+//!   turn of a row is no whole turn of its motors, this holds for what the rows turn by.
 //!
 //! A [`Solution`] knows which alternatives it took ([`Branch`]: shoulder, elbow, wrist), so that a program can stay on its
 //! branch, and which joints are free ([`FreeJoints`]): at a singular pose, a wrist stretched out for example, there are
 //! infinitely many solutions, of which one is returned. Of the list one asks the nearest
 //! ([`closest_to`](Solutions::closest_to)), where to move ([`toward`](Solutions::toward)), what the joints can do
 //! ([`within_range`](Solutions::within_range)), a branch ([`with_branch`](Solutions::with_branch)).
+//!
+//! ## Targets that lost digits
+//!
+//! - A rotation with six decimals, or a long product of rotations, is accepted up to [`Real::ROTATION_TOLERANCE`] and the nearest exact one
+//!   taken: on an arm with six joints all solutions are those of that rotation, and miss the matrix as given by its rounding, no more. Farther
+//!   off, [`Why::NotARotation`] says by how much; [`pose::orthonormalized`] repairs what is meant nevertheless. The direction of `task = axis`
+//!   is treated alike.
+//! - An arm with fewer joints than its target has coordinates reaches few targets exactly. One that is off what the arm can do by more than
+//!   1e-9 (radians, or lengths over the sum of the link lengths; 2e-6 with `scalar = f32`) is refused, and [`Why::NotOnTask`] says whether its
+//!   position or its orientation is off, and by how much: a pose with six decimals, say, by some 1e-7. So ask such an arm for what it can
+//!   choose: `task = position`, `planar` or `axis`; or compute the coordinates that it cannot choose from those that it can (a SCARA's tool
+//!   points straight down, the plane of a five-axis arm holds its first axis) instead of reading them.
+//! - With `scalar = f32` everything is computed in `f64` and rounded at the end: solutions reach their target to some 1e-6.
 //!
 //! No input panics. An empty list says [`why`](Solutions::why): out of reach at which step and by how much, a number that is
 //! not finite, a matrix that is no rotation. [`pose`] holds the check itself, and a repair for matrices that lost digits.

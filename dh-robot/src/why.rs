@@ -27,6 +27,11 @@ pub enum Why<T = f64> {
         /// The largest entry of `R^T R - 1`; 2 for a reflection.
         deviation: T,
     },
+    /// The target's axis is not a unit vector.
+    NotAUnitVector {
+        /// How far the square of its length is from 1.
+        deviation: T,
+    },
     /// The target is too far away, or too near.
     OutOfReach {
         /// The step of the solution that has no answer.
@@ -45,16 +50,18 @@ pub enum Why<T = f64> {
     },
     /// The arm has fewer joints than the pose has coordinates, and the pose is not one it can take.
     NotOnTask {
-        /// What the arm cannot do: `the tilt of the tool`, for example.
+        /// What of the pose the arm cannot do: `its orientation` or `its position`, whichever is farther off (radians against lengths over
+        /// the sum of the arm's link lengths).
         what: &'static str,
-        /// By how much the target misses.
+        /// By how much the target misses, where the arm comes nearest.
         by: T,
         /// The unit of that: of length, `rad`, or nothing.
         unit: &'static str,
     },
-    /// Candidates were found, but their poses miss the target: numerically out of hand.
+    /// No joint values reach the target, although some were found that had to be tried: on arms without a simpler closed form the usual
+    /// answer to a target out of reach; on others a sign that the numbers are out of hand.
     NotVerified {
-        /// The smallest miss.
+        /// The smallest miss (position over the sum of the link lengths, or radians).
         error: T,
     },
     /// There are solutions, but each leaves the range of some joint.
@@ -122,6 +129,9 @@ impl<T: Real> fmt::Display for Why<T> {
             Self::NotARotation { deviation } => {
                 write!(f, "the target's matrix is not a rotation: R^T R is off by {deviation:.1e}")
             }
+            Self::NotAUnitVector { deviation } => {
+                write!(f, "the target's axis is not a unit vector: the square of its length is off by {deviation:.1e}")
+            }
             Self::OutOfReach { step, needs, has, unit } => {
                 let measure = if unit.is_empty() { "" } else { "distance " };
                 let verb = if needs > has { "exceeds" } else { "is below" };
@@ -132,7 +142,7 @@ impl<T: Real> fmt::Display for Why<T> {
             Self::NotOnTask { what, by, unit } => {
                 write!(f, "the arm cannot take this pose: {what} is off by {by:.3e}{}", Unit(unit))
             }
-            Self::NotVerified { error } => write!(f, "the best candidate misses the target by {error:.1e}"),
+            Self::NotVerified { error } => write!(f, "no joint values reach the target: the best candidate misses it by {error:.1e}"),
             Self::OutOfRange { solutions: 1 } => f.write_str("the only solution leaves a joint's range"),
             Self::OutOfRange { solutions } => write!(f, "each of the {solutions} solutions leaves a joint's range"),
         }
@@ -157,12 +167,16 @@ mod tests {
             (Why::NotARotation { deviation: 0.25 }, "the target's matrix is not a rotation: R^T R is off by 2.5e-1"),
             (reach(0.1, 0.25, "m"), "elbow: distance 0.100 m is below 0.250 m"),
             (reach(1.000_001, 1.0, ""), "elbow: 1.000001000 exceeds 1.000000000"),
+            (
+                Why::NotAUnitVector { deviation: 0.5 },
+                "the target's axis is not a unit vector: the square of its length is off by 5.0e-1",
+            ),
             (Why::NoRealRoot { step: "wrist" }, "wrist: the equation has no real root"),
             (
-                Why::NotOnTask { what: "the tilt of the tool", by: 0.5, unit: "rad" },
-                "the arm cannot take this pose: the tilt of the tool is off by 5.000e-1 rad",
+                Why::NotOnTask { what: "its orientation", by: 0.5, unit: "rad" },
+                "the arm cannot take this pose: its orientation is off by 5.000e-1 rad",
             ),
-            (Why::NotVerified { error: 1e-3 }, "the best candidate misses the target by 1.0e-3"),
+            (Why::NotVerified { error: 1e-3 }, "no joint values reach the target: the best candidate misses it by 1.0e-3"),
             (Why::OutOfRange { solutions: 1 }, "the only solution leaves a joint's range"),
             (Why::OutOfRange { solutions: 8 }, "each of the 8 solutions leaves a joint's range"),
         ] {

@@ -32,6 +32,19 @@ impl<const N: usize> Drive<N> {
         out
     }
 
+    /// The same motor values but for whole turns of the rows: each row is turned by an angle in (-pi, pi], except those that would
+    /// move the motor whose value is `given`.
+    #[must_use]
+    pub fn principal(&self, q: [f64; N], given: Option<usize>) -> [f64; N] {
+        let mut out = q;
+        let stays = |i: usize| given.is_some_and(|g| self.motors[g][i] != 0.0);
+        for (i, row) in self.rows.iter().enumerate().filter(|(i, _)| self.turns[*i] && !stays(*i)) {
+            let angle: f64 = row.iter().zip(&q).map(|(k, x)| k * x).sum();
+            self.turn(&mut out, i, floor(0.5 - angle / TAU));
+        }
+        out
+    }
+
     /// Turns rows by whole turns, as few as possible, so that all motors come into their ranges, where that can be done one row after the
     /// other.
     pub fn into_ranges(&self, ranges: &[Option<(f64, f64)>; N], q: &mut [f64; N]) {
@@ -96,6 +109,17 @@ mod tests {
         // A whole turn of the first motor is half a turn of both rows.
         let half = GEARS.shortest([2.0 * PI - 0.1, 0.0]);
         assert!((half[0].abs() - 2.0 * PI + 0.1).abs() < 1e-12, "{half:?}");
+    }
+
+    #[test]
+    fn rows_come_to_less_than_a_turn() {
+        let near = GEARS.principal([4.0 * PI + 0.2, 0.5 - 2.0 * PI], None);
+        assert!((near[0] - 0.2).abs() < 1e-12 && (near[1] - 0.5).abs() < 1e-12, "{near:?}");
+        assert_eq!(GEARS.principal([2.0 * PI, -PI], None), [2.0 * PI, -PI]);
+        let half = GEARS.principal([-2.0 * PI, PI], None);
+        assert!((half[0] - 2.0 * PI).abs() < 1e-12 && (half[1] + PI).abs() < 1e-12, "{half:?}");
+        let given = GEARS.principal([9.0 * PI, 0.0], Some(0));
+        assert!((given[0] - 9.0 * PI).abs() < 1e-12 && (given[1] + 4.0 * PI).abs() < 1e-12, "{given:?}");
     }
 
     #[test]

@@ -122,8 +122,7 @@ impl Attempt {
         }
     }
 
-    /// The same for a law of cosines `square - constant = a cos u + b sin u`, where `square` is a squared distance and `rest` the left side,
-    /// in units of the reach: reports distances.
+    /// [`note_law`](Self::note_law) of a squared distance that is measured from anywhere.
     #[cold]
     #[allow(clippy::too_many_arguments)] // one call per step of generated code
     pub fn note_distance(
@@ -136,11 +135,37 @@ impl Attempt {
         reach: f64,
         unit: &'static str,
     ) {
+        self.note_law(outcome, free, step, [square - rest, rest], false, reach, unit);
+    }
+
+    /// The same for a law of cosines: with `[base, rest]` the squared distance is `base + rest`, and `rest = a cos u + b sin u`, in units of the
+    /// reach. Where `grows`, the amplitude of the right side is proportional to the distance, else it is constant. Reports distances.
+    #[cold]
+    #[allow(clippy::too_many_arguments)] // one call per step of generated code
+    pub fn note_law(
+        &mut self,
+        outcome: Outcome,
+        free: FreeJoints,
+        step: &'static str,
+        [base, rest]: [f64; 2],
+        grows: bool,
+        reach: f64,
+        unit: &'static str,
+    ) {
         let Outcome::OutOfReach { available, .. } = outcome else { return self.note(outcome, free, step, 1.0, unit) };
         self.lost |= !free.is_empty() || self.grazed || outcome.just_misses_a_root();
         self.doubt |= outcome.may_hide_a_root();
-        let limit = (square - rest + if rest > 0.0 { available } else { -available }).max(0.0);
-        let (needs, has) = (crate::math::sqrt(square) * reach, crate::math::sqrt(limit) * reach);
+        let distance = crate::math::sqrt((base + rest).max(0.0));
+        let available = if rest > 0.0 { available } else { -available };
+        let limit = if grows {
+            // distance^2 = base + slope distance; of two limits the near one where the target is too near.
+            let half = 0.5 * available / distance;
+            let root = crate::math::sqrt((base + half * half).max(0.0));
+            if distance < half { half - root } else { half + root }
+        } else {
+            crate::math::sqrt((base + available).max(0.0))
+        };
+        let (needs, has) = (distance * reach, limit.max(0.0) * reach);
         self.why = self.why.or_nearer(Why::OutOfReach { step, needs, has, unit });
     }
 }
@@ -158,6 +183,29 @@ mod tests {
             for (i, a) in all.iter().enumerate() {
                 assert!((a[0].hypot(a[1]) - 1.0).abs() < 1e-15);
                 assert!(all[..i].iter().all(|b| (a[0] - b[0]).hypot(a[1] - b[1]) > 0.02));
+            }
+        }
+    }
+
+    #[test]
+    fn laws_of_cosines_report_distances() {
+        // Links of 0.4 and 0.3; where the amplitude grows, the first turns about the origin of the target.
+        let reported = |distance: f64, grows: bool| {
+            let base: f64 = if grows { 0.3 * 0.3 - 0.4 * 0.4 } else { 0.3 * 0.3 + 0.4 * 0.4 };
+            let available = 2.0 * 0.4 * if grows { distance } else { 0.3 };
+            let rest = distance * distance - base;
+            let mut attempt = Attempt::new();
+            let outcome = Outcome::OutOfReach { needed: rest.abs(), available };
+            attempt.note_law(outcome, FreeJoints::NONE, "q", [base, rest], grows, 2.0, "m");
+            match attempt.why {
+                Why::OutOfReach { needs, has, .. } => [needs, has],
+                _ => [f64::NAN; 2],
+            }
+        };
+        for grows in [false, true] {
+            for (distance, limit) in [(0.9, 0.7), (40.0, 0.7), (0.05, 0.1)] {
+                let [needs, has] = reported(distance, grows);
+                assert!((needs - 2.0 * distance).abs() < 1e-12 && (has - 2.0 * limit).abs() < 1e-9, "{needs} {has}");
             }
         }
     }

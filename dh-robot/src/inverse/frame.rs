@@ -71,6 +71,21 @@ pub fn to_pose(t: &nalgebra::IsometryMatrix3<f64>) -> Pose {
     core::array::from_fn(|i| core::array::from_fn(|j| if j < 3 { r[(i, j)] } else { p[i] }))
 }
 
+/// A target's direction as a unit vector, whose digits may be rounded as those of a rotation.
+///
+/// # Errors
+/// Numbers that are not finite, a vector of another length.
+pub fn direction<T: Real>(z: [f64; 3]) -> Result<[f64; 3], Why<T>> {
+    let square = pose::dot(z, z);
+    let deviation = T::of((square - 1.0).abs());
+    if deviation <= T::ROTATION_TOLERANCE {
+        let h = 1.0 / crate::math::sqrt(square);
+        return Ok(z.map(|x| x * h));
+    }
+    // What is not a number fails the comparison.
+    Err(if z.iter().all(|x| x.is_finite()) { Why::NotAUnitVector { deviation } } else { Why::NotFinite })
+}
+
 /// A frame at a point with a given z axis; x is any perpendicular direction.
 #[must_use]
 pub fn frame_of_axis(p: [f64; 3], z: [f64; 3]) -> Pose {

@@ -10,11 +10,12 @@ mod attempt;
 mod component;
 mod frame;
 mod motion;
+mod off;
 mod rescue;
 mod verifier;
 
 pub use attempt::{Attempt, Pick};
-pub use frame::{frame_of, frame_of_axis, frame_of_plane, in_units, to_pose};
+pub use frame::{direction, frame_of, frame_of_axis, frame_of_plane, in_units, to_pose};
 
 use crate::ik::{Kinematics, Pose, Task};
 use crate::{Branch, FreeJoints, Joint, Real, Solutions, Why};
@@ -49,19 +50,16 @@ pub fn solve<T: Real, const N: usize, const M: usize>(
     if attempt.degenerate || verifier.lost || attempt.lost || attempt.doubt && verifier.out.is_empty() {
         rescue::rescue(&mut verifier, frame, &attempt, &candidates);
     }
-    let mut out = verifier.out;
-    if out.is_empty() {
-        out.refuse(convert(attempt.why));
-        if verifier.nearest.is_finite() {
-            let by = T::of(verifier.nearest);
-            out.refuse(if setting.few {
-                Why::NotOnTask { what: "the arm's joints", by, unit: "" }
-            } else {
-                Why::NotVerified { error: by }
-            });
-        }
+    if verifier.out.is_empty() {
+        let why = if setting.few { verifier.off_the_arm(&attempt.why) } else { None };
+        let why = why.unwrap_or_else(|| {
+            let nearest = verifier.nearest;
+            let missed = if nearest.is_finite() { Why::NotVerified { error: nearest } } else { Why::NoSolution };
+            attempt.why.or_nearer(missed)
+        });
+        verifier.out.refuse(convert(why));
     }
-    out
+    verifier.out
 }
 
 fn convert<T: Real>(why: Why<f64>) -> Why<T> {
@@ -70,6 +68,8 @@ fn convert<T: Real>(why: Why<f64>) -> Why<T> {
             Why::OutOfReach { step, needs: T::of(needs), has: T::of(has), unit }
         }
         Why::NoRealRoot { step } => Why::NoRealRoot { step },
+        Why::NotOnTask { what, by, unit } => Why::NotOnTask { what, by: T::of(by), unit },
+        Why::NotVerified { error } => Why::NotVerified { error: T::of(error) },
         _ => Why::NoSolution,
     }
 }

@@ -76,6 +76,20 @@ pub(super) fn rescue<A: Kinematics<N>, T: Real, const N: usize, const M: usize>(
 }
 
 impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, T, N, M> {
+    /// Joint values all over the joint space: number `n` of a sequence.
+    pub(super) fn start(&self, n: usize) -> [f64; N] {
+        // Additive recurrence with the powers of the root of x^(N+1) = x + 1 for N = 6: evenly spread in six dimensions.
+        const RATIOS: [f64; 7] = [0.898_654, 0.807_579, 0.725_734, 0.652_184, 0.586_087, 0.526_690, 0.473_312];
+        core::array::from_fn(|k| {
+            if let Some((_, value)) = self.setting.given.filter(|g| g.0 == k) {
+                return value;
+            }
+            let x = n as f64 * RATIOS[k % 7];
+            let x = 2.0 * (x - crate::math::floor(x)) - 1.0;
+            if self.setting.joints[k].is_revolute() { x * core::f64::consts::PI } else { x * self.setting.reach }
+        })
+    }
+
     /// A candidate that need not be near a solution.
     ///
     /// `further`: others of its kind were taken before, and one that a known continuum may hold is not looked at.
@@ -97,17 +111,8 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
 
 /// Damped Newton steps from starts all over the joint space.
 fn search<A: Kinematics<N>, T: Real, const N: usize, const M: usize>(verifier: &mut Verifier<'_, A, T, N, M>) {
-    // Additive recurrence with the powers of the root of x^(N+1) = x + 1 for N = 6: evenly spread in six dimensions.
-    const RATIOS: [f64; 7] = [0.898_654, 0.807_579, 0.725_734, 0.652_184, 0.586_087, 0.526_690, 0.473_312];
     for start in 1..=STARTS {
-        let q: [f64; N] = core::array::from_fn(|k| {
-            if let Some((_, value)) = verifier.setting.given.filter(|g| g.0 == k) {
-                return value;
-            }
-            let x = start as f64 * RATIOS[k % 7];
-            let x = 2.0 * (x - crate::math::floor(x)) - 1.0;
-            if verifier.setting.joints[k].is_revolute() { x * core::f64::consts::PI } else { x * verifier.setting.reach }
-        });
+        let q = verifier.start(start);
         verifier.take_rough(q, Branch::ANY, true);
     }
 }

@@ -38,7 +38,7 @@ pub(super) struct Verifier<'a, A, T: 'static, const N: usize, const M: usize> {
     /// The smallest miss so far.
     pub(super) nearest: f64,
     /// The joint vector that misses by so little.
-    best: [f64; N],
+    pub(super) best: [f64; N],
     /// Other solutions may be missing: a chosen value led to no solution, or to one where nothing is free, or there is a continuum
     /// that one chosen value need not stand for.
     pub(super) lost: bool,
@@ -204,10 +204,10 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
         new
     }
 
-    /// Brings motors into their ranges by whole turns of the rows; is the solution known then?
+    /// Brings rows to less than a turn, and motors into their ranges by whole turns of the rows; is the solution known then?
     #[cold]
     fn is_another_turn(&mut self, drive: &Drive<N>, solution: &mut Solution<T, N>) -> bool {
-        let mut q = solution.q.map(T::to_f64);
+        let mut q = drive.principal(solution.q.map(T::to_f64), self.setting.given.map(|g| g.0));
         let ranges = self.setting.joints.each_ref().map(|j| j.range.map(|(l, g)| (l.to_f64(), g.to_f64())));
         drive.into_ranges(&ranges, &mut q);
         solution.q = q.map(T::of);

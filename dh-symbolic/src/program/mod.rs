@@ -12,6 +12,7 @@ mod identity;
 mod interpret;
 mod inverse;
 mod jacobian;
+mod law;
 mod links;
 mod names;
 mod proof;

@@ -26,6 +26,16 @@ pub struct Solver {
     pub rows: Vec<Vec<Value>>,
     /// The combinations it finds: indices into the plan's knowledge.
     pub finds: Vec<usize>,
+    /// For a law of cosines: what to add to the side without the unknown to get the squared distance, and whether the amplitude of the
+    /// other side grows with that distance.
+    pub law: Option<(Value, bool)>,
+}
+
+impl Solver {
+    /// Everything that has to be computed for the step.
+    pub fn values(&self) -> Vec<Value> {
+        self.rows.iter().flatten().copied().chain(self.law.map(|law| law.0)).collect()
+    }
 }
 
 /// A plan with its instructions.
@@ -91,7 +101,8 @@ impl Inverse {
                 StepKind::General => l.general(w, step),
                 _ => step.collected.iter().map(|c| l.row(step.kind, c)).collect(),
             };
-            solvers.push(Solver { kind: step.kind, rows, finds });
+            let law = super::law::law(&plan, step).map(|law| (l.formula(&law.base), law.grows));
+            solvers.push(Solver { kind: step.kind, rows, finds, law });
         }
         let forms: Vec<Form> = plan.knowledge.known.iter().map(|k| k.form.clone()).collect();
         let joints = (0..plan.axes.real)

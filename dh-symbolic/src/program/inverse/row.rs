@@ -25,7 +25,7 @@ impl Lower<'_> {
     }
 
     /// A coefficient, factored by the inputs that occur most often.
-    fn formula(&mut self, p: &Poly) -> Value {
+    pub(super) fn formula(&mut self, p: &Poly) -> Value {
         factored(&mut self.g, p)
     }
 }

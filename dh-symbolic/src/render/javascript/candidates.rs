@@ -13,7 +13,7 @@ use crate::render::rust::steps::{combination, identifier, inputs, is_first, join
 pub(super) fn candidates(chain: &Chain, inverse: &Inverse) -> String {
     let plan = &inverse.plan;
     let reach = literal(plan.axes.reach, Scalar::F64);
-    let outputs: Vec<Value> = inverse.solvers.iter().flat_map(|s| s.rows.concat()).collect();
+    let outputs: Vec<Value> = inverse.solvers.iter().flat_map(Solver::values).collect();
     let scale = (Scalar::F64, 1.0 / plan.axes.reach);
     let mut body = Body::in_stages(Dialect::JavaScript, chain, &inverse.graph, outputs, scale, inputs(inverse));
     let depths = inverse.depths();
@@ -126,9 +126,9 @@ fn note(chain: &Chain, inverse: &Inverse, i: usize, body: &Body<'_>) -> String {
     let report = reported(chain, inverse, i, body);
     let free = if i == 0 { "free".to_string() } else { format!("free{}", i - 1) };
     let (name, unit) = (string(&report.name), string(report.unit));
-    match report.square {
-        Some((square, rest)) => {
-            format!("attempt.noteDistance(r{i}, {free}, {name}, {square}, {rest}, {}, {unit});", report.scale)
+    match report.law {
+        Some((base, rest, grows)) => {
+            format!("attempt.noteDistance(r{i}, {free}, {name}, [{base}, {rest}], {grows}, {}, {unit});", report.scale)
         }
         None => format!("attempt.note(r{i}, {free}, {name}, {}, {unit});", report.scale),
     }

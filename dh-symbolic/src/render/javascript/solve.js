@@ -135,11 +135,15 @@ class Attempt {
   }
 
   // The same for a law of cosines: reports distances.
-  noteDistance(step, free, name, square, rest, reach, unit) {
+  noteDistance(step, free, name, [base, rest], grows, reach, unit) {
     if (step.outcome !== OUT_OF_REACH) return this.note(step, free, name, 1, unit);
     this.lost ||= free.length > 0;
-    const limit = Math.max(square - rest + (rest > 0 ? step.available : -step.available), 0);
-    this.refuse({ kind: "reach", step: name, needs: Math.sqrt(square) * reach, has: Math.sqrt(limit) * reach, unit });
+    const distance = Math.sqrt(Math.max(base + rest, 0));
+    const available = rest > 0 ? step.available : -step.available;
+    const half = grows ? (0.5 * available) / distance : 0;
+    const root = Math.sqrt(Math.max(base + (grows ? half * half : available), 0));
+    const limit = distance < half ? half - root : half + root;
+    this.refuse({ kind: "reach", step: name, needs: distance * reach, has: Math.max(limit, 0) * reach, unit });
   }
 }
 

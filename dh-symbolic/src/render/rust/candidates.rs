@@ -14,7 +14,7 @@ pub(super) fn candidates(chain: &Chain, inverse: &Inverse) -> String {
     let n = chain.dof();
     let reach = literal(plan.axes.reach, Scalar::F64);
     let given = if chain.redundant.is_some() { "given: f64, " } else { "" };
-    let outputs: Vec<Value> = inverse.solvers.iter().flat_map(|s| s.rows.concat()).collect();
+    let outputs: Vec<Value> = inverse.solvers.iter().flat_map(Solver::values).collect();
     let mut body = Body::staged(chain, &inverse.graph, outputs, Scalar::F64, 1.0 / plan.axes.reach, inputs(inverse));
     let depths = inverse.depths();
     let mut out = format!(
@@ -84,10 +84,10 @@ pub(super) fn candidates(chain: &Chain, inverse: &Inverse) -> String {
 
 /// The statement that reports a step without roots.
 fn note(chain: &Chain, inverse: &Inverse, i: usize, body: &Body<'_>) -> String {
-    let Reported { name, scale, unit, square } = reported(chain, inverse, i, body);
-    match square {
-        Some((square, rest)) => {
-            format!("attempt.note_distance(r{i}.outcome, free, \"{name}\", {square}, {rest}, {scale}, \"{unit}\");")
+    let Reported { name, scale, unit, law } = reported(chain, inverse, i, body);
+    match law {
+        Some((base, rest, grows)) => {
+            format!("attempt.note_law(r{i}.outcome, free, \"{name}\", [{base}, {rest}], {grows}, {scale}, \"{unit}\");")
         }
         None => format!("attempt.note(r{i}.outcome, free, \"{name}\", {scale}, \"{unit}\");"),
     }

@@ -46,7 +46,7 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
         out.push_str(&lanes::lanes(chain, inverse));
     }
     out.push_str("}\n");
-    out.push_str(&kinematics(chain, name, forward));
+    out.push_str(&kinematics(chain, name, forward, few));
     out.push_str(&as_trait(chain, name, m, &kind));
     out
 }

@@ -47,8 +47,9 @@ pub(in crate::render) struct Reported {
     pub(in crate::render) scale: String,
     /// The unit; empty for pure numbers.
     pub(in crate::render) unit: &'static str,
-    /// For a law of cosines: the squared distance, and the side of the equation without the unknown.
-    pub(in crate::render) square: Option<(String, String)>,
+    /// For a law of cosines: the side of the equation without the unknown, less than the squared distance by the first; does the amplitude
+    /// of the other side grow with the distance?
+    pub(in crate::render) law: Option<(String, String, bool)>,
 }
 
 /// What is said of a step without roots.
@@ -59,19 +60,15 @@ pub(in crate::render) fn reported(chain: &Chain, inverse: &Inverse, i: usize, bo
     let reach = literal(plan.axes.reach, Scalar::F64);
     let part = inverse.part(i).map_or("", |p| ["shoulder ", "elbow ", "wrist "][p]);
     let name = format!("{part}{}", names.join(", "));
-    if let (StepKind::SinCos, [crate::planner::Equation { scalar: crate::planner::Scalar::Distance, .. }]) =
-        (step.kind, step.equations.as_slice())
-    {
-        let one = step.collected[0].get(&vec![crate::planner::Part::One]);
-        let squared = plan.knowledge.poses.iter().find(|k| one.is_some_and(|p| p.has_symbol(k.square)));
-        if let Some(square) = squared.and_then(|k| inverse.graph.bound_to(k.square)) {
-            let square = Some((body.value(square), body.negative(solver.rows[0][2])));
-            return Reported { name, scale: reach, unit: chain.unit.name, square };
-        }
+    if let Some((base, grows)) = solver.law {
+        let law = Some((body.value(base), body.negative(solver.rows[0][2]), grows));
+        return Reported { name, scale: reach, unit: chain.unit.name, law };
     }
-    let length = step.equations.iter().any(|e| !matches!(e.scalar, crate::planner::Scalar::Rotation(..)));
+    // Two equations for a cosine and a sine whose squares do not add up to 1: a pure number.
+    let length = step.kind != StepKind::AtanPair
+        && step.equations.iter().any(|e| !matches!(e.scalar, crate::planner::Scalar::Rotation(..)));
     let (scale, unit) = if length { (reach, chain.unit.name) } else { ("1.0".into(), "") };
-    Reported { name, scale, unit, square: None }
+    Reported { name, scale, unit, law: None }
 }
 
 /// The condition under which the root of a step that decides a part has its first name; `equal` compares in the language at hand.

@@ -62,10 +62,10 @@ impl Target {
                 ),
                 frame: format!(
                     "let p: [f64; 3] = [target.0.x.into(), target.0.y.into(), target.0.z.into()];\n\
-                     let z: [f64; 3] = [target.1.x.into(), target.1.y.into(), target.1.z.into()];\n{}\n{}\n\
+                     {}\n\
+                     let z = match ::dh_robot::inverse::direction([target.1.x.into(), target.1.y.into(), target.1.z.into()]) {{ ::core::result::Result::Ok(z) => z, ::core::result::Result::Err(why) => {refuse} }};\n\
                      let frame = ::dh_robot::inverse::frame_of_axis(p.map(|x| x / {reach}), z);",
-                    finite("p"),
-                    finite("z")
+                    finite("p")
                 ),
                 task: "::dh_robot::ik::Task::Axis(p, z)".into(),
                 kind: format!("(::dh_robot::nalgebra::Point3<{f}>, ::dh_robot::nalgebra::UnitVector3<{f}>)"),

@@ -6,7 +6,9 @@ use crate::chain::{Chain, Scalar};
 use crate::program::Forward;
 
 /// What polishing needs: forward kinematics and Jacobian in `f64`.
-pub(super) fn kinematics(chain: &Chain, name: &str, forward: &Forward) -> String {
+///
+/// Arms of few joints report misses in their unit of length.
+pub(super) fn kinematics(chain: &Chain, name: &str, forward: &Forward, few: bool) -> String {
     let n = chain.dof();
     let entry = |body: &Body<'_>, from: usize| {
         let row = |i: usize| {
@@ -25,10 +27,12 @@ pub(super) fn kinematics(chain: &Chain, name: &str, forward: &Forward) -> String
             format!("[{}]", row.join(", "))
         })
         .collect();
+    let unit =
+        if few { format!("fn unit(&self) -> &'static str {{ \"{}\" }}\n", chain.unit.name) } else { String::new() };
     format!(
         "#[allow(unused, clippy::all, clippy::pedantic)]\nimpl ::dh_robot::ik::Kinematics<{n}> for {name} {{\n\
          #[inline]\nfn forward(&self, q: &[f64; {n}]) -> ::dh_robot::ik::Pose {{\n{}\n{}\n}}\n\
-         fn forward_and_jacobian(&self, q: &[f64; {n}]) -> (::dh_robot::ik::Pose, [[f64; {n}]; 6]) {{\n{}\n({}, [{}])\n}}\n{}}}\n",
+         fn forward_and_jacobian(&self, q: &[f64; {n}]) -> (::dh_robot::ik::Pose, [[f64; {n}]; 6]) {{\n{}\n({}, [{}])\n}}\n{unit}{}}}\n",
         pose.lines.join("\n"),
         entry(&pose, 0),
         both.lines.join("\n"),
