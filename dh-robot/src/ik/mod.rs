@@ -42,7 +42,7 @@ pub use lengths::{
 pub use list::{Blank, List};
 pub use many::solve_many;
 pub use pair::{solve_pair, solve_turn};
-pub use polish::{Kinematics, Polished, Task, levenberg_marquardt, polish, same_solution};
+pub use polish::{Kinematics, Polished, Task, levenberg_marquardt, polish, polish_to, same_solution};
 pub use pose::{Chain, Pose};
 pub use rescue::{add_polished, solve_from_everywhere, solve_nearby};
 pub use sincos::{solve_half_turn, solve_sincos};

@@ -130,10 +130,22 @@ pub fn polish<const N: usize>(
     reach: f64,
     steps: usize,
 ) -> Polished {
+    polish_to(arm, q, task, reach, steps, POLISHED)
+}
+
+/// The same, content with a residual of `goal` (position over reach, and radians).
+pub fn polish_to<const N: usize>(
+    arm: &impl Kinematics<N>,
+    q: &mut [f64; N],
+    task: &Task,
+    reach: f64,
+    steps: usize,
+    goal: f64,
+) -> Polished {
     let (error, taken) = levenberg_marquardt(
         q,
         steps,
-        POLISHED,
+        goal,
         |q| task.error(&arm.forward(q), reach),
         |q| {
             let (pose, j) = arm.forward_and_jacobian(q);

@@ -1,7 +1,7 @@
 //! Do two solutions belong to one continuum: does a motion of the arm lead from one to the other while the target stays reached?
 
 use super::verifier::Verifier;
-use crate::ik::{Kinematics, polish};
+use crate::ik::Kinematics;
 use crate::{Real, math};
 
 /// Most steps along a continuum.
@@ -59,7 +59,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
             }
             let stride = (STRIDE / length).min(1.0);
             let mut next = self.moved_by(&x, &step, stride);
-            if !polish(self.arm, &mut next, self.task, self.setting.reach, 20).reaches(self.tolerance) {
+            if !self.brought_back(&mut next, 20).reaches(self.tolerance) {
                 return false;
             }
             way = self.apart(&next, q);

@@ -84,7 +84,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
             let mut way = v.map(|v| sign * v);
             for stride in core::iter::once(FIRST).chain([STRIDE; FOLLOWED]) {
                 let mut next = self.moved_by(&x, &way, stride);
-                if !crate::ik::polish(self.arm, &mut next, self.task, self.setting.reach, 60).reaches(self.tolerance) {
+                if !self.brought_back(&mut next, 60).reaches(self.tolerance) {
                     break;
                 }
                 let step = self.apart(&x, &next);

@@ -98,14 +98,24 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
         if self.setting.joints.iter().zip(&q).any(|(joint, x)| !joint.is_revolute() && !(x.abs() <= far)) {
             return;
         }
-        if self.polish(&mut q, STEPS) {
-            // What stops short of the target is on its way to a root of high order.
-            if self.is_regular(&q) && self.miss(&q) <= 0.01 * self.tolerance {
-                self.insert(q, branch);
-            } else if !(further && self.may_hold(&q)) {
-                self.take_singular(q, branch);
-            }
+        if self.is_in_known_continuum(q, further) || !self.polish(&mut q, STEPS) {
+            return;
         }
+        // What stops short of the target is on its way to a root of high order.
+        if self.is_regular(&q) && self.miss(&q) <= 0.01 * self.tolerance {
+            self.insert(q, branch);
+        } else if !(further && self.may_hold(&q)) {
+            self.take_singular(q, branch);
+        }
+    }
+
+    /// Does a rough candidate belong to a continuum that is known? Most do, where there is one, and next to a singular pose the last digits
+    /// take longer than all others.
+    fn is_in_known_continuum(&mut self, mut q: [f64; N], further: bool) -> bool {
+        self.out.iter().any(|s| !s.free.is_empty())
+            && self.brought_back(&mut q, STEPS).reaches(self.tolerance)
+            && !self.is_regular(&q)
+            && (further && self.may_hold(&q) || self.known_continuum(&q).is_some())
     }
 }
 

@@ -1,7 +1,7 @@
 //! Takes candidates, keeps what reaches the target, each solution and each continuum once.
 
 use super::Setting;
-use crate::ik::{Drive, Kinematics, Task, polish, same_solution};
+use crate::ik::{Drive, Kinematics, Polished, Task, polish, polish_to, same_solution};
 use crate::{Branch, FreeJoints, Real, Solution, Solutions};
 
 /// Residual (position over reach, rotation in rad) up to which a candidate is taken as it is: rounding of a chain of seven links.
@@ -78,6 +78,11 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
         polished.reaches(self.tolerance)
     }
 
+    /// Moves a joint vector onto the target, no nearer than needed.
+    pub(super) fn brought_back(&self, q: &mut [f64; N], steps: usize) -> Polished {
+        polish_to(self.arm, q, self.task, self.setting.reach, steps, 0.5 * self.tolerance)
+    }
+
     /// Where nothing reached the target and something nearly did: a root of high order, to which polishing creeps. It may take its time,
     /// and ends where rounding hides the rest.
     #[cold]
@@ -121,11 +126,8 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
         if let Some(i) = self.find(near) {
             return self.out[i].free;
         }
-        let along = |p: &[f64; N], free: FreeJoints| !free.is_empty() && self.straight_way(p, &q);
-        if let Some(i) = self.find(along) {
-            let way = self.apart(&self.out[i].q.map(T::to_f64), &q);
-            let moved = (0..N).filter(|k| way[*k].abs() > 1e-6).fold(FreeJoints::NONE, FreeJoints::with);
-            return self.free_at(i, moved);
+        if let Some(free) = self.known_continuum(&q) {
+            return free;
         }
         let freedom = self.freedom(&q);
         self.lost |= !freedom.straight;
@@ -152,6 +154,18 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
         free
     }
 
+    /// The free joints of the known continuum that holds a joint vector.
+    pub(super) fn known_continuum(&mut self, q: &[f64; N]) -> Option<FreeJoints> {
+        let along = |p: &[f64; N], free: FreeJoints| !free.is_empty() && self.straight_way(p, q);
+        if let Some(i) = self.find(along) {
+            let way = self.apart(&self.out[i].q.map(T::to_f64), q);
+            let moved = (0..N).filter(|k| way[*k].abs() > 1e-6).fold(FreeJoints::NONE, FreeJoints::with);
+            return Some(self.free_at(i, moved));
+        }
+        let around = |p: &[f64; N], free: FreeJoints| self.holds(p, free, q) && self.walk(q, p);
+        self.find(around).map(|i| self.out[i].free)
+    }
+
     /// The first solution of which this is true.
     fn find(&self, same: impl Fn(&[f64; N], FreeJoints) -> bool) -> Option<usize> {
         self.out.iter().position(|s| same(&s.q.map(T::to_f64), s.free))
@@ -159,11 +173,13 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
 
     /// Does a known continuum agree in all joints that do not move along it?
     pub(super) fn may_hold(&self, q: &[f64; N]) -> bool {
-        let holds = |p: &[f64; N], free: FreeJoints| {
-            let way = self.apart(p, q);
-            !free.is_empty() && (0..N).all(|k| free.contains(k) || way[k].abs() <= SAME)
-        };
-        self.find(holds).is_some()
+        self.find(|p, free| self.holds(p, free, q)).is_some()
+    }
+
+    /// Does a continuum with these free joints agree in all others?
+    fn holds(&self, p: &[f64; N], free: FreeJoints, q: &[f64; N]) -> bool {
+        let way = self.apart(p, q);
+        !free.is_empty() && (0..N).all(|k| free.contains(k) || way[k].abs() <= SAME)
     }
 
     /// Notes free joints of a known solution; gives back all of them.
