@@ -7,6 +7,7 @@ use dh_robot::{Branch, Elbow, ForwardKinematics, InverseKinematics, Shoulder, So
 use dh_tests::sample::Random;
 use generated_examples::cup_arm::CupArm;
 use generated_examples::kuka_kr6_r700::KukaKr6R700;
+use generated_examples::panda::Panda;
 use generated_examples::puma560::Puma560;
 use generated_examples::six_axis_chain::SixAxisChain;
 use generated_examples::stanford::Stanford;
@@ -89,50 +90,171 @@ fn named<const N: usize, const M: usize>(
     assert!(moved >= 60, "{moved}");
 }
 
-/// Looks whether names say what the frames show. `at` are the frames whose origins are shoulder, elbow and wrist centre, and the one whose
-/// z axis is that of the second joint.
-fn shown<const M: usize>(
-    arm: &impl InverseKinematics<6, M, Target = Target>,
-    pose: impl Fn(&[f64; 6]) -> (Target, [Target; 6]),
-    at: [usize; 4],
-    middle: impl Fn(&[f64; 6]) -> f64,
+/// What an arm looks like: the frames whose origins are waist (none: the base), shoulder, elbow and wrist, the one whose origin the arm faces,
+/// the frame whose z axis is that of the shoulder, and which of shoulder, elbow and wrist the frames show.
+struct Look {
+    waist: Option<usize>,
+    faces: usize,
+    points: [usize; 3],
+    across: usize,
+    named: [bool; 3],
+}
+
+const ALL: [bool; 3] = [true; 3];
+
+/// Looks whether names say what the frames show. `solve` are the solutions at the pose of some joint values, `middle` the angle of the middle
+/// wrist joint as the table has it.
+fn shown<const N: usize>(
+    name: &str,
+    solve: impl Fn(&[f64; N]) -> Vec<Solution<f64, N>>,
+    frames: impl Fn(&[f64; N]) -> [Target; N],
+    look: &Look,
+    middle: impl Fn(&[f64; N]) -> f64,
 ) {
     let mut random = Random::new(8);
+    let mut seen = 0;
     for _ in 0..60 {
-        let q: [f64; 6] = std::array::from_fn(|_| PI * random.signed());
-        for solution in &arm.inverse(&pose(&q).0) {
-            let frames = pose(&solution.q).1;
-            let [shoulder, elbow, wrist] = [at[0], at[1], at[2]].map(|k| frames[k].translation.vector);
+        let q: [f64; N] = std::array::from_fn(|_| PI * random.signed());
+        for solution in &solve(&q) {
+            let frames = frames(&solution.q);
+            let waist = look.waist.map_or(Vector3::zeros(), |k| frames[k].translation.vector);
+            let [shoulder, elbow, wrist] = look.points.map(|k| frames[k].translation.vector - waist);
             let up = Vector3::z();
-            let across = frames[at[3]].rotation * Vector3::z();
+            let across = frames[look.across].rotation * Vector3::z();
             let level = across.cross(&up).normalize();
-            let facing = level * wrist.dot(&level).signum();
+            let hand = frames[look.faces].translation.vector - waist;
+            let facing = level * hand.dot(&level).signum();
             let left = up.cross(&facing);
-            let aside = wrist.dot(&left);
+            let aside = hand.dot(&left);
             // Without a shoulder offset: the wrist is ahead, where the first frame's x axis points.
-            let is_left =
-                if aside.abs() > 1e-9 { aside > 0.0 } else { wrist.dot(&(frames[0].rotation * Vector3::x())) > 0.0 };
+            let first = frames[look.waist.unwrap_or(0)].rotation * Vector3::x();
+            let is_left = if aside.abs() > 1e-9 { aside > 0.0 } else { hand.dot(&first) > 0.0 };
             let (e, w) = (elbow - shoulder, wrist - shoulder);
             let is_up = e.dot(&up) * w.dot(&facing) > e.dot(&facing) * w.dot(&up);
-            let is_positive = middle(&solution.q) > 0.0;
+            let is_positive = middle(&solution.q).sin() > 0.0;
             let side = if is_left { Shoulder::Left } else { Shoulder::Right };
             let height = if is_up { Elbow::Up } else { Elbow::Down };
             let turn = if is_positive { Wrist::NoFlip } else { Wrist::Flip };
             let branch = solution.branch;
+            let [s, e, w] = look.named;
             assert_eq!(
-                (branch.shoulder(), branch.elbow(), branch.wrist()),
-                (Some(side), Some(height), Some(turn)),
-                "{solution}"
+                (branch.shoulder().filter(|_| s), branch.elbow().filter(|_| e), branch.wrist().filter(|_| w)),
+                (s.then_some(side), e.then_some(height), w.then_some(turn)),
+                "{name}: {solution}"
             );
+            seen += 1;
         }
     }
+    assert!(seen > 100, "{seen}");
+}
+
+dh_robot! {
+    /// The KUKA KR 6 as its maker's frames have it: the first axis points down.
+    struct Flipped;
+
+    convention = modified;
+    base = tx(0.3) * rz(40deg);
+
+    | alpha  | a     | d      | theta      |
+    | 180deg | 0     | -0.4   | q1         |
+    |  90deg | 0.025 | 0      | q2         |
+    |   0    | 0.315 | 0      | q3 - 90deg |
+    |  90deg | 0.035 | -0.365 | q4         |
+    | -90deg | 0     | 0      | q5         |
+    |  90deg | 0     | -0.08  | q6 + 180deg |
+}
+
+dh_robot! {
+    /// The same kind of arm on a track whose place the program chooses.
+    struct OnTrack;
+
+    convention = modified;
+    redundant = q1;
+
+    | alpha  | a     | d     | theta |
+    |  90deg | 0     | q1    | 0     |
+    | -90deg | 0     | 0.4   | q2    |
+    | -90deg | 0.025 | 0     | q3    |
+    |   0    | 0.455 | 0     | q4    |
+    | -90deg | 0.035 | 0.42  | q5    |
+    |  90deg | 0     | 0     | q6    |
+    | -90deg | 0     | 0.08  | q7    |
+}
+
+dh_robot! {
+    /// A painting robot's hollow wrist: its axes meet at 60 degrees. The shoulder is behind the waist.
+    struct Painter;
+
+    convention = standard;
+
+    | theta | d   | a    | alpha  |
+    | q1    | 0.7 | -0.2 | -90deg |
+    | q2    | 0.1 | 0.9  |   0    |
+    | q3    | 0   | 0.1  | -90deg |
+    | q4    | 1.1 | 0    |  60deg |
+    | q5 + 30deg | 0 | 0 | -60deg |
+    | q6    | 0.1 | 0    |   0    |
+}
+
+dh_robot! {
+    /// Seven axes; the program chooses how the elbow turns.
+    struct Seven;
+
+    convention = standard;
+    redundant = q3;
+
+    | theta | d    | a | alpha  |
+    | q1    | 0.36 | 0 | -90deg |
+    | q2    | 0    | 0 |  90deg |
+    | q3    | 0.42 | 0 |  90deg |
+    | q4    | 0    | 0 | -90deg |
+    | q5    | 0.4  | 0 | -90deg |
+    | q6    | 0    | 0 |  90deg |
+    | q7    | 0.12 | 0 |   0    |
+}
+
+/// `shown` for an arm whose inverse takes a pose alone.
+macro_rules! shown {
+    ($arm:expr, $look:expr, $middle:expr) => {{
+        let arm = $arm;
+        shown(stringify!($arm), |q| arm.inverse(&arm.forward(q)).to_vec(), |q| arm.frames(q), &$look, $middle);
+    }};
 }
 
 #[test]
 fn names_of_branches_say_what_the_frames_show() {
-    let puma = Puma560::default();
-    shown(&puma, |q| (puma.forward(q), puma.frames(q)), [1, 2, 3, 1], |q| q[4].sin());
-    shown(&KukaKr6R700, |q| (KukaKr6R700.forward(q), KukaKr6R700.frames(q)), [0, 1, 3, 0], |q| q[4].sin());
+    let craig = Look { waist: None, faces: 3, points: [1, 2, 3], across: 1, named: ALL };
+    let standard = Look { waist: None, faces: 3, points: [0, 1, 3], across: 0, named: ALL };
+    shown!(Puma560::default(), craig, |q| q[4]);
+    shown!(KukaKr6R700, standard, |q| q[4]);
+    shown!(Ur5, Look { faces: 4, ..standard }, |q| q[4]);
+    shown!(Painter, standard, |q| q[4] + PI / 6.0);
+    shown!(Stanford, Look { points: [0, 0, 3], named: [true, false, true], ..standard }, |q| q[4]);
+    shown!(Flipped, Look { waist: Some(0), ..craig }, |q| q[4]);
+    let track = Look { waist: Some(1), faces: 4, points: [2, 3, 4], across: 2, named: ALL };
+    shown("OnTrack", |q| OnTrack.inverse(&OnTrack.forward(q), q[0]).to_vec(), |q| OnTrack.frames(q), &track, |q| q[5]);
+}
+
+/// Names alone tell the solutions apart, also where a joint is given.
+#[test]
+fn names_of_branches_tell_solutions_apart_where_a_joint_is_given() {
+    let mut random = Random::new(18);
+    for _ in 0..40 {
+        let q: [f64; 7] = std::array::from_fn(|_| PI * random.signed());
+        for found in [
+            Seven.inverse(&Seven.forward(&q), q[2]),
+            OnTrack.inverse(&OnTrack.forward(&q), q[0]),
+            Panda.inverse(&Panda.forward(&q), q[6]),
+        ] {
+            for (i, solution) in found.iter().enumerate() {
+                let wanted = names(solution.branch);
+                assert!(!found[..i].iter().any(|s| names(s.branch) == wanted), "{q:?}: {wanted} twice in\n{found}");
+                let wrist = if solution.q[5].sin() > 0.0 { Wrist::NoFlip } else { Wrist::Flip };
+                let is_panda = found.joints() == &Panda::JOINTS;
+                assert!(is_panda || solution.branch.wrist() == Some(wrist), "{solution}");
+            }
+        }
+    }
 }
 
 #[test]

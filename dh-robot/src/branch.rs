@@ -15,8 +15,8 @@ pub enum Shoulder {
     Right,
 }
 
-/// On which side of the line from shoulder to wrist the elbow is, on arms whose second and third axes are parallel; else first root and
-/// second.
+/// On which side of the line from shoulder to wrist the elbow is, on arms whose second and third axes are parallel; above is where z of the
+/// table's frame 0 points, wherever `base` puts it. Else first root and second.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Elbow {
     /// The elbow is above the line.
@@ -194,27 +194,29 @@ impl fmt::Display for Wrist {
 }
 
 impl fmt::Display for Branch {
-    /// The names where there are any (`shoulder right, elbow up, wrist flip`), else the alternatives step by step
-    /// (`alternatives 0, 2, 1`), else `any`.
+    /// The names where there are any (`shoulder right, elbow up, wrist flip`); the alternatives step by step where these are more
+    /// (`alternatives 0, 2, 1`, behind a semicolon if there are names); or else `any`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut separator = "";
+        let mut names = 0;
         if let Some(shoulder) = self.shoulder() {
             write!(f, "{shoulder}")?;
-            separator = ", ";
+            (separator, names) = (", ", names + 1);
         }
         if let Some(elbow) = self.elbow() {
             write!(f, "{separator}{elbow}")?;
-            separator = ", ";
+            (separator, names) = (", ", names + 1);
         }
         if let Some(wrist) = self.wrist() {
             write!(f, "{separator}{wrist}")?;
-            separator = ", ";
+            names += 1;
         }
-        if separator.is_empty() {
-            if self.0 == 0 {
-                return f.write_str("any");
-            }
-            f.write_str("alternatives ")?;
+        if self.0 == 0 {
+            return f.write_str("any");
+        }
+        if (0..Self::STEPS).filter_map(|step| self.step(step)).count() > names {
+            f.write_str(if names > 0 { "; alternatives " } else { "alternatives " })?;
+            separator = "";
             for alternative in (0..Self::STEPS).filter_map(|step| self.step(step)) {
                 write!(f, "{separator}{alternative}")?;
                 separator = ", ";
@@ -253,7 +255,10 @@ mod tests {
         assert_eq!(branch.shoulder(), Some(Shoulder::Left));
         assert_eq!(branch.elbow(), Some(Elbow::Down));
         assert_eq!(branch.wrist(), Some(Wrist::NoFlip));
-        assert_eq!(branch.to_string(), "shoulder left, elbow down, wrist no flip");
+        assert_eq!(
+            branch.to_string(),
+            "shoulder left, elbow down, wrist no flip; alternatives 0, 7, 14, 21, 28, 4, 11, 18"
+        );
         assert_eq!(branch.with_elbow(Elbow::Up).with_elbow(Elbow::Down), branch);
         assert_eq!(branch.with_step(3, 0).with_step(3, 21), branch);
     }
@@ -288,6 +293,8 @@ mod tests {
         assert_eq!(Branch::ANY.to_string(), "any");
         assert_eq!(Branch::ANY.with_step(0, 0).with_step(3, 12).to_string(), "alternatives 0, 12");
         assert_eq!(Branch::ANY.with_elbow(Elbow::Up).with_step(1, 1).to_string(), "elbow up");
+        let more = Branch::ANY.with_elbow(Elbow::Up).with_step(0, 3).with_step(1, 1);
+        assert_eq!(more.to_string(), "elbow up; alternatives 3, 1");
         assert_eq!(format!("{:?}", Branch::ANY.with_elbow(Elbow::Up).with_step(1, 1)), "Branch(elbow up; 1:1)");
     }
 }

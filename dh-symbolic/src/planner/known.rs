@@ -285,6 +285,11 @@ impl Knowledge {
 }
 
 impl Known {
+    /// The combination's value at given coordinates.
+    pub fn at(&self, x: &[f64]) -> f64 {
+        self.form.iter().zip(x).map(|(k, x)| f64::from(*k) * x).sum()
+    }
+
     /// Cosine and sine, or the length twice, at given coordinates.
     pub fn value(&self, x: &[f64]) -> [f64; 2] {
         let u: f64 = self.form.iter().zip(x).map(|(k, x)| f64::from(*k) * x).sum();

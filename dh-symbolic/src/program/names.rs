@@ -5,6 +5,7 @@
 //! axes, other joints) keeps the order of its roots.
 
 use super::Inverse;
+use crate::algebra::Transform;
 use crate::chain::Chain;
 use crate::planner::kernels::pose::{cross, dot};
 use crate::planner::{joint_vectors, numeric};
@@ -31,20 +32,46 @@ impl Names {
 }
 
 impl Inverse {
-    /// Which part of an arm with six joints a step with two roots decides: 0 shoulder, 1 elbow, 2 wrist; each part once. A sum of angles
-    /// belongs to its last joint: `q2 + q3 + q4` is how the hand points, not where the elbow is.
+    /// Which part of an arm a step with two roots decides: 0 shoulder, 1 elbow, 2 wrist; each part once.
+    ///
+    /// Of the joints that are solved for the first is the shoulder's, the second and third are the elbow's, the others the wrist's. A sum of
+    /// angles belongs to its last joint: `q2 + q3 + q4` is how the hand points, not where the elbow is. Where two steps would have one name,
+    /// and there are names enough, they have them in the order of their joints.
     pub fn part(&self, step: usize) -> Option<usize> {
-        let part = |i: usize| {
-            let step = self.plan.steps.get(i).filter(|s| s.roots == 2)?;
-            let form = step.unknown.first()?;
-            match (0..self.plan.axes.real).rev().find(|k| form.get(*k).is_some_and(|x| *x != 0))? {
-                0 => Some(0),
-                1 | 2 => Some(1),
-                _ => Some(2),
-            }
-        };
-        let own = part(step)?;
-        (!(0..step).any(|k| part(k) == Some(own))).then_some(own)
+        let joints = self.solved();
+        // The joint that each step with two roots decides, in order.
+        let mut places: Vec<(usize, usize)> = (0..self.plan.steps.len())
+            .filter_map(|i| {
+                let step = self.plan.steps.get(i).filter(|s| s.roots == 2)?;
+                let form = step.unknown.first()?;
+                let place = joints.iter().rposition(|k| form.get(*k).is_some_and(|x| *x != 0))?;
+                Some((place, i))
+            })
+            .collect();
+        places.sort_unstable();
+        let plain = |place: usize| [0, 1, 1].get(place).copied().unwrap_or(2);
+        let mut parts: Vec<usize> = places.iter().map(|p| plain(p.0)).collect();
+        if let ([a, b], 2) = (parts.as_slice(), parts.len()) {
+            parts = match (*a, *b) {
+                (1, 1) => vec![0, 1],
+                (2, 2) => vec![1, 2],
+                (a, b) => vec![a, b],
+            };
+        } else if parts.len() == PARTS {
+            parts = vec![0, 1, 2];
+        }
+        let own = places.iter().position(|p| p.1 == step)?;
+        let part = *parts.get(own)?;
+        // Of too many steps the first of the plan has the name.
+        let earlier = |k: usize| parts[k] == part && places[k].1 < step;
+        (!(0..parts.len()).any(earlier)).then_some(part)
+    }
+
+    /// The joints that are solved for.
+    fn solved(&self) -> Vec<usize> {
+        let given = self.plan.knowledge.known.get(..self.plan.given).unwrap_or_default();
+        let open = |k: &usize| !given.iter().any(|g| g.form.get(*k).is_some_and(|x| *x != 0));
+        (0..self.plan.axes.real).filter(open).collect()
     }
 
     /// The names of the roots of shoulder, elbow and wrist.
@@ -53,7 +80,8 @@ impl Inverse {
         let axes = &self.plan.axes;
         let step_of = |part: usize| (0..self.plan.steps.len()).find(|i| self.part(*i) == Some(part));
         let steps: [Option<usize>; PARTS] = std::array::from_fn(step_of);
-        if axes.real != 6 || axes.count() != 6 || steps == [None; PARTS] {
+        let solved = self.solved();
+        if solved.len() != 6 || axes.count() != axes.real || steps == [None; PARTS] {
             return names;
         }
         // How often the first root is the first name: as it is, and with the shoulder's second root turning it round; of how many.
@@ -63,8 +91,9 @@ impl Inverse {
             let Some(last) = axes.frames_number(&x).pop() else { continue };
             let compose = crate::planner::kernels::pose::compose;
             let target = compose(&compose(&constant(&axes.start), &last), &constant(&axes.end));
-            for candidate in self.solve(chain, &target, &[]) {
-                let sides = self.sides(chain, &candidate.x);
+            let given: Vec<f64> = self.plan.knowledge.known[..self.plan.given].iter().map(|k| k.at(&x)).collect();
+            for candidate in self.solve(chain, &target, &given) {
+                let sides = self.sides(chain, &candidate.x, &solved);
                 let root = |part: usize| steps[part].and_then(|i| candidate.branch.get(i).copied());
                 for (part, votes) in votes.iter_mut().enumerate() {
                     let (Some(side), Some(root_taken)) = (sides[part], root(part)) else { continue };
@@ -89,29 +118,49 @@ impl Inverse {
         names
     }
 
+    /// The z axis of frame 0 as the first axis sees it.
+    fn upright(&self, chain: &Chain) -> [f64; 3] {
+        let axes = &self.plan.axes;
+        let base = chain.base.iter().fold(Transform::identity(), |t, e| t.times(&e.transform()));
+        let (base, start) = (numeric(chain, &base, axes.reach), numeric(chain, &axes.start, axes.reach));
+        [0, 1, 2].map(|j| (0..3).map(|i| start[i][j] * base[i][2]).sum())
+    }
+
     /// Left shoulder, elbow up, wrist not flipped: what joint coordinates say, where the arm has such a thing.
-    fn sides(&self, chain: &Chain, x: &[f64]) -> [Option<bool>; PARTS] {
+    fn sides(&self, chain: &Chain, x: &[f64], solved: &[usize]) -> [Option<bool>; PARTS] {
         let axes = &self.plan.axes;
         let frames = axes.frames_number(x);
         // Point and direction of each axis.
-        let axis = |joint: usize| {
+        let axis = |place: usize| {
+            let joint = *solved.get(place)?;
             let hop = axes.hops.iter().position(|h| h.joint == Some(joint))?;
             let t = frames.get(hop + 1).filter(|_| axes.turns(joint))?;
             Some(([t[0][3], t[1][3], t[2][3]], [t[0][2], t[1][2], t[2][2]]))
         };
-        let minus = |a: [f64; 3], b: [f64; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
         let mut sides = [None; PARTS];
-        let (Some(waist), Some(shoulder), Some(fourth), Some(fifth)) = (axis(0), axis(1), axis(3), axis(4)) else {
-            return sides;
-        };
-        // The wrist: the point of axis 4 that is nearest to axis 5.
-        let normal = cross(fourth.1, fifth.1);
-        let size = dot(normal, normal);
-        if size < NOTHING {
+        let middle = solved.get(4).copied().unwrap_or_default();
+        let offset =
+            chain.joints.get(middle).and_then(|j| chain.links.get(j.row)).map_or(0.0, |l| l.theta.constant.radians());
+        sides[2] = x.get(middle).map(|angle| (angle + offset).sin() > 0.0);
+        // A joint that is given may carry the arm, not stand in it.
+        if solved.windows(2).any(|w| w[1] != w[0] + 1) {
             return sides;
         }
-        let along = dot(cross(minus(fifth.0, fourth.0), fifth.1), normal) / size;
-        let wrist = [0, 1, 2].map(|i| fourth.0[i] + along * fourth.1[i]);
+        let (Some(mut waist), Some(shoulder), Some(fourth), Some(fifth)) = (axis(0), axis(1), axis(3), axis(4)) else {
+            return sides;
+        };
+        // Above is where the z axis of frame 0 points, also where the first joint turns about its negative.
+        if dot(self.upright(chain), waist.1) < -0.5 {
+            waist.1 = waist.1.map(|x| -x);
+        }
+        let parallel = |a: [f64; 3], b: [f64; 3]| dot(cross(a, b), cross(a, b)) < NOTHING;
+        let elbow = axis(2).filter(|elbow| parallel(elbow.1, shoulder.1));
+        let Some(wrist) = nearest(fourth, fifth) else { return sides };
+        // Where axis 4 is parallel to these too, it is the next point whose place does not depend on how the elbow bends.
+        let hand = match (elbow, axis(5)) {
+            (Some(elbow), Some(sixth)) if parallel(elbow.1, fourth.1) => nearest(fifth, sixth).unwrap_or(wrist),
+            _ => wrist,
+        };
         // Forward: away from the waist where the shoulder is ahead of it, else along the first frame's x axis.
         let ahead = cross(shoulder.1, waist.1);
         let length = dot(ahead, ahead).sqrt();
@@ -119,27 +168,38 @@ impl Inverse {
             return sides;
         }
         let offset = dot(minus(shoulder.0, waist.0), ahead) / length;
-        let first = axes.hops.iter().position(|h| h.joint == Some(0)).and_then(|hop| frames.get(hop + 1));
+        let first =
+            axes.hops.iter().position(|h| h.joint == solved.first().copied()).and_then(|hop| frames.get(hop + 1));
         let along_x = first.map_or(0.0, |t| dot([t[0][0], t[1][0], t[2][0]], ahead) / length);
         let sign = if offset.abs() > NOTHING { offset } else { along_x };
         if sign.abs() <= NOTHING {
             return sides;
         }
         let forward = ahead.map(|x| if sign < 0.0 { -x / length } else { x / length });
-        let reach = dot(minus(wrist, waist.0), forward);
+        let reach = dot(minus(hand, waist.0), forward);
         let facing = if reach < 0.0 { forward.map(|x| -x) } else { forward };
         let left = cross(waist.1, facing);
-        let aside = dot(minus(wrist, waist.0), left);
+        let aside = dot(minus(hand, waist.0), left);
         sides[0] = Some(if aside.abs() > NOTHING { aside > 0.0 } else { reach > 0.0 });
-        if let Some(elbow) = axis(2)
-            && dot(cross(elbow.1, shoulder.1), cross(elbow.1, shoulder.1)) < NOTHING
-        {
+        if let Some(elbow) = elbow {
             let turned = cross(minus(elbow.0, shoulder.0), minus(wrist, shoulder.0));
             sides[1] = Some(dot(turned, left) > 0.0);
         }
-        let offset =
-            chain.joints.get(4).and_then(|j| chain.links.get(j.row)).map_or(0.0, |l| l.theta.constant.radians());
-        sides[2] = x.get(4).map(|angle| (angle + offset).sin() > 0.0);
         sides
     }
+}
+
+/// A point and a direction.
+type Line = ([f64; 3], [f64; 3]);
+
+fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// The point of one line that is nearest to another; none where they are parallel.
+fn nearest(a: Line, b: Line) -> Option<[f64; 3]> {
+    let normal = cross(a.1, b.1);
+    let size = dot(normal, normal);
+    let along = dot(cross(minus(b.0, a.0), b.1), normal) / size;
+    (size >= NOTHING).then(|| [0, 1, 2].map(|i| a.0[i] + along * a.1[i]))
 }
