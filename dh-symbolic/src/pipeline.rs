@@ -85,6 +85,12 @@ fn inverse(head: &Head, chain: &Chain, forward: &Forward, parsed: &mut Parsed) -
         }
         return String::new();
     }
+    if chain.task == Task::Planar && planner::is_upright(chain) {
+        let text = "`task = planar` asks for the angle of the tool's x axis about z, and this axis points along z";
+        let help = "turn the tool, `tool = ry(90deg);` for example, so that its x axis lies in the plane; or take another task";
+        parsed.errors.push(Error::new(parsed.origins.setting("task"), text).help(help));
+        return String::new();
+    }
     let plan = match planner::search(chain) {
         Ok(plan) => plan,
         Err(refusal) => {

@@ -32,7 +32,7 @@ pub(crate) use axes::{generic_parameter, numeric};
 pub use known::{Collected, Knowledge, Known, KnownPose, Part};
 pub use mobility::Mobility;
 pub(crate) use plane::constant_height;
-pub use plane::tilting_joints;
+pub use plane::{is_upright, tilting_joints};
 pub(crate) use sample::joint_vectors;
 pub use scalar::{Equation, Scalar};
 pub use search::search;

@@ -18,6 +18,12 @@ pub fn tilting_joints(chain: &Chain) -> Vec<usize> {
     (0..chain.dof()).filter(|k| chain.joints.get(*k).is_some_and(|j| tilts(&j.coordinate))).collect()
 }
 
+/// Does the tool's x axis always stand along z, so that it has no angle about z?
+pub fn is_upright(chain: &Chain) -> bool {
+    let pose = Kinematics::new(chain).pose();
+    pose.r[0][0].is_zero() && pose.r[1][0].is_zero()
+}
+
 fn moves(entry: &Poly, coordinate: &Coordinate) -> bool {
     match coordinate {
         Coordinate::Length(s) => entry.symbols().contains(s),
