@@ -1,10 +1,10 @@
-//! Targets near singular configurations: how many each solver loses, and how wrong its answers are.
+//! Targets near singular configurations: how many each solver loses, how wrong its answers are, and how long it takes.
 
 use std::f64::consts::PI;
 
 use crate::arms::Singular as At;
 use crate::peer::Peer;
-use crate::{Arm, Ours, Pose, Quality, Random, Visit, quality};
+use crate::{Arm, Ours, Pose, Quality, Random, Visit, baseline, median, quality};
 
 /// How far the joint is from its singular value, in radians.
 const OFFSETS: [f64; 4] = [0.0, 1e-9, 1e-6, 1e-3];
@@ -14,7 +14,18 @@ pub const NAMES: [&str; 8] =
 /// Poses of a set.
 const POSES: usize = 1000;
 
-/// Prints the rows of the second table: `lost / solutions per pose / worst error`.
+/// Poses that are timed, and repetitions of which the median is taken.
+const TIMED: usize = 100;
+const REPETITIONS: usize = 5;
+
+/// Time of a pose on average, in S.
+fn time<const N: usize>(peer: &dyn Peer<N>, targets: &[Pose], random: &mut Random) -> f64 {
+    let angles: Vec<[f64; 6]> = (0..10_000).map(|_| std::array::from_fn(|_| random.uniform() * PI)).collect();
+    let ratio = |_| peer.pass(targets) / targets.len() as f64 / (baseline(&angles) / angles.len() as f64);
+    median((0..REPETITIONS).map(ratio).collect())
+}
+
+/// Prints the rows of the second table: `lost / solutions per pose / worst error / time in S`.
 pub struct Singular;
 
 impl Visit for Singular {
@@ -50,7 +61,8 @@ impl Visit for Singular {
                         })
                         .collect();
                     let Quality { solutions, lost, worst } = quality(robot, peer, &targets);
-                    cells.push(format!("{lost} / {solutions:.2} / {worst:.0e}"));
+                    let time = time(peer, &targets[..TIMED], &mut random);
+                    cells.push(format!("{lost} / {solutions:.2} / {worst:.0e} / {time:.0}"));
                 }
             }
             println!("| {title} | {} | {} |", peer.name(), cells.join(" | "));
