@@ -240,6 +240,7 @@ impl Cobra600 {
         };
         for (i0, &q3) in r0.or_if_free(pick.length(0)).iter().enumerate() {
             let a0 = q3 * 0.987;
+            let t_4 = q3 * (0.78419452887538 - q3);
             let r1 = ::dh_robot::ik::solve_pair(
                 1.0,
                 0.0,
@@ -264,17 +265,17 @@ impl Cobra600 {
                 let r2 = ::dh_robot::ik::solve_sincos(
                     0.18348972303573616,
                     0.0,
-                    q3 * (0.78419452887538 - q3) + t_3,
+                    t_4 + t_3,
                     1e-11,
                 );
                 if !r2.is_regular() {
                     attempt
-                        .note_distance(
+                        .note_law(
                             r2.outcome,
                             free,
                             "elbow q2",
-                            t_2,
-                            q3 * (0.78419452887538 - q3) + t_3,
+                            [-(t_4 - 0.3397962776479236), t_4 + t_3],
+                            false,
                             0.987,
                             "m",
                         );
@@ -287,19 +288,19 @@ impl Cobra600 {
                 };
                 for (i2, &[c2, s2]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s2, c2);
-                    let t_4 = 0.32928064842958465 + 0.27862208713272546 * c2;
-                    let t_5 = 0.27862208713272546 * s2;
+                    let t_5 = 0.32928064842958465 + 0.27862208713272546 * c2;
+                    let t_6 = 0.27862208713272546 * s2;
                     let r3 = ::dh_robot::ik::solve_pair(
-                        t_4,
-                        -t_5,
-                        t[0][3],
                         t_5,
-                        t_4,
+                        -t_6,
+                        t[0][3],
+                        t_6,
+                        t_5,
                         t[1][3],
                         1e-11,
                     );
                     if !r3.is_regular() {
-                        attempt.note(r3.outcome, free, "q1", 0.987, "m");
+                        attempt.note(r3.outcome, free, "q1", 1.0, "");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
@@ -480,6 +481,9 @@ impl ::dh_robot::ik::Kinematics<4> for Cobra600 {
                 [1.0, 1.0, 0.0, -1.0],
             ],
         )
+    }
+    fn unit(&self) -> &'static str {
+        "m"
     }
 }
 impl ::dh_robot::InverseKinematics<4, 2, f64> for Cobra600 {

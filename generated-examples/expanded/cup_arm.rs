@@ -400,12 +400,12 @@ impl CupArm {
             );
             if !r1.is_regular() {
                 attempt
-                    .note_distance(
+                    .note_law(
                         r1.outcome,
                         free,
                         "elbow q3",
-                        t_3 + t_10 * t_10 + t_11 * t_11,
-                        t_13,
+                        [0.25430164946006883, t_13],
+                        false,
                         954.0,
                         "mm",
                     );
@@ -430,7 +430,7 @@ impl CupArm {
                     1e-11,
                 );
                 if !r2.is_regular() {
-                    attempt.note(r2.outcome, free, "q2", 954.0, "mm");
+                    attempt.note(r2.outcome, free, "q2", 1.0, "");
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;

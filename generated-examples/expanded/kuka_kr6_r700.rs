@@ -395,12 +395,15 @@ impl KukaKr6R700 {
             );
             if !r1.is_regular() {
                 attempt
-                    .note_distance(
+                    .note_law(
                         r1.outcome,
                         free,
                         "elbow q3",
-                        t_6 * t_6 + t_7 * t_7 + t_5,
-                        t_14 + t_6 * t_6 + t_7 * t_7 + t_5 - 0.15699744692287015,
+                        [
+                            0.15699744692287015,
+                            t_14 + t_6 * t_6 + t_7 * t_7 + t_5 - 0.15699744692287015,
+                        ],
+                        false,
                         1.2200000000000002,
                         "m",
                     );
@@ -425,7 +428,7 @@ impl KukaKr6R700 {
                     1e-11,
                 );
                 if !r2.is_regular() {
-                    attempt.note(r2.outcome, free, "q2", 1.2200000000000002, "m");
+                    attempt.note(r2.outcome, free, "q2", 1.0, "");
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;

@@ -274,6 +274,9 @@ impl ::dh_robot::ik::Kinematics<2> for LegWheel {
             ],
         )
     }
+    fn unit(&self) -> &'static str {
+        "m"
+    }
     fn drive(&self) -> ::core::option::Option<::dh_robot::ik::Drive<2>> {
         let det = self.p;
         ::core::option::Option::Some(::dh_robot::ik::Drive {

@@ -497,12 +497,12 @@ impl Panda {
         );
         if !r0.is_regular() {
             attempt
-                .note_distance(
+                .note_law(
                     r0.outcome,
                     free,
-                    "wrist q4",
-                    t_12 * t_12 + t_13 * t_13 + t_14 * t_14,
-                    t_16,
+                    "elbow q4",
+                    [0.13446604368370413, t_16],
+                    false,
                     1.393,
                     "m",
                 );
@@ -520,7 +520,7 @@ impl Panda {
                 - 0.059224694903086864 * s4;
             let r1 = ::dh_robot::ik::solve_sincos(0.0, t_20, -t_17, 1e-11);
             if !r1.is_regular() {
-                attempt.note(r1.outcome, free, "q5", 1.393, "m");
+                attempt.note(r1.outcome, free, "wrist q5", 1.393, "m");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -543,7 +543,7 @@ impl Panda {
                     1e-11,
                 );
                 if !r2.is_regular() {
-                    attempt.note(r2.outcome, free, "q6", 1.393, "m");
+                    attempt.note(r2.outcome, free, "q6", 1.0, "");
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;
@@ -639,14 +639,21 @@ impl Panda {
                                 let a6 = ::dh_robot::math::atan2(s3, c3);
                                 let branch = ::dh_robot::Branch::ANY
                                     .with_step(0, i0)
-                                    .with_wrist(
+                                    .with_elbow(
                                         if i0 == 0 {
+                                            ::dh_robot::Elbow::Up
+                                        } else {
+                                            ::dh_robot::Elbow::Down
+                                        },
+                                    )
+                                    .with_step(1, i1)
+                                    .with_wrist(
+                                        if i1 == 0 {
                                             ::dh_robot::Wrist::NoFlip
                                         } else {
                                             ::dh_robot::Wrist::Flip
                                         },
                                     )
-                                    .with_step(1, i1)
                                     .with_step(2, i3)
                                     .with_shoulder(
                                         if i3 == 0 {
@@ -704,14 +711,17 @@ impl Panda {
             let i3 = l / 4 % 2;
             all[l] = ::dh_robot::Branch::ANY
                 .with_step(0, i0)
+                .with_elbow(
+                    if i0 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                )
+                .with_step(1, i1)
                 .with_wrist(
-                    if i0 == 0 {
+                    if i1 == 0 {
                         ::dh_robot::Wrist::NoFlip
                     } else {
                         ::dh_robot::Wrist::Flip
                     },
                 )
-                .with_step(1, i1)
                 .with_step(2, i3)
                 .with_shoulder(
                     if i3 == 0 {

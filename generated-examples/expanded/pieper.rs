@@ -763,7 +763,7 @@ impl Pieper {
                 1e-11,
             );
             if !r1.is_regular() {
-                attempt.note(r1.outcome, free, "q2", 6.19664904810903, "m");
+                attempt.note(r1.outcome, free, "q2", 1.0, "");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;

@@ -198,20 +198,16 @@ impl Planar2r {
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
         let t_3 = self.l1 * 0.6169456328833773;
         let t_4 = self.l2 * 0.6169456328833773;
-        let r0 = ::dh_robot::ik::solve_sincos(
-            2.0 * t_3 * t_4,
-            0.0,
-            t_2 - (t_3 * t_3 + t_4 * t_4),
-            1e-11,
-        );
+        let t_5 = t_3 * t_3 + t_4 * t_4;
+        let r0 = ::dh_robot::ik::solve_sincos(2.0 * t_3 * t_4, 0.0, t_2 - t_5, 1e-11);
         if !r0.is_regular() {
             attempt
-                .note_distance(
+                .note_law(
                     r0.outcome,
                     free,
                     "elbow q2",
-                    t_2,
-                    t_2 - (t_3 * t_3 + t_4 * t_4),
+                    [t_5, t_2 - t_5],
+                    false,
                     1.6208883679528896,
                     "m",
                 );
@@ -234,7 +230,7 @@ impl Planar2r {
                 1e-11,
             );
             if !r1.is_regular() {
-                attempt.note(r1.outcome, free, "q1", 1.6208883679528896, "m");
+                attempt.note(r1.outcome, free, "q1", 1.0, "");
             }
             let free = if r1.is_free() {
                 attempt.degenerate = true;
@@ -285,6 +281,9 @@ impl ::dh_robot::ik::Kinematics<2> for Planar2r {
             [[c12, -s12, 0.0, t_4], [s12, c12, 0.0, t_5], [0.0, 0.0, 1.0, 0.0]],
             [[-t_5, -t_3], [t_4, t_2], [0.0, 0.0], [0.0, 0.0], [0.0, 0.0], [1.0, 1.0]],
         )
+    }
+    fn unit(&self) -> &'static str {
+        "m"
     }
 }
 impl ::dh_robot::InverseKinematics<2, 2, f64> for Planar2r {

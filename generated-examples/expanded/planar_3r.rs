@@ -237,7 +237,7 @@ impl Planar3r {
         let t_5 = t[2][3] - t[2][0] * t_2;
         let t_6 = self.l1 * 0.1233344697274758;
         let t_7 = self.l2 * 0.1233344697274758;
-        let t_8 = t_3 * t_3 + t_4 * t_4 + t_5 * t_5 - (t_6 * t_6 + t_7 * t_7);
+        let t_8 = t_6 * t_6 + t_7 * t_7;
         let r0 = ::dh_robot::ik::solve_pair(
             1.0,
             0.0,
@@ -258,15 +258,20 @@ impl Planar3r {
         };
         for (i0, &[c123, s123]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
             let a0 = ::dh_robot::math::atan2(s123, c123);
-            let r1 = ::dh_robot::ik::solve_sincos(2.0 * t_6 * t_7, 0.0, t_8, 1e-11);
+            let r1 = ::dh_robot::ik::solve_sincos(
+                2.0 * t_6 * t_7,
+                0.0,
+                t_3 * t_3 + t_4 * t_4 + t_5 * t_5 - t_8,
+                1e-11,
+            );
             if !r1.is_regular() {
                 attempt
-                    .note_distance(
+                    .note_law(
                         r1.outcome,
                         free,
                         "elbow q2",
-                        t_3 * t_3 + t_4 * t_4 + t_5 * t_5,
-                        t_8,
+                        [t_8, t_3 * t_3 + t_4 * t_4 + t_5 * t_5 - t_8],
+                        false,
                         8.108033400635161,
                         "m",
                     );
@@ -291,7 +296,7 @@ impl Planar3r {
                     1e-11,
                 );
                 if !r2.is_regular() {
-                    attempt.note(r2.outcome, free, "q1", 8.108033400635161, "m");
+                    attempt.note(r2.outcome, free, "q1", 1.0, "");
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;

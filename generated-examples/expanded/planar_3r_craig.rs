@@ -216,6 +216,7 @@ impl Planar3rCraig {
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
         let t_3 = self.l1 * 0.14107434153130033;
         let t_4 = self.l2 * 0.14107434153130033;
+        let t_5 = t_3 * t_3 + t_4 * t_4;
         let r0 = ::dh_robot::ik::solve_pair(
             1.0,
             0.0,
@@ -239,17 +240,17 @@ impl Planar3rCraig {
             let r1 = ::dh_robot::ik::solve_sincos(
                 2.0 * t_3 * t_4,
                 0.0,
-                t_2 - (t_3 * t_3 + t_4 * t_4),
+                t_2 - t_5,
                 1e-11,
             );
             if !r1.is_regular() {
                 attempt
-                    .note_distance(
+                    .note_law(
                         r1.outcome,
                         free,
                         "elbow q2",
-                        t_2,
-                        t_2 - (t_3 * t_3 + t_4 * t_4),
+                        [t_5, t_2 - t_5],
+                        false,
                         7.088461226509633,
                         "m",
                     );
@@ -262,19 +263,19 @@ impl Planar3rCraig {
             };
             for (i1, &[c2, s2]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s2, c2);
-                let t_5 = t_3 + t_4 * c2;
-                let t_6 = t_4 * s2;
+                let t_6 = t_3 + t_4 * c2;
+                let t_7 = t_4 * s2;
                 let r2 = ::dh_robot::ik::solve_pair(
-                    t_5,
-                    -t_6,
-                    t[0][3],
                     t_6,
-                    t_5,
+                    -t_7,
+                    t[0][3],
+                    t_7,
+                    t_6,
                     t[1][3],
                     1e-11,
                 );
                 if !r2.is_regular() {
-                    attempt.note(r2.outcome, free, "q1", 7.088461226509633, "m");
+                    attempt.note(r2.outcome, free, "q1", 1.0, "");
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;

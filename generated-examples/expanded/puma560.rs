@@ -358,6 +358,7 @@ impl Puma560 {
         let t_5 = 2.0 * t_4;
         let t_6 = self.a3 * 0.9507065940252585;
         let t_7 = self.d4 * 0.9507065940252585;
+        let t_8 = t_4 * t_4 + t_6 * t_6 + t_3 * t_3 + t_7 * t_7;
         let r0 = ::dh_robot::ik::solve_sincos(-t[1][3], t[0][3], -t_3, 1e-11);
         if !r0.is_regular() {
             attempt.note(r0.outcome, free, "shoulder q1", 1.0518492311766083, "m");
@@ -370,27 +371,27 @@ impl Puma560 {
         };
         for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
             let a0 = ::dh_robot::math::atan2(s1, c1);
-            let t_8 = t[0][3] * c1 + t[1][3] * s1;
-            let t_9 = t[0][0] * c1 + t[1][0] * s1;
-            let t_10 = t[0][0] * s1 - t[1][0] * c1;
-            let t_11 = t[0][1] * c1 + t[1][1] * s1;
-            let t_12 = t[0][1] * s1 - t[1][1] * c1;
-            let t_13 = t[0][2] * c1 + t[1][2] * s1;
-            let t_14 = t[0][2] * s1 - t[1][2] * c1;
+            let t_9 = t[0][3] * c1 + t[1][3] * s1;
+            let t_10 = t[0][0] * c1 + t[1][0] * s1;
+            let t_11 = t[0][0] * s1 - t[1][0] * c1;
+            let t_12 = t[0][1] * c1 + t[1][1] * s1;
+            let t_13 = t[0][1] * s1 - t[1][1] * c1;
+            let t_14 = t[0][2] * c1 + t[1][2] * s1;
+            let t_15 = t[0][2] * s1 - t[1][2] * c1;
             let r1 = ::dh_robot::ik::solve_sincos(
                 t_5 * t_6,
                 -t_5 * t_7,
-                t_2 - (t_4 * t_4 + t_6 * t_6 + t_3 * t_3 + t_7 * t_7),
+                t_2 - t_8,
                 1e-11,
             );
             if !r1.is_regular() {
                 attempt
-                    .note_distance(
+                    .note_law(
                         r1.outcome,
                         free,
                         "elbow q3",
-                        t_2,
-                        t_2 - (t_4 * t_4 + t_6 * t_6 + t_3 * t_3 + t_7 * t_7),
+                        [t_8, t_2 - t_8],
+                        false,
                         1.0518492311766083,
                         "m",
                     );
@@ -404,16 +405,16 @@ impl Puma560 {
             for (i1, &[c3, s3]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s3, c3);
                 let r2 = ::dh_robot::ik::solve_pair(
-                    -t_8,
+                    -t_9,
                     t[2][3],
                     -(t_4 + t_6 * c3 - t_7 * s3),
                     t[2][3],
-                    t_8,
+                    t_9,
                     -(t_6 * s3 + t_7 * c3),
                     1e-11,
                 );
                 if !r2.is_regular() {
-                    attempt.note(r2.outcome, free, "q2", 1.0518492311766083, "m");
+                    attempt.note(r2.outcome, free, "q2", 1.0, "");
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;
@@ -423,14 +424,14 @@ impl Puma560 {
                 };
                 for (i2, &[c2, s2]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
                     let a2 = ::dh_robot::math::atan2(s2, c2);
-                    let t_15 = c3 * c2 - s3 * s2;
-                    let t_16 = c3 * s2 + s3 * c2;
-                    let t_17 = t_9 * t_15 - t[2][0] * t_16;
-                    let t_18 = t_9 * t_16 + t[2][0] * t_15;
-                    let t_19 = t_11 * t_15 - t[2][1] * t_16;
-                    let t_20 = t_11 * t_16 + t[2][1] * t_15;
-                    let t_21 = t_13 * t_15 - t[2][2] * t_16;
-                    let r3 = ::dh_robot::ik::solve_sincos(-t_14, t_21, 0.0, 1e-11);
+                    let t_16 = c3 * c2 - s3 * s2;
+                    let t_17 = c3 * s2 + s3 * c2;
+                    let t_18 = t_10 * t_16 - t[2][0] * t_17;
+                    let t_19 = t_10 * t_17 + t[2][0] * t_16;
+                    let t_20 = t_12 * t_16 - t[2][1] * t_17;
+                    let t_21 = t_12 * t_17 + t[2][1] * t_16;
+                    let t_22 = t_14 * t_16 - t[2][2] * t_17;
+                    let r3 = ::dh_robot::ik::solve_sincos(-t_15, t_22, 0.0, 1e-11);
                     if !r3.is_regular() {
                         attempt.note(r3.outcome, free, "wrist q4", 1.0, "");
                     }
@@ -446,15 +447,15 @@ impl Puma560 {
                         .enumerate()
                     {
                         let a3 = ::dh_robot::math::atan2(s4, c4);
-                        let t_22 = t_17 * c4 + t_10 * s4;
-                        let t_23 = t_19 * c4 + t_12 * s4;
+                        let t_23 = t_18 * c4 + t_11 * s4;
+                        let t_24 = t_20 * c4 + t_13 * s4;
                         let r4 = ::dh_robot::ik::solve_pair(
                             0.0,
                             -1.0,
-                            t_21 * c4 + t_14 * s4,
+                            t_22 * c4 + t_15 * s4,
                             1.0,
                             0.0,
-                            -(t_13 * t_16 + t[2][2] * t_15),
+                            -(t_14 * t_17 + t[2][2] * t_16),
                             1e-11,
                         );
                         if !r4.is_regular() {
@@ -475,10 +476,10 @@ impl Puma560 {
                             let r5 = ::dh_robot::ik::solve_pair(
                                 1.0,
                                 0.0,
-                                t_22 * c5 - t_18 * s5,
+                                t_23 * c5 - t_19 * s5,
                                 0.0,
                                 -1.0,
-                                t_23 * c5 - t_20 * s5,
+                                t_24 * c5 - t_21 * s5,
                                 1e-11,
                             );
                             if !r5.is_regular() {

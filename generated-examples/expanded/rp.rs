@@ -313,6 +313,9 @@ impl ::dh_robot::ik::Kinematics<2> for Rp {
             [[-t_3, -s1], [-t_2, c1], [0.0, 0.0], [0.0, 0.0], [0.0, 0.0], [1.0, 0.0]],
         )
     }
+    fn unit(&self) -> &'static str {
+        "m"
+    }
 }
 impl ::dh_robot::InverseKinematics<2, 1, f64> for Rp {
     type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;

@@ -320,6 +320,9 @@ impl ::dh_robot::ik::Kinematics<2> for RpParallel {
             [[-t_3, 0.0], [t_2, 0.0], [0.0, 1.0], [0.0, 0.0], [0.0, 0.0], [1.0, 0.0]],
         )
     }
+    fn unit(&self) -> &'static str {
+        "m"
+    }
 }
 impl ::dh_robot::InverseKinematics<2, 1, f64> for RpParallel {
     type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;

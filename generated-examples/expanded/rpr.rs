@@ -388,6 +388,9 @@ impl ::dh_robot::ik::Kinematics<3> for Rpr {
             ],
         )
     }
+    fn unit(&self) -> &'static str {
+        "m"
+    }
 }
 impl ::dh_robot::InverseKinematics<3, 1, f64> for Rpr {
     type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;

@@ -242,6 +242,7 @@ impl RrrIntersecting {
         let t_3 = self.d2 * 0.9367557098744688;
         let t_4 = self.l2 * 0.9367557098744688;
         let t_5 = self.l3 * 0.9367557098744688;
+        let t_6 = t_3 * t_3 + t_4 * t_4 + t_5 * t_5;
         let r0 = ::dh_robot::ik::solve_sincos(-t[1][3], t[0][3], -t_3, 1e-11);
         if !r0.is_regular() {
             attempt.note(r0.outcome, free, "shoulder q1", 1.0675141762776192, "m");
@@ -254,21 +255,21 @@ impl RrrIntersecting {
         };
         for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
             let a0 = ::dh_robot::math::atan2(s1, c1);
-            let t_6 = t[0][3] * c1 + t[1][3] * s1;
+            let t_7 = t[0][3] * c1 + t[1][3] * s1;
             let r1 = ::dh_robot::ik::solve_sincos(
                 2.0 * t_4 * t_5,
                 0.0,
-                t_2 - (t_3 * t_3 + t_4 * t_4 + t_5 * t_5),
+                t_2 - t_6,
                 1e-11,
             );
             if !r1.is_regular() {
                 attempt
-                    .note_distance(
+                    .note_law(
                         r1.outcome,
                         free,
                         "elbow q3",
-                        t_2,
-                        t_2 - (t_3 * t_3 + t_4 * t_4 + t_5 * t_5),
+                        [t_6, t_2 - t_6],
+                        false,
                         1.0675141762776192,
                         "m",
                     );
@@ -282,16 +283,16 @@ impl RrrIntersecting {
             for (i1, &[c3, s3]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
                 let a1 = ::dh_robot::math::atan2(s3, c3);
                 let r2 = ::dh_robot::ik::solve_pair(
-                    -t_6,
+                    -t_7,
                     t[2][3],
                     -(t_4 + t_5 * c3),
                     t[2][3],
-                    t_6,
+                    t_7,
                     -t_5 * s3,
                     1e-11,
                 );
                 if !r2.is_regular() {
-                    attempt.note(r2.outcome, free, "q2", 1.0675141762776192, "m");
+                    attempt.note(r2.outcome, free, "q2", 1.0, "");
                 }
                 let free = if r2.is_free() {
                     attempt.degenerate = true;

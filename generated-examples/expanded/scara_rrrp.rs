@@ -289,12 +289,15 @@ impl ScaraRrrp {
                 );
                 if !r2.is_regular() {
                     attempt
-                        .note_distance(
+                        .note_law(
                             r2.outcome,
                             free,
                             "elbow q2",
-                            t_8 * t_8 + t_9 * t_9 + t_10 * t_10,
-                            -(t_6 - (t_8 * t_8 + t_9 * t_9 + t_10 * t_10 - t_7)),
+                            [
+                                t_6 + t_7,
+                                -(t_6 - (t_8 * t_8 + t_9 * t_9 + t_10 * t_10 - t_7)),
+                            ],
+                            false,
                             1.321360271039209,
                             "m",
                         );
@@ -319,7 +322,7 @@ impl ScaraRrrp {
                         1e-11,
                     );
                     if !r3.is_regular() {
-                        attempt.note(r3.outcome, free, "q1", 1.321360271039209, "m");
+                        attempt.note(r3.outcome, free, "q1", 1.0, "");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
@@ -505,6 +508,9 @@ impl ::dh_robot::ik::Kinematics<4> for ScaraRrrp {
                 [1.0, 1.0, 1.0, 0.0],
             ],
         )
+    }
+    fn unit(&self) -> &'static str {
+        "m"
     }
 }
 impl ::dh_robot::InverseKinematics<4, 2, f64> for ScaraRrrp {

@@ -414,12 +414,12 @@ impl SixAxisChain {
                         );
                         if !r4.is_regular() {
                             attempt
-                                .note_distance(
+                                .note_law(
                                     r4.outcome,
                                     free,
                                     "elbow q3",
-                                    t_14 * t_14 + t_15 * t_15 + t_16 * t_16,
-                                    t_14 * t_14 + t_15 * t_15 + t_16 * t_16 - t_5,
+                                    [t_5, t_14 * t_14 + t_15 * t_15 + t_16 * t_16 - t_5],
+                                    false,
                                     1.1159566801270322,
                                     "m",
                                 );
@@ -448,8 +448,7 @@ impl SixAxisChain {
                                 1e-11,
                             );
                             if !r5.is_regular() {
-                                attempt
-                                    .note(r5.outcome, free, "q2", 1.1159566801270322, "m");
+                                attempt.note(r5.outcome, free, "q2", 1.0, "");
                             }
                             let free = if r5.is_free() {
                                 attempt.degenerate = true;
@@ -466,7 +465,7 @@ impl SixAxisChain {
                                 let branch = ::dh_robot::Branch::ANY
                                     .with_step(0, i0)
                                     .with_shoulder(
-                                        if i0 == 0 {
+                                        if i0 == 1 {
                                             ::dh_robot::Shoulder::Left
                                         } else {
                                             ::dh_robot::Shoulder::Right
@@ -482,7 +481,7 @@ impl SixAxisChain {
                                     )
                                     .with_step(2, i4)
                                     .with_elbow(
-                                        if i4 == 0 {
+                                        if (i4 == 0) == (i0 == 0) {
                                             ::dh_robot::Elbow::Up
                                         } else {
                                             ::dh_robot::Elbow::Down
@@ -537,7 +536,7 @@ impl SixAxisChain {
             all[l] = ::dh_robot::Branch::ANY
                 .with_step(0, i0)
                 .with_shoulder(
-                    if i0 == 0 {
+                    if i0 == 1 {
                         ::dh_robot::Shoulder::Left
                     } else {
                         ::dh_robot::Shoulder::Right
@@ -553,7 +552,11 @@ impl SixAxisChain {
                 )
                 .with_step(2, i4)
                 .with_elbow(
-                    if i4 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                    if (i4 == 0) == (i0 == 0) {
+                        ::dh_robot::Elbow::Up
+                    } else {
+                        ::dh_robot::Elbow::Down
+                    },
                 );
             l += 1;
         }

@@ -451,12 +451,12 @@ impl Ur5 {
                         );
                         if !r4.is_regular() {
                             attempt
-                                .note_distance(
+                                .note_law(
                                     r4.outcome,
                                     free,
                                     "elbow q3",
-                                    t_16 * t_16 + t_17 * t_17 + t_18 * t_18,
-                                    t_19,
+                                    [0.2434638836493361, t_19],
+                                    false,
                                     1.192809,
                                     "m",
                                 );
@@ -484,7 +484,7 @@ impl Ur5 {
                                 1e-11,
                             );
                             if !r5.is_regular() {
-                                attempt.note(r5.outcome, free, "q2", 1.192809, "m");
+                                attempt.note(r5.outcome, free, "q2", 1.0, "");
                             }
                             let free = if r5.is_free() {
                                 attempt.degenerate = true;

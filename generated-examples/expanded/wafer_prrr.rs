@@ -292,12 +292,12 @@ impl WaferPrrr {
                 );
                 if !r2.is_regular() {
                     attempt
-                        .note_distance(
+                        .note_law(
                             r2.outcome,
                             free,
                             "elbow q3",
-                            t_6 + t_13 * t_13,
-                            -(t_11 - (t_6 + t_13 * t_13 - t_12)),
+                            [t_11 + t_12, -(t_11 - (t_6 + t_13 * t_13 - t_12))],
+                            false,
                             0.6091883671078886,
                             "m",
                         );
@@ -322,7 +322,7 @@ impl WaferPrrr {
                         1e-11,
                     );
                     if !r3.is_regular() {
-                        attempt.note(r3.outcome, free, "q2", 0.6091883671078886, "m");
+                        attempt.note(r3.outcome, free, "q2", 1.0, "");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
@@ -512,6 +512,9 @@ impl ::dh_robot::ik::Kinematics<4> for WaferPrrr {
                 [0.0, 1.0, 1.0, 1.0],
             ],
         )
+    }
+    fn unit(&self) -> &'static str {
+        "m"
     }
 }
 impl ::dh_robot::InverseKinematics<4, 2, f64> for WaferPrrr {

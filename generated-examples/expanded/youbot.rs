@@ -246,19 +246,22 @@ impl Youbot {
         ),
     ) -> ::dh_robot::Solutions<f64, 5, 4> {
         let p: [f64; 3] = [target.0.x.into(), target.0.y.into(), target.0.z.into()];
-        let z: [f64; 3] = [target.1.x.into(), target.1.y.into(), target.1.z.into()];
         if !p.iter().all(|x: &f64| x.is_finite()) {
             return ::dh_robot::Solutions::none(
                 &Self::JOINTS,
                 ::dh_robot::Why::NotFinite,
             );
         }
-        if !z.iter().all(|x: &f64| x.is_finite()) {
-            return ::dh_robot::Solutions::none(
-                &Self::JOINTS,
-                ::dh_robot::Why::NotFinite,
-            );
-        }
+        let z = match ::dh_robot::inverse::direction([
+            target.1.x.into(),
+            target.1.y.into(),
+            target.1.z.into(),
+        ]) {
+            ::core::result::Result::Ok(z) => z,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
+        };
         let frame = ::dh_robot::inverse::frame_of_axis(p.map(|x| x / 0.6875), z);
         let setting = ::dh_robot::inverse::Setting {
             joints: &Self::JOINTS,
@@ -341,12 +344,12 @@ impl Youbot {
                 );
                 if !r2.is_regular() {
                     attempt
-                        .note_distance(
+                        .note_law(
                             r2.outcome,
                             free,
                             "elbow q3",
-                            t_5 * t_5 + t_6 * t_6 + t_3,
-                            t_11,
+                            [0.08938842975206612, t_11],
+                            false,
                             0.6875,
                             "m",
                         );
@@ -370,7 +373,7 @@ impl Youbot {
                         1e-11,
                     );
                     if !r3.is_regular() {
-                        attempt.note(r3.outcome, free, "q2", 0.6875, "m");
+                        attempt.note(r3.outcome, free, "q2", 1.0, "");
                     }
                     let free = if r3.is_free() {
                         attempt.degenerate = true;
@@ -484,6 +487,9 @@ impl ::dh_robot::ik::Kinematics<5> for Youbot {
                 [1.0, 0.0, 0.0, 0.0, c234],
             ],
         )
+    }
+    fn unit(&self) -> &'static str {
+        "m"
     }
 }
 impl ::dh_robot::InverseKinematics<5, 4, f64> for Youbot {

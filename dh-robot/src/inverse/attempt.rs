@@ -122,22 +122,6 @@ impl Attempt {
         }
     }
 
-    /// [`note_law`](Self::note_law) of a squared distance that is measured from anywhere.
-    #[cold]
-    #[allow(clippy::too_many_arguments)] // one call per step of generated code
-    pub fn note_distance(
-        &mut self,
-        outcome: Outcome,
-        free: FreeJoints,
-        step: &'static str,
-        square: f64,
-        rest: f64,
-        reach: f64,
-        unit: &'static str,
-    ) {
-        self.note_law(outcome, free, step, [square - rest, rest], false, reach, unit);
-    }
-
     /// The same for a law of cosines: with `[base, rest]` the squared distance is `base + rest`, and `rest = a cos u + b sin u`, in units of the
     /// reach. Where `grows`, the amplitude of the right side is proportional to the distance, else it is constant. Reports distances.
     #[cold]
