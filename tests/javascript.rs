@@ -2,6 +2,7 @@
 //!
 //! Needs `node`, or what `NODE` names; where there is none the test says so and passes, unless `NODE` is set.
 
+use std::f64::consts::TAU;
 use std::io::Write;
 use std::process::{Command, Stdio};
 
@@ -116,6 +117,59 @@ fn javascript_agrees_with_rust() {
                 let error = miss(*task, &(arm.forward)(&solution), &target, 1.0);
                 assert!(error < 1e-8, "{what}: {solution:?} misses by {error:.1e}");
             }
+        }
+    }
+}
+
+/// Gears in the wrist, as in `coupled.rs`: whole turns of its rows are no whole turns of its motors.
+const GEARS: &str = "pub struct Gears; convention = standard; let g: length = 0.75;
+    | theta               | d    | a    | alpha  | range            |
+    | q1                  | 0.4  | 0.1  | -90deg | 200deg..=560deg  |
+    | 0.5*q2              | 0    | 0.5  |   0    | 0deg..=720deg    |
+    | q3 - 0.5*q2 - 30deg | 0    | 0.05 | -90deg | -180deg..=180deg |
+    | 2*q4                | 0.45 | 0    |  90deg | 100deg..=280deg  |
+    | q5 - 2*q4           | 0    | 0    | -90deg | -200deg..=200deg |
+    | q6 + g*q5           | 0.1  | 0    |   0    | -900deg..=-500deg |";
+
+/// From motors to rows.
+const ROWS: [[f64; 6]; 6] = [
+    [1.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+    [0.0, 0.5, 0.0, 0.0, 0.0, 0.0],
+    [0.0, -0.5, 1.0, 0.0, 0.0, 0.0],
+    [0.0, 0.0, 0.0, 2.0, 0.0, 0.0],
+    [0.0, 0.0, 0.0, -2.0, 1.0, 0.0],
+    [0.0, 0.0, 0.0, 0.0, 0.75, 1.0],
+];
+
+#[test]
+fn geared_motors_come_into_their_ranges_in_javascript_too() {
+    let interpreter = Interpreter::new(&spec(GEARS));
+    let ranges = [[200.0, 560.0], [0.0, 720.0], [-180.0, 180.0], [100.0, 280.0], [-200.0, 200.0], [-900.0, -500.0]];
+    let ranges = ranges.map(|r| r.map(f64::to_radians));
+    let mut random = Random::new(31);
+    let any =
+        |[least, greatest]: [f64; 2], random: &mut Random| least + 0.5 * (random.signed() + 1.0) * (greatest - least);
+    let cases: Vec<Vec<f64>> = (0..80).map(|_| ranges.iter().map(|r| any(*r, &mut random)).collect()).collect();
+    let script = script(&interpreter.chain).expect("proven programs");
+    let input = json!([{ "script": script, "parameters": { "g": 0.75 }, "cases": cases }]);
+    let Some(answers) = node(&input) else { return };
+    let apart = |a: &[f64], b: &[f64]| {
+        let row = |k: &[f64; 6]| {
+            let turn: f64 = k.iter().zip(a.iter().zip(b)).map(|(k, (a, b))| k * (b - a)).sum();
+            (turn - TAU * (turn / TAU).round()).abs()
+        };
+        ROWS.iter().map(row).fold(0.0, f64::max)
+    };
+    for (q, answer) in cases.iter().zip(answers[0].as_array().expect("a list")) {
+        let list: Vec<Vec<f64>> =
+            answer["solutions"].as_array().expect("a list").iter().map(|s| numbers(&s["q"])).collect();
+        let inside = |s: &[f64]| s.iter().zip(&ranges).all(|(x, [l, g])| (l - 1e-8..=g + 1e-8).contains(x));
+        assert!(list.iter().any(|s| inside(s) && apart(s, q) < 1e-6), "{q:?} is not among {list:?}");
+        for (i, s) in list.iter().enumerate() {
+            assert!(!list[..i].iter().any(|t| apart(s, t) < 1e-4), "{q:?}: twice {s:?} in {list:?}");
+            let (ours, wanted) = (interpreter.run(&interpreter.forward.pose, s), numbers(&answer["pose"]));
+            let columns: Vec<f64> = (0..12).map(|i| wanted[4 * (i % 3) + i / 3]).collect();
+            assert!(ours.iter().zip(&columns).all(|(a, b)| (a - b).abs() < 1e-9), "{q:?}: {s:?} misses");
         }
     }
 }

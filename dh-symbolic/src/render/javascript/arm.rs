@@ -6,6 +6,7 @@ use crate::algebra::{Poly, Transform};
 use crate::chain::{Chain, Convention, Coordinate, Handle, Joint, Role, Scalar, Task};
 use crate::program::{Forward, Graph, Program};
 use crate::render::rust::body::{Body, Dialect};
+use crate::render::rust::drive::{Matrices, matrices};
 use crate::render::rust::{bound, literal};
 
 /// The class `Arm`.
@@ -26,6 +27,12 @@ pub fn class(chain: &Chain, forward: &Forward, solver: &Solver) -> String {
     for (head, doc, body) in functions {
         let body = if body.contains("self.") { format!("const self = this.parameters;\n{body}") } else { body };
         out.push_str(&format!("// {doc}\n{head} {{\n{body}}}\n\n"));
+    }
+    if let Some(Matrices { det, rows, motors, turns }) = matrices(chain) {
+        out.push_str(&format!(
+            "// How motors move rows, where whole turns of rows are not whole turns of motors.\nget drive() {{\n\
+             const self = this.parameters;\nconst det = {det};\nreturn {{ rows: {rows}, motors: {motors}, turns: {turns} }};\n}}\n\n"
+        ));
     }
     let rows: Vec<String> = chain.joints.iter().map(|j| format!("all[{}]", j.row)).collect();
     out.push_str(&format!(

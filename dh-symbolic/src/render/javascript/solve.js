@@ -34,6 +34,42 @@ function normalized(joint, value) {
 const difference = (joint, a, b) => Math.abs(joint.turns ? wrapped(b - a) : b - a);
 const inRange = (joint, x) => !joint.range || (x >= joint.range[0] - 1e-9 && x <= joint.range[1] + 1e-9);
 
+// Motor values after whole turns of a row, for a drive of which these are no whole turns of the motors. As in dh-robot (src/ik/drive.rs).
+const turned = (drive, q, row, turns) => q.map((x, k) => x + TAU * turns * drive.motors[k][row]);
+
+// Motor values with each row turned by an angle in (-pi, pi], except rows that would move the motor whose value is given.
+function principal(drive, q, given) {
+  const angles = drive.rows.map((row) => row.reduce((sum, k, i) => sum + k * q[i], 0));
+  const stays = (i) => !drive.turns[i] || (given !== null && drive.motors[given][i] !== 0);
+  return angles.reduce((out, angle, i) => (stays(i) ? out : turned(drive, out, i, Math.floor(0.5 - angle / TAU))), q);
+}
+
+// Turns rows by whole turns, as few as possible, so that all motors come into their ranges, where one row after the other can do that.
+function intoRanges(drive, joints, q) {
+  const inside = (values) => values.every((x, k) => inRange(joints[k], x)), open = [...drive.turns];
+  if (inside(q)) return q;
+  let out = q;
+  while (open.includes(true)) {
+    // A row that alone still moves some motor with a range; without one, the first.
+    const others = (k, i) => open.some((o, j) => o && j !== i && drive.motors[k][j] !== 0);
+    const decides = (k, i) => joints[k].range && drive.motors[k][i] !== 0 && !others(k, i);
+    const rows = [...open.keys()].filter((i) => open[i]);
+    const i = rows.find((row) => joints.some((_, k) => decides(k, row))) ?? rows[0];
+    let fewest = -Infinity, most = Infinity;
+    joints.forEach((joint, k) => {
+      if (!decides(k, i)) return;
+      const [least, greatest] = joint.range, turn = TAU * drive.motors[k][i];
+      const ends = [(least - 1e-9 - out[k]) / turn, (greatest + 1e-9 - out[k]) / turn];
+      fewest = Math.max(fewest, Math.ceil(Math.min(...ends)));
+      most = Math.min(most, Math.floor(Math.max(...ends)));
+    });
+    if (!(fewest <= most)) return q;
+    out = turned(drive, out, i, Math.max(fewest, Math.min(most, 0)));
+    open[i] = false;
+  }
+  return inside(out) ? out : q;
+}
+
 // The rotation vector from one orientation to another, in base axes.
 function rotationBetween(from, to) {
   const e = to.map((r) => from.map((s) => dot(r, s)));
@@ -223,17 +259,25 @@ class Verifier {
 
   // Adds a solution, unless it is another representative of a continuum that has one.
   insert(q, branch, free, earlier) {
-    const same = (a, b) => JSON.stringify(a) === JSON.stringify(b), joints = this.arm.joints;
+    const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
     const known = this.out.some((s, i) => (i < earlier || same(s.branch, branch)) && free.length > 0 && s.free.length > 0
-      && joints.every((joint, k) => s.free.includes(k) || free.includes(k) || difference(joint, s.q[k], q[k]) <= 1e-5));
+      && this.apart(s.q, q).every((d, k) => s.free.includes(k) || free.includes(k) || d <= 1e-5));
     if (!known) this.add({ q, branch, free });
   }
 
+  // How far each motor is from one joint vector to the other, without whole turns.
+  apart(a, b) {
+    const { joints, drive } = this.arm;
+    if (drive) return principal(drive, b.map((x, k) => x - a[k]), null).map(Math.abs);
+    return joints.map((joint, k) => difference(joint, a[k], b[k]));
+  }
+
   add(solution) {
-    const joints = this.arm.joints;
-    const known = this.out.find((s) => joints.every((joint, k) => difference(joint, s.q[k], solution.q[k]) <= SAME));
+    const { joints, drive, redundant } = this.arm;
+    const known = this.out.find((s) => this.apart(s.q, solution.q).every((d) => d <= SAME));
+    const q = drive ? intoRanges(drive, joints, principal(drive, solution.q, redundant)) : solution.q;
     if (known) known.free = [...new Set([...known.free, ...solution.free])].sort();
-    else this.out.push({ ...solution, q: solution.q.map((x, k) => normalized(joints[k], x)) });
+    else this.out.push({ ...solution, q: q.map((x, k) => normalized(joints[k], x)) });
   }
 
   // The joints that take part in motions which keep the target reached.

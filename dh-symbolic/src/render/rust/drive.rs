@@ -47,12 +47,23 @@ pub(in crate::render) fn motors(chain: &Chain, x: &[String]) -> Vec<String> {
         .collect()
 }
 
+/// How motors move rows, as expressions.
+pub(in crate::render) struct Matrices {
+    /// The determinant, which the second matrix calls `det`.
+    pub(in crate::render) det: String,
+    /// From motors to rows.
+    pub(in crate::render) rows: String,
+    /// From rows to motors.
+    pub(in crate::render) motors: String,
+    /// Which rows turn.
+    pub(in crate::render) turns: String,
+}
+
 /// How motors move rows, where whole turns of rows are not whole turns of motors.
-pub(super) fn drive(chain: &Chain) -> String {
+pub(in crate::render) fn matrices(chain: &Chain) -> Option<Matrices> {
     if !chain.is_geared() {
-        return String::new();
+        return None;
     }
-    let n = chain.dof();
     let (adjugate, det) = adjugate(&chain.drive);
     let value = |p: &Poly| super::body::field_polynomial(chain, p);
     let matrix = |m: &[Vec<Poly>], over: &str| {
@@ -63,12 +74,20 @@ pub(super) fn drive(chain: &Chain) -> String {
     };
     let turns: Vec<String> =
         chain.joints.iter().map(|j| matches!(j.coordinate, Coordinate::Angle(_)).to_string()).collect();
+    Some(Matrices {
+        det: value(&det),
+        rows: matrix(&chain.drive, ""),
+        motors: matrix(&adjugate, " / det"),
+        turns: format!("[{}]", turns.join(", ")),
+    })
+}
+
+/// The function that says so.
+pub(super) fn drive(chain: &Chain) -> String {
+    let Some(Matrices { det, rows, motors, turns }) = matrices(chain) else { return String::new() };
+    let n = chain.dof();
     format!(
-        "fn drive(&self) -> ::core::option::Option<::dh_robot::ik::Drive<{n}>> {{\nlet det = {};\n\
-         ::core::option::Option::Some(::dh_robot::ik::Drive {{ rows: {}, motors: {}, turns: [{}] }})\n}}\n",
-        value(&det),
-        matrix(&chain.drive, ""),
-        matrix(&adjugate, " / det"),
-        turns.join(", ")
+        "fn drive(&self) -> ::core::option::Option<::dh_robot::ik::Drive<{n}>> {{\nlet det = {det};\n\
+         ::core::option::Option::Some(::dh_robot::ik::Drive {{ rows: {rows}, motors: {motors}, turns: {turns} }})\n}}\n"
     )
 }
