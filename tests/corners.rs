@@ -392,3 +392,25 @@ fn a_planar_arm_keeps_its_word_when_its_tool_is_tilted_at_run_time() {
         }
     }
 }
+
+dh_robot! {
+    /// Five joints, one of which slides. Its plan has one step with two roots; what the arm reaches crosses itself.
+    struct Crossing;
+
+    convention = modified;
+
+    | alpha  | a    | d   | theta |
+    |   0    | 0    | 0.3 | q1    |
+    |  90deg | 0.1  | 0   | q2    |
+    |  90deg | 0.05 | q3  | 0     |
+    |  90deg | 0    | 0.1 | q4    |
+    | -90deg | 0.05 | 0   | q5    |
+}
+
+#[test]
+fn a_special_pose_may_have_more_solutions_than_the_steps_have_roots() {
+    let q = [0.0, 0.5 * PI, -0.4, 0.5 * PI, 2.779_496_254_322_763_7];
+    let found = Crossing.inverse(&Crossing.forward(&q));
+    assert_eq!(found.len(), 4, "{found}");
+    closes(&Crossing, &q, &found, |pose| off(pose, &Crossing.forward(&q)));
+}

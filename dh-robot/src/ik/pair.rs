@@ -89,6 +89,14 @@ mod tests {
     }
 
     #[test]
+    fn small_equations_that_contradict_each_other_say_nothing() {
+        let contradiction = |size: f64, right: f64| solve_pair(size, 0.0, right, 0.0, size, right, 1e-12).outcome;
+        assert_eq!(contradiction(1e-5, 3e-5), Outcome::Free);
+        assert!(matches!(contradiction(1e-3, 3e-3), Outcome::OutOfReach { .. }));
+        assert!(matches!(contradiction(1e-5, 1e-3), Outcome::OutOfReach { .. }));
+    }
+
+    #[test]
     fn turn_is_a_difference_of_two_arctangents() {
         let found = solve_turn(0.3, -0.4, 0.4, 0.3, 1e-12);
         let t = found[0][1].atan2(found[0][0]);

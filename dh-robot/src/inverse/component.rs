@@ -96,3 +96,32 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
         part
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Joint;
+    use crate::ik::{Chain, Task, pose};
+    use crate::inverse::Setting;
+
+    static JOINTS: [Joint; 2] = [Joint::revolute("q1"), Joint::revolute("q2")];
+
+    /// Two joints about one axis: what one turns the other turns back.
+    #[test]
+    fn joints_on_one_axis_turn_against_each_other() {
+        let mut tool = pose::IDENTITY;
+        tool[0][3] = 1.0;
+        let arm = Chain { links: [pose::IDENTITY, tool], slides: [false; 2] };
+        let (a, b) = ([0.2, 0.3], [1.2, -0.7]);
+        let task = Task::Pose(arm.forward(&a));
+        let setting = Setting { joints: &JOINTS, reach: 1.0, few: true, given: None };
+        let verifier: Verifier<'_, _, f64, 2, 4> = Verifier::new(&arm, setting, &task);
+        assert!(verifier.straight_way(&a, &b) && verifier.walk(&a, &b));
+        let off = [1.2, 0.3];
+        assert!(!verifier.straight_way(&a, &off) && !verifier.walk(&a, &off));
+        // The short way round.
+        let way = verifier.apart(&[3.0, 0.0], &[-3.0, 0.5]);
+        assert!((way[0] - (core::f64::consts::TAU - 6.0)).abs() < 1e-15 && way[1] == 0.5);
+        assert!(verifier.straight_way(&[3.0, -2.5], &[-3.0, 3.5]));
+    }
+}
