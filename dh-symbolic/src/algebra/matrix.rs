@@ -16,7 +16,7 @@ pub struct Transform {
 
 /// Scalar product.
 pub(crate) fn dot(a: &Vector, b: &Vector) -> Poly {
-    (0..3).map(|i| &a[i] * &b[i]).sum()
+    Poly::sum_of_products(a.iter().zip(b))
 }
 
 /// Cross product.

@@ -16,8 +16,29 @@ const SYMBOL_BASE: u128 = 16;
 const GROUP_BASE: u128 = 1 << 15;
 
 /// A product of factors, at most one per slot, in order of slots. The empty product is 1.
-#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+#[derive(Clone, PartialEq, Eq, Hash, Default)]
 pub struct Monomial(Vec<Code>);
+
+impl Ord for Monomial {
+    /// The order of lists. (Sorting terms is most of what formulas cost, and macros run unoptimised: a loop is faster than the library's.)
+    fn cmp(&self, other: &Monomial) -> std::cmp::Ordering {
+        let (a, b) = (self.0.as_slice(), other.0.as_slice());
+        let mut i = 0;
+        while i < a.len() && i < b.len() {
+            if a[i] != b[i] {
+                return if a[i] < b[i] { std::cmp::Ordering::Less } else { std::cmp::Ordering::Greater };
+            }
+            i += 1;
+        }
+        a.len().cmp(&b.len())
+    }
+}
+
+impl PartialOrd for Monomial {
+    fn partial_cmp(&self, other: &Monomial) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
 
 /// A factor of a monomial, for those who look inside.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -44,6 +65,10 @@ fn pack(slot: u128, kind: u128, payload: u128) -> Code {
     (slot << 112) | (kind << 104) | payload
 }
 
+fn payload(code: Code) -> u128 {
+    code & ((1 << 96) - 1)
+}
+
 /// Integer factors of the angles of a group.
 type Wave = [i8; GROUP_SIZE];
 
@@ -55,20 +80,40 @@ fn wave_of(code: Code) -> Wave {
     k
 }
 
-/// Packs cos or sin of `k`; gives the sign that normalising took. `None`: the harmonic is the constant 1 (cos) or 0 (sin).
-fn harmonic_code(group: u16, sine: bool, mut k: Wave) -> Option<(Code, bool)> {
-    let first = k.iter().copied().find(|x| *x != 0)?;
-    let flip = first < 0;
+fn packed(k: Wave) -> u128 {
+    k.into_iter().fold(0, |payload, x| (payload << 8) | u128::from((x as u8) ^ 0x80))
+}
+
+/// The packed form of nothing but zeros: 0x80 in each byte, which is added to every factor.
+const ZEROS: u128 = u128::MAX / 0xff * 0x80 >> (128 - 8 * GROUP_SIZE);
+
+/// Are all factors of a packed wave between -64 and 63? Then two of them add up, and change sign, as one number without a carry.
+fn is_small(wave: u128) -> bool {
+    (wave + ZEROS / 2) & ZEROS == ZEROS
+}
+
+/// Sum and difference of two packed waves.
+fn sum_and_difference(x: u128, y: u128) -> [u128; 2] {
+    if is_small(x) && is_small(y) {
+        return [x + y - ZEROS, x + ZEROS - y];
+    }
+    let (x, y) = (wave_of(x), wave_of(y));
+    let of = |f: fn(i8, i8) -> i8| packed(std::array::from_fn(|i| f(x[i], y[i])));
+    [of(i8::saturating_add), of(i8::saturating_sub)]
+}
+
+/// The code of cos or sin of a packed wave; gives the sign that normalising took. `None`: the harmonic is the constant 1 (cos) or 0 (sin).
+fn harmonic_code(group: u16, sine: bool, mut wave: u128) -> Option<(Code, bool)> {
+    let bits = wave ^ ZEROS;
+    if bits == 0 {
+        return None;
+    }
+    // The first factor that isn't zero is negative where its byte's first bit differs.
+    let flip = bits.leading_zeros().is_multiple_of(8);
     if flip {
-        for x in &mut k {
-            *x = x.saturating_neg();
-        }
+        wave = if is_small(wave) { 2 * ZEROS - wave } else { packed(wave_of(wave).map(i8::saturating_neg)) };
     }
-    let mut payload = 0u128;
-    for x in k {
-        payload = (payload << 8) | u128::from((x as u8) ^ 0x80);
-    }
-    let code = pack(GROUP_BASE + u128::from(group), if sine { SIN } else { COS }, payload);
+    let code = pack(GROUP_BASE + u128::from(group), if sine { SIN } else { COS }, wave);
     Some((code, flip && sine))
 }
 
@@ -104,7 +149,7 @@ impl Monomial {
         for (v, n) in terms {
             k[usize::from(v.index)] = k[usize::from(v.index)].saturating_add(*n);
         }
-        harmonic_code(group, sine, k).map(|(code, flip)| (Monomial(vec![code]), flip))
+        harmonic_code(group, sine, packed(k)).map(|(code, flip)| (Monomial(vec![code]), flip))
     }
 
     /// The factors in order: roots, symbols, harmonics.
@@ -188,12 +233,7 @@ impl Monomial {
         let mut terms = vec![(product, coefficient)];
         for (x, y) in meetings {
             let group = (slot(x) - GROUP_BASE) as u16;
-            let (kx, ky) = (wave_of(x), wave_of(y));
-            let (mut sum, mut difference) = (kx, kx);
-            for n in 0..GROUP_SIZE {
-                sum[n] = kx[n].saturating_add(ky[n]);
-                difference[n] = kx[n].saturating_sub(ky[n]);
-            }
+            let [sum, difference] = sum_and_difference(payload(x), payload(y));
             // cos cos, sin sin -> cosines; mixed -> sines. Signs of (difference, sum) terms.
             let (sine, sign_difference, sign_sum) = match (kind(x), kind(y)) {
                 (COS, COS) => (false, 1, 1),
@@ -227,5 +267,36 @@ impl Monomial {
 impl std::fmt::Debug for Monomial {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_list().entries(self.factors()).finish()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn packed_waves_add_up_and_change_sign_like_lists() {
+        let mut x = 1u64;
+        for round in 0..3000 {
+            let mut wave = |most: i8| -> Wave {
+                std::array::from_fn(|_| {
+                    x = x.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                    // Many zeros.
+                    if x >> 63 == 0 { 0 } else { ((x >> 33) as i8).clamp(-most, most) }
+                })
+            };
+            // Small ones; some just too large; anything.
+            let most = [3, 63, 66, 127][round % 4];
+            let (a, b) = (wave(most), wave(most));
+            let [sum, difference] = sum_and_difference(packed(a), packed(b));
+            assert_eq!(wave_of(sum), std::array::from_fn(|i| a[i].saturating_add(b[i])));
+            assert_eq!(wave_of(difference), std::array::from_fn(|i| a[i].saturating_sub(b[i])));
+            let first = a.iter().copied().find(|k| *k != 0);
+            let code = harmonic_code(5, true, packed(a));
+            assert_eq!(code.map(|c| c.1), first.map(|k| k < 0), "{a:?}");
+            if let (Some((code, flip)), Some(_)) = (code, first) {
+                assert_eq!(wave_of(code), if flip { a.map(i8::saturating_neg) } else { a });
+            }
+        }
     }
 }

@@ -112,6 +112,32 @@ impl Poly {
         Poly { terms: self.terms.iter().map(|(m, c)| (m.clone(), c * x)).collect() }
     }
 
+    /// a b + c d + ..., put together once.
+    #[must_use]
+    pub fn sum_of_products<'a>(pairs: impl Iterator<Item = (&'a Poly, &'a Poly)>) -> Poly {
+        let mut raw = Vec::new();
+        for (a, b) in pairs {
+            a.multiply_into(b, &mut raw);
+        }
+        Poly::from_terms(raw)
+    }
+
+    /// Appends the terms of the product, in no order.
+    fn multiply_into(&self, other: &Poly, raw: &mut Vec<(Monomial, Rational)>) {
+        if self.is_one() {
+            return raw.extend_from_slice(&other.terms);
+        }
+        if other.is_one() {
+            return raw.extend_from_slice(&self.terms);
+        }
+        raw.reserve(self.terms.len() * other.terms.len());
+        for (m, c) in &self.terms {
+            for (n, d) in &other.terms {
+                m.multiply_into(n, c * d, raw);
+            }
+        }
+    }
+
     /// A non-negative power.
     #[must_use]
     pub fn pow(&self, n: u32) -> Poly {
@@ -236,12 +262,8 @@ impl<'a> std::ops::Mul<&'a Poly> for &Poly {
         if other.is_one() {
             return self.clone();
         }
-        let mut raw = Vec::with_capacity(self.terms.len() * other.terms.len());
-        for (m, c) in &self.terms {
-            for (n, d) in &other.terms {
-                m.multiply_into(n, c * d, &mut raw);
-            }
-        }
+        let mut raw = Vec::new();
+        self.multiply_into(other, &mut raw);
         Poly::from_terms(raw)
     }
 }

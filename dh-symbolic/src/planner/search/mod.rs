@@ -6,20 +6,25 @@
 
 mod last;
 mod one;
+mod same;
 mod two;
+
+use std::collections::BTreeMap;
+use std::rc::Rc;
 
 use super::axes::Axes;
 use super::bound::bound;
-use super::equation::weight;
+use super::equation::{exact, weight};
 use super::known::{Collected, Knowledge};
 use super::mobility::Mobility;
 use super::pool::{Family, families};
 use super::sample::{Sample, joint_vectors};
-use super::scalar::{Equation, Scalar};
+use super::scalar::{Equation, Scalar, fold};
 use super::span::{Form, Span, numbers};
 use super::step::{Plan, Refusal, Step};
 use crate::algebra::Poly;
 use crate::chain::{Chain, Handle, Role};
+use same::{Probes, Values, same};
 
 /// Most equations of one kind with the same unknowns that are looked at.
 const LOOK: usize = 14;
@@ -34,7 +39,17 @@ const HEAVY: usize = 4000;
 pub fn search(chain: &Chain) -> Result<Plan, Refusal> {
     let axes = Axes::new(chain);
     let families = families(&axes);
-    let mut s = Search { chain, knowledge: Knowledge::new(&axes), axes, families, steps: Vec::new() };
+    let (knowledge, probes) = (Knowledge::new(&axes), Probes::new(&axes));
+    let mut s = Search {
+        chain,
+        axes,
+        families,
+        knowledge,
+        steps: Vec::new(),
+        written: BTreeMap::new(),
+        probes,
+        groups: (usize::MAX, Vec::new()),
+    };
     if let Some((r, _)) = chain.chosen() {
         let form = s.unit(r);
         s.knowledge.learn(&s.axes, &form);
@@ -65,7 +80,16 @@ struct Search<'a> {
     families: Vec<Family>,
     knowledge: Knowledge,
     steps: Vec<Step>,
+    /// Equations written out, by the frames between which the target is known: step after step asks for the same ones.
+    written: BTreeMap<(usize, usize, Equation), Rc<Poly>>,
+    /// Where equations are compared.
+    probes: Probes,
+    /// Families with one or two unknowns, at so many known combinations.
+    groups: (usize, Vec<Group>),
 }
+
+/// What families still depend on, and which they are.
+type Group = (Span, Vec<usize>);
 
 /// A way to take the next step, with its rank (lower is better).
 struct Ranked {
@@ -91,24 +115,27 @@ impl Search<'_> {
         }
     }
 
-    /// Families grouped by what they still depend on, with `dimension` unknown combinations.
-    fn open_groups(&self, dimension: usize) -> Vec<(Span, Vec<usize>)> {
-        let mut groups: Vec<(Vec<i32>, Span, Vec<usize>)> = Vec::new();
-        for (i, family) in self.families.iter().enumerate() {
-            let rest = family.span.modulo(&self.knowledge.span);
-            if rest.dimension() != dimension {
-                continue;
+    /// Families grouped by what they still depend on, with `dimension` unknown combinations (one or two).
+    fn open_groups(&mut self, dimension: usize) -> Vec<Group> {
+        if self.groups.0 != self.knowledge.known.len() {
+            let mut groups: Vec<(Vec<i32>, Group)> = Vec::new();
+            for (i, family) in self.families.iter().enumerate() {
+                let rest = family.span.modulo(&self.knowledge.span);
+                if !(1..=2).contains(&rest.dimension()) {
+                    continue;
+                }
+                let key = rest.key();
+                match groups.iter_mut().find(|g| g.0 == key) {
+                    Some((_, group)) => group.1.push(i),
+                    None => groups.push((key, (rest, vec![i]))),
+                }
             }
-            let key = rest.key();
-            match groups.iter_mut().find(|g| g.0 == key) {
-                Some(g) => g.2.push(i),
-                None => groups.push((key, rest, vec![i])),
-            }
+            self.groups = (self.knowledge.known.len(), groups.into_iter().map(|g| g.1).collect());
         }
-        groups.into_iter().map(|g| (g.1, g.2)).collect()
+        self.groups.1.iter().filter(|g| g.0.dimension() == dimension).cloned().collect()
     }
 
-    /// The equations of some families that are not known identities, short ones first.
+    /// The equations of some families that are not known identities, short ones first, each once.
     fn equations(&mut self, families: &[usize]) -> Vec<Equation> {
         let mut list: Vec<(usize, Equation)> = Vec::new();
         let (prefix, suffix) = (self.knowledge.prefix(&self.axes), self.knowledge.suffix(&self.axes));
@@ -140,7 +167,25 @@ impl Search<'_> {
             *taken += usize::from(fits);
             fits
         };
-        list.into_iter().map(|x| x.1).filter(|e| fits(e)).collect()
+        let fitting: Vec<Equation> = list.into_iter().map(|x| x.1).filter(|e| fits(e)).collect();
+        let mut kept: Vec<(Equation, (usize, usize), Option<Values>)> = Vec::new();
+        for e in fitting {
+            let (folded, values) = (fold(&self.axes, &self.knowledge, &e), self.probes.values(&e));
+            let known = |k: &(Equation, (usize, usize), Option<Values>)| {
+                k.1 == folded && k.2.as_ref().zip(values.as_ref()).is_some_and(|(a, b)| same(a, b))
+            };
+            if !kept.iter().any(known) {
+                kept.push((e, folded, values));
+            }
+        }
+        kept.into_iter().map(|k| k.0).collect()
+    }
+
+    /// An equation written out.
+    fn write(&mut self, e: &Equation) -> Rc<Poly> {
+        let (left, right) = fold(&self.axes, &self.knowledge, e);
+        let (axes, knowledge) = (&self.axes, &mut self.knowledge);
+        Rc::clone(self.written.entry((left, right, *e)).or_insert_with(|| Rc::new(exact(axes, knowledge, e))))
     }
 
     /// The candidates for an unknown: plain joint coordinates and the sums that the equations name.

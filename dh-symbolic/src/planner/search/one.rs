@@ -1,6 +1,5 @@
 //! Steps with one unknown: the ways to find one combination of joints, ranked.
 
-use super::super::equation::exact;
 use super::super::known::{Collected, Part};
 use super::super::sample::Sample;
 use super::super::scalar::Equation;
@@ -13,11 +12,12 @@ impl Search<'_> {
     pub(super) fn one_unknown(&mut self, virtual_too: bool) -> bool {
         let mut best: Option<Ranked> = None;
         for (rest, families) in self.open_groups(1) {
-            for form in self.unknowns(&rest, &families) {
-                if !virtual_too && self.is_virtual(&form) {
-                    continue;
-                }
-                for option in self.options(&form, &families) {
+            let mut forms = self.unknowns(&rest, &families);
+            // Real coordinates were tried before.
+            forms.retain(|f| virtual_too == self.is_virtual(f));
+            let equations = if forms.is_empty() { Vec::new() } else { self.equations(&families) };
+            for form in forms {
+                for option in self.options(&form, &equations) {
                     if best.as_ref().is_none_or(|b| option.rank < b.rank) {
                         best = Some(option);
                     }
@@ -28,10 +28,10 @@ impl Search<'_> {
     }
 
     /// The ways to find one combination.
-    fn options(&mut self, form: &Form, families: &[usize]) -> Vec<Ranked> {
+    fn options(&mut self, form: &Form, equations: &[Equation]) -> Vec<Ranked> {
         let mut rows: Vec<(Equation, Collected)> = Vec::new();
-        for e in self.equations(families) {
-            let p = exact(&self.axes, &mut self.knowledge, &e);
+        for &e in equations {
+            let p = self.write(&e);
             if let Some(c) = self.knowledge.collect(&self.axes, &p, std::slice::from_ref(form))
                 && c.keys().any(|k| k[0] != Part::One)
                 && !rows.iter().any(|r| r.1 == c)

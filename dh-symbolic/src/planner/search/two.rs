@@ -1,6 +1,7 @@
 //! Steps with two unknowns: two equations, each linear in the sines and cosines of both, or with a length in the place of one.
 
-use super::super::equation::exact;
+use std::rc::Rc;
+
 use super::super::known::{Collected, Part};
 use super::super::sample::Sample;
 use super::super::scalar::Equation;
@@ -13,38 +14,47 @@ impl Search<'_> {
     pub(super) fn two_unknowns(&mut self, virtual_too: bool) -> bool {
         let mut best: Option<Ranked> = None;
         for (rest, families) in self.open_groups(2) {
-            let mut forms = self.unknowns(&rest, &families);
-            forms.retain(|f| virtual_too || !self.is_virtual(f));
+            let pairs = self.pairs(&self.unknowns(&rest, &families), virtual_too);
+            if pairs.is_empty() {
+                continue;
+            }
             let equations = self.equations(&families);
             if equations.len() < 2 {
                 continue;
             }
-            let polys: Vec<(Equation, Poly)> =
-                equations.into_iter().map(|e| (e, exact(&self.axes, &mut self.knowledge, &e))).collect();
-            for i in 0..forms.len() {
-                for j in 0..forms.len() {
-                    let mut both = self.knowledge.span.clone();
-                    if i == j || !both.add(&numbers(&forms[i])) || !both.add(&numbers(&forms[j])) {
-                        continue;
-                    }
-                    let turns = |f: &Form| f.iter().position(|k| *k != 0).is_some_and(|i| self.axes.turns(i));
-                    // The slide first; two angles in either order once.
-                    if (turns(&forms[i]) && !turns(&forms[j])) || (turns(&forms[i]) == turns(&forms[j]) && i > j) {
-                        continue;
-                    }
-                    let pair = [forms[i].clone(), forms[j].clone()];
-                    if let Some(option) = self.pair_option(&pair, &polys)
-                        && best.as_ref().is_none_or(|b| option.rank < b.rank)
-                    {
-                        best = Some(option);
-                    }
+            let polys: Vec<(Equation, Rc<Poly>)> = equations.into_iter().map(|e| (e, self.write(&e))).collect();
+            for pair in &pairs {
+                if let Some(option) = self.pair_option(pair, &polys)
+                    && best.as_ref().is_none_or(|b| option.rank < b.rank)
+                {
+                    best = Some(option);
                 }
             }
         }
         self.take(best)
     }
 
-    fn pair_option(&self, pair: &[Form; 2], polys: &[(Equation, Poly)]) -> Option<Ranked> {
+    /// Independent unknowns: a slide before an angle, two of a kind in either order once. Where real coordinates were tried before, one of
+    /// them at least is virtual.
+    fn pairs(&self, forms: &[Form], virtual_too: bool) -> Vec<[Form; 2]> {
+        let turns = |f: &Form| f.iter().position(|k| *k != 0).is_some_and(|i| self.axes.turns(i));
+        let mut pairs = Vec::new();
+        for (i, first) in forms.iter().enumerate() {
+            for (j, second) in forms.iter().enumerate() {
+                let ordered = if turns(first) == turns(second) { i < j } else { !turns(first) };
+                if !ordered || virtual_too != (self.is_virtual(first) || self.is_virtual(second)) {
+                    continue;
+                }
+                let mut both = self.knowledge.span.clone();
+                if both.add(&numbers(first)) && both.add(&numbers(second)) {
+                    pairs.push([first.clone(), second.clone()]);
+                }
+            }
+        }
+        pairs
+    }
+
+    fn pair_option(&self, pair: &[Form; 2], polys: &[(Equation, Rc<Poly>)]) -> Option<Ranked> {
         let fits = |c: &Collected| {
             c.keys().all(|k| {
                 matches!(k[0], Part::One | Part::Cos(1) | Part::Sin(1) | Part::Power(1 | 2))
@@ -55,16 +65,20 @@ impl Search<'_> {
             .iter()
             .filter_map(|(e, p)| self.knowledge.collect(&self.axes, p, pair).filter(|c| fits(c)).map(|c| (*e, c)))
             .collect();
+        if rows.len() < 2 {
+            return None;
+        }
         let slide = pair[0].iter().position(|k| *k != 0).is_some_and(|i| !self.axes.turns(i));
-        let sample = self.samples(2, 0);
+        let samples = self.samples(2, 0);
+        let slopes: Vec<Vec<[f64; 2]>> =
+            rows.iter().map(|r| samples.iter().map(|s| gradient(&r.1, pair, s)).collect()).collect();
+        let sizes: Vec<usize> = rows.iter().map(|r| self.size(r)).collect();
         let mut best: Option<(usize, usize, usize)> = None;
         for i in 0..rows.len() {
             for j in i + 1..rows.len() {
-                let independent = sample.iter().all(|s| {
-                    let (a, b) = (gradient(&rows[i].1, pair, s), gradient(&rows[j].1, pair, s));
-                    (a[0] * b[1] - a[1] * b[0]).abs() > 1e-5
-                });
-                let total = self.size(&rows[i]) + self.size(&rows[j]);
+                let mut both = slopes[i].iter().zip(&slopes[j]);
+                let independent = both.all(|(a, b)| (a[0] * b[1] - a[1] * b[0]).abs() > 1e-5);
+                let total = sizes[i] + sizes[j];
                 if independent && best.is_none_or(|b| total < b.0) {
                     best = Some((total, i, j));
                 }
