@@ -85,7 +85,7 @@ fn packed(k: Wave) -> u128 {
 }
 
 /// The packed form of nothing but zeros: 0x80 in each byte, which is added to every factor.
-const ZEROS: u128 = u128::MAX / 0xff * 0x80 >> (128 - 8 * GROUP_SIZE);
+const ZEROS: u128 = (u128::MAX / 0xff * 0x80) >> (128 - 8 * GROUP_SIZE);
 
 /// Are all factors of a packed wave between -64 and 63? Then two of them add up, and change sign, as one number without a carry.
 fn is_small(wave: u128) -> bool {

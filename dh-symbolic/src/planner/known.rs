@@ -52,6 +52,9 @@ pub enum Part {
 /// A scalar equation "sum of coefficient times parts = 0".
 pub type Collected = BTreeMap<Vec<Part>, Poly>;
 
+/// A sine or cosine as a sum of coefficients times parts.
+type Split = Vec<(Vec<Part>, Poly)>;
+
 /// Everything known at a stage of the plan.
 #[derive(Clone, Debug)]
 pub struct Knowledge {
@@ -192,6 +195,8 @@ impl Knowledge {
     pub fn collect(&self, axes: &Axes, p: &Poly, unknown: &[Form]) -> Option<Collected> {
         let forms: Vec<Form> = unknown.iter().cloned().chain(self.known.iter().map(|k| k.form.clone())).collect();
         let mut out: BTreeMap<Vec<Part>, Vec<Poly>> = BTreeMap::new();
+        // The same few sines and cosines occur in all terms.
+        let mut seen: Vec<(Factor, Split)> = Vec::new();
         for (m, c) in p.terms() {
             let mut sum: BTreeMap<Vec<Part>, Poly> = BTreeMap::new();
             let is_joint = |f: &Factor| match f {
@@ -201,10 +206,18 @@ impl Knowledge {
             };
             sum.insert(vec![Part::One; unknown.len()], Poly::term(m.filter(|f| !is_joint(f)), c.clone()));
             for f in m.factors().filter(|f| is_joint(f)) {
-                let factor = self.factor(axes, &f, unknown, &forms)?;
+                let place = match seen.iter().position(|s| s.0 == f) {
+                    Some(place) => place,
+                    None => {
+                        let split = self.factor(axes, &f, unknown, &forms)?;
+                        seen.push((f, split));
+                        seen.len() - 1
+                    }
+                };
+                let factor = &seen[place].1;
                 let mut next: BTreeMap<Vec<Part>, Poly> = BTreeMap::new();
                 for (a, x) in &sum {
-                    for (b, y) in &factor {
+                    for (b, y) in factor {
                         let mut key = Vec::with_capacity(a.len());
                         for (p, q) in a.iter().zip(b) {
                             key.push(match (*p, *q) {
@@ -226,7 +239,7 @@ impl Knowledge {
     }
 
     /// One factor in terms of the unknowns.
-    fn factor(&self, axes: &Axes, f: &Factor, unknown: &[Form], forms: &[Form]) -> Option<Vec<(Vec<Part>, Poly)>> {
+    fn factor(&self, axes: &Axes, f: &Factor, unknown: &[Form], forms: &[Form]) -> Option<Split> {
         let one = vec![Part::One; unknown.len()];
         match f {
             Factor::Root(_) => None,
