@@ -314,6 +314,25 @@ fn ranged<const N: usize, const M: usize>(
 }
 
 #[test]
+fn a_continuum_is_represented_within_the_ranges_where_it_passes_through_them() {
+    let mut random = Random::new(29);
+    for _ in 0..60 {
+        let mut q = Ranges::JOINTS.each_ref().map(|j| {
+            let (least, greatest) = j.range.unwrap_or((-PI, PI));
+            // A little inside.
+            0.5 * (least + greatest) + 0.49 * random.signed() * (greatest - least)
+        });
+        // The wrist is stretched: axes 4 and 6 turn against each other.
+        q[4] = 0.0;
+        let found = Ranges.inverse(&Ranges.forward(&q));
+        let kept = found.within_range();
+        let same = |k: usize, a: f64| Ranges::JOINTS[k].difference(a, q[k]) < 1e-6;
+        let own = kept.iter().any(|s| !s.free.is_empty() && (0..3).all(|k| same(k, s.q[k])));
+        assert!(own, "{q:?} is not among\n{kept}\nof\n{found}");
+    }
+}
+
+#[test]
 fn ranges_of_every_kind_are_kept() {
     ranged(&Ranges);
     ranged(&Mixed);

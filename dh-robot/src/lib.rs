@@ -183,7 +183,7 @@
 //!
 //! A [`Solution`] knows which alternatives it took ([`Branch`]: shoulder, elbow, wrist), so that a program can stay on its
 //! branch, and which joints are free ([`FreeJoints`]): at a singular pose, a wrist stretched out for example, there are
-//! infinitely many solutions, of which one is returned. Of the list one asks the nearest
+//! infinitely many solutions, of which one is returned (within the ranges, if one joint can be turned against others until all are there). Of the list one asks the nearest
 //! ([`closest_to`](Solutions::closest_to)), where to move ([`toward`](Solutions::toward)), what the joints can do
 //! ([`within_range`](Solutions::within_range)), a branch ([`with_branch`](Solutions::with_branch)).
 //!
