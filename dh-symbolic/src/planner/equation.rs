@@ -43,8 +43,10 @@ pub(super) fn exact(axes: &Axes, knowledge: &mut Knowledge, e: &Equation) -> Pol
         Scalar::Position(i) => {
             let (before, _, direct) = sides();
             let v = &axes.back(e.b, right).p;
-            let w: Vector = plus(&k.rotate(v), &minus(&k.p, &before.p));
-            &direct.p[usize::from(i)] - &dot(&before.column(usize::from(i)), &w)
+            // R^T (w - p) = R^T w + (-R^T p), the latter without multiplying out what cancels.
+            let w: Vector = plus(&k.rotate(v), &k.p);
+            let other = &dot(&before.column(usize::from(i)), &w) + &axes.back(left, e.a).p[usize::from(i)];
+            &direct.p[usize::from(i)] - &other
         }
         Scalar::Back(j) => {
             let (before, after, _) = sides();
