@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 
 use super::kernels::pose::{self, Pose};
 use super::plane;
-use crate::algebra::{Angle, AngleVar, LinearAngle, Poly, Rational, Ring, Transform};
+use crate::algebra::{Angle, AngleVar, LinearAngle, Poly, Rational, Ring, Transform, dot};
 use crate::chain::{Chain, Coordinate, Elementary, Handle, Task};
 
 /// One hop from a frame to the next: a constant transform, then perhaps a joint.
@@ -43,6 +43,8 @@ pub struct Axes {
     products: Vec<OnceLock<Transform>>,
     /// Their inverses: see [`Axes::back`].
     inverses: Vec<OnceLock<Transform>>,
+    /// Squared distances: see [`Axes::square`].
+    squares: Vec<OnceLock<Poly>>,
 }
 
 /// Numeric value of a parameter; fields get their nominal value, slightly detuned so that no structure is read off a value that the
@@ -164,7 +166,8 @@ impl Axes {
             .collect();
         let products = vec![OnceLock::new(); (hops.len() + 1).pow(2)];
         let inverses = products.clone();
-        Axes { hops, coordinates, real, start, end: pending, ring, reach, products, inverses }
+        let squares = vec![OnceLock::new(); products.len()];
+        Axes { hops, coordinates, real, start, end: pending, ring, reach, products, inverses, squares }
     }
 
     /// Does coordinate `k` turn?
@@ -214,6 +217,27 @@ impl Axes {
             let before = hop.before.inverse();
             let last = hop.joint.map_or(before.clone(), |j| self.motion(j).inverse().times(&before));
             last.times(self.back(a, b - 1))
+        })
+    }
+
+    /// The squared distance of the origins of frames `a` and `b`.
+    ///
+    /// With the next way d it grows by d.d + 2 (R^T p).d, and -R^T p is known: nothing long is squared, to fall together afterwards.
+    ///
+    /// # Panics
+    /// As [`Axes::between`].
+    pub fn square(&self, a: usize, b: usize) -> &Poly {
+        self.squares[a * (self.hops.len() + 1) + b].get_or_init(|| {
+            if a == b {
+                return Poly::zero();
+            }
+            let hop = &self.hops[b - 1];
+            let way = match hop.joint {
+                Some(j) if !self.turns(j) => hop.before.times(&self.motion(j)).p,
+                _ => hop.before.p.clone(),
+            };
+            let across = dot(&self.back(a, b - 1).p, &way).scale(&Rational::int(2));
+            &(self.square(a, b - 1) + &dot(&way, &way)) - &across
         })
     }
 
@@ -270,6 +294,33 @@ fn push_factor(items: &mut Vec<Item>, chain: &Chain, joint: Option<usize>, e: El
         (e, _) => {
             if !e.is_identity() {
                 items.push(Item::Constant(e));
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algebra::dot;
+    use crate::chain::table;
+
+    #[test]
+    fn squared_distances_are_what_squaring_gives() {
+        let text = "pub struct Arm;
+            convention = modified;
+            let d4: length;
+            | joint | alpha | a | d | theta |
+            | 1 | 0 | 0 | 0.1 | q1 |
+            | 2 | 40deg | 0.3 | q2 | 30deg |
+            | 3 | -90deg | 0 | 0.2 | q3 |
+            | 4 | 60deg | 0.2 | d4 | q4 |";
+        let parsed = table::parse(text.parse().expect("it lexes"));
+        let axes = Axes::new(&Chain::new(parsed.spec.expect("a table")));
+        for a in 0..=axes.hops.len() {
+            for b in a..=axes.hops.len() {
+                let p = &axes.between(a, b).p;
+                assert_eq!(*axes.square(a, b), dot(p, p), "{a} {b}");
             }
         }
     }

@@ -60,22 +60,22 @@ pub(super) fn exact(axes: &Axes, knowledge: &mut Knowledge, e: &Equation) -> Pol
             &axes.back(e.a, e.b).p[usize::from(j)] - &other
         }
         Scalar::Distance => {
-            let (before, _, direct) = sides();
+            let before = axes.between(left, e.a);
             // |R v + k - t|^2 with R orthogonal
             let v = &axes.back(e.b, right).p;
             let t = &before.p;
             let two = |p: Poly| p.scale(&2.into());
             let turned = k.rotate(v);
             let other: Poly = [
-                dot(v, v),
+                axes.square(e.b, right).clone(),
                 Poly::symbol(known.square),
-                dot(t, t),
+                axes.square(left, e.a).clone(),
                 two(dot(&minus(&k.p, t), &turned)),
                 -&two(dot(&k.p, t)),
             ]
             .into_iter()
             .sum();
-            &dot(&direct.p, &direct.p) - &other
+            axes.square(e.a, e.b) - &other
         }
         Scalar::Across(j) => slides::across_exact(axes, knowledge, e, usize::from(j)),
         Scalar::Bridge(i, j) => slides::bridge_exact(axes, knowledge, e, [i, j].map(usize::from)),
