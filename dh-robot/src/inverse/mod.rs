@@ -51,7 +51,7 @@ pub fn solve<T: Real, const N: usize, const M: usize>(
     if attempt.degenerate || verifier.lost || attempt.lost || attempt.doubt && verifier.out.is_empty() {
         rescue::rescue(&mut verifier, frame, &attempt, &candidates);
     }
-    verifier.into_ranges();
+    verifier.move_into_ranges();
     if verifier.out.is_empty() {
         let why = if setting.few { verifier.off_the_arm(&attempt.why) } else { None };
         let why = why.unwrap_or_else(|| {

@@ -11,7 +11,7 @@ const STEPS: u16 = 314;
 impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, T, N, M> {
     /// Moves representatives that are out of range along their continuum, no farther than needed, where one motion leads along it at
     /// constant rates.
-    pub(super) fn into_ranges(&mut self) {
+    pub(super) fn move_into_ranges(&mut self) {
         for i in 0..self.out.len() {
             let Some(solution) = self.out.get(i).filter(|s| !s.free.is_empty()) else { continue };
             let q = solution.q.map(T::to_f64);
