@@ -15,6 +15,7 @@
 mod arcs;
 mod bernstein;
 mod bilinear;
+mod chain;
 mod drive;
 mod found;
 pub mod general;
@@ -33,6 +34,7 @@ mod trig_poly;
 mod trig_roots;
 
 pub use bilinear::{AnglePair, solve_bilinear, solve_bilinear_choosing};
+pub use chain::Chain;
 pub use drive::Drive;
 pub use found::{Angles, Found, Outcome};
 pub use lengths::{
@@ -43,7 +45,7 @@ pub use list::{Blank, List};
 pub use many::solve_many;
 pub use pair::{solve_pair, solve_turn};
 pub use polish::{Kinematics, Polished, Task, levenberg_marquardt, polish, polish_to, same_solution};
-pub use pose::{Chain, Pose};
+pub use pose::Pose;
 pub use rescue::{add_polished, solve_from_everywhere, solve_nearby};
 pub use sincos::{solve_half_turn, solve_sincos};
 pub use trig_poly::TrigPoly;

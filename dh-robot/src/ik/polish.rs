@@ -341,7 +341,7 @@ fn solve_damped<const N: usize, const M: usize>(j: &[[f64; N]; M], e: &[f64; M],
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ik::pose::Chain;
+    use crate::ik::Chain;
     use crate::ik::testing::{Rng, general_6r, random_pose};
 
     #[test]

@@ -3,7 +3,8 @@
 use core::f64::consts::PI;
 
 use super::TrigPoly;
-use super::pose::{Chain, IDENTITY, Pose, compose, turn};
+use super::chain::Chain;
+use super::pose::{IDENTITY, Pose, compose, turn};
 
 /// SplitMix64 (Steele, Lea, Flood, 2014): the same numbers on every machine.
 pub(crate) struct Rng(u64);

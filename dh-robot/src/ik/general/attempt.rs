@@ -5,12 +5,12 @@ use super::super::math::{atan2, sin_cos};
 use super::super::pose::{IDENTITY, Pose, compose, inverse, slide, turn};
 use super::super::tolerance::REACHED;
 use super::super::{Kinematics, List, Task, polish};
+use super::arm::General6R;
 use super::choice::Choice;
 use super::closure::Closure;
 use super::determinant::{Determinant, Root, crossing};
 use super::dialytic::{Dialytic, Refined};
 use super::pairs::Pairs;
-use super::solve::{ELSEWHERE, General6R};
 
 /// Steps of polishing.
 pub(super) const STEPS: usize = 12;
@@ -20,6 +20,8 @@ const BISECTION: usize = 20;
 const REFINEMENTS: usize = 6;
 /// Where a root is degenerate, solutions are looked for at these distances (rad) too.
 pub(super) const NEIGHBOURS: [f64; 4] = [1e-4, -1e-4, 1e-2, -1e-2];
+/// A joint vector that has nothing special.
+pub(super) const ELSEWHERE: [f64; 6] = [0.7, -1.1, 1.9, -0.4, 1.3, -2.1];
 
 /// What became of the roots of a determinant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

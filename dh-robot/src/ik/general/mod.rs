@@ -7,13 +7,15 @@
 //! attempt     determinant -> trigonometric polynomial of degree 8 -> roots -> null vectors -> polished joint vectors
 //! solve       one attempt after another, until all roots are accounted for; neighbours of singular poses
 //! pairs       arms with two parallel neighbours and two neighbours that meet: a polynomial of degree 8 or 4 without any matrix
-//! choice      which joint plays which part; found once per arm
+//! choice      which joint plays which part
+//! ranking     the best choices; found once per arm
 //! ```
 //!
 //! The method is Raghavan and Roth's (*Inverse kinematics of the general 6R manipulator and related linkages*, 1993), with half-angle
 //! tangents replaced by sines and cosines throughout. That makes no angle special, and it removes the
 //! extraneous factor `(1 + x^2)^4` of their determinant: the harmonics 9 to 12 vanish, and their size shows the rounding error.
 
+mod arm;
 mod attempt;
 mod choice;
 mod closure;
@@ -21,11 +23,14 @@ mod conformal;
 mod determinant;
 mod dialytic;
 mod pairs;
+mod ranking;
 mod solve;
 mod solve_pairs;
 
-pub use choice::{Choice, Ranked, rank};
-pub use solve::{General6R, Solved};
+pub use arm::General6R;
+pub use choice::Choice;
+pub use ranking::{Ranked, rank};
+pub use solve::Solved;
 
 #[cfg(test)]
 mod tests;

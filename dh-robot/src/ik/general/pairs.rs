@@ -15,8 +15,9 @@
 //! `v` and `l`; the product over both `n`, times the fourth power of the distance of `w` from A, is a trigonometric polynomial of degree 8.
 //! If nothing tells `n` from `-n`, half of that is enough. No angle is singled out, and no matrix is needed.
 
+use super::super::chain::Chain;
 use super::super::math::sqrt;
-use super::super::pose::{Chain, IDENTITY, Pose, compose, cross, dot, inverse, turn};
+use super::super::pose::{IDENTITY, Pose, compose, cross, dot, inverse, turn};
 use super::super::{Blank, List};
 use super::choice::Choice;
 use super::closure::{loop_links, unit};

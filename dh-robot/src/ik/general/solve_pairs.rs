@@ -4,11 +4,11 @@ use super::super::math::{atan2, sin_cos};
 use super::super::pose::Pose;
 use super::super::tolerance::REACHED;
 use super::super::{List, Task, polish};
+use super::arm::General6R;
 use super::attempt::{Account, Attempt, NEIGHBOURS, STEPS};
 use super::choice::Choice;
 use super::determinant::{Determinant, Root, crossing};
 use super::pairs::{Candidate, Pairs};
-use super::solve::General6R;
 
 /// A root whose best candidate misses by more is computed anew from the function itself.
 const SLOPPY: f64 = 1e-8;
