@@ -42,3 +42,33 @@ fn single_precision_agrees_with_double() {
         assert!(there, "{q:?}");
     }
 }
+
+dh_robot! {
+    /// A UR5 in single precision: its elbow is stretched at zero.
+    struct Stretched;
+
+    convention = standard;
+    scalar = f32;
+
+    | theta | d        | a        | alpha  |
+    |-------|----------|----------|--------|
+    | q1    | 0.089159 | 0        |  90deg |
+    | q2    | 0        | -0.425   |  0     |
+    | q3    | 0        | -0.39225 |  0     |
+    | q4    | 0.10915  | 0        |  90deg |
+    | q5    | 0.09465  | 0        | -90deg |
+    | q6    | 0.0823   | 0        |  0     |
+}
+
+#[test]
+fn rounding_does_not_put_a_stretched_arm_out_of_reach() {
+    let mut random = Random::new(4);
+    for _ in 0..100 {
+        let mut q: [f32; 6] = std::array::from_fn(|_| (random.signed() * std::f64::consts::PI) as f32);
+        q[2] = 0.0;
+        let found = Stretched.inverse(&Stretched.forward(&q));
+        // A double root is good to the square root of rounding.
+        let near = |a: &f32, b: &f32| (a - b).cos() > 1.0 - 5e-4;
+        assert!(found.iter().any(|s| s.q.iter().zip(&q).all(|(a, b)| near(a, b))), "{q:?}: {found:?}");
+    }
+}

@@ -17,6 +17,8 @@ use crate::{Branch, Joint, Real, Solution, Solutions};
 pub const CONFIRMED: f64 = 1e-12;
 /// Relative distance of a discriminant from zero below which the robust way decides.
 const CLEAR: f64 = 1e-7;
+/// The same where the target is rounded to 6e-8.
+const CLEAR_SINGLE: f64 = 2e-5;
 /// Size of coefficients (rotation, or length over reach) below which the robust way decides.
 const FIRM: f64 = 1e-5;
 
@@ -40,9 +42,21 @@ pub fn half_turn<const R: usize>(rows: [[f64; 2]; R]) -> ([f64; 2], f64) {
 #[inline(always)]
 #[must_use]
 pub fn sincos(a: f64, b: f64, c: f64) -> ([f64; 4], f64, f64) {
+    sincos_apart(a, b, c, CLEAR)
+}
+
+/// The same for targets in `f32`: they are rounded to 6e-8, so a stretched arm is out of reach by some times as much.
+#[inline(always)]
+#[must_use]
+pub fn sincos_single(a: f64, b: f64, c: f64) -> ([f64; 4], f64, f64) {
+    sincos_apart(a, b, c, CLEAR_SINGLE)
+}
+
+#[inline(always)]
+fn sincos_apart(a: f64, b: f64, c: f64, clear: f64) -> ([f64; 4], f64, f64) {
     let h2 = a * a + b * b;
     let g = h2 - c * c;
-    let margin = (g.abs() - CLEAR * h2).min(h2 - FIRM * FIRM);
+    let margin = (g.abs() - clear * h2).min(h2 - FIRM * FIRM);
     // What is doubtful counts as real, so that the robust way decides.
     let real = if g > 0.0 || !(margin > 0.0) { 1.0 } else { 0.0 };
     let r = crate::math::sqrt(g.max(0.0));

@@ -70,7 +70,7 @@ impl Writer<'_> {
         let reach = literal(self.inverse.plan.axes.reach, Scalar::F64);
         let roots = Roots { step: i, names, first, second, turns: known.turns, opposite, reach, layout, spread };
         self.loops.inner.push_str(&format!("// {}\n", known.name));
-        self.solve(body, solver, &roots);
+        self.solve(body, chain, solver, &roots);
         if direct {
             self.keep(chain, &roots);
         } else if p == 1 {
@@ -81,7 +81,7 @@ impl Writer<'_> {
     }
 
     /// The roots, whatever becomes of them, and how well they are determined.
-    fn solve(&mut self, body: &Body<'_>, solver: &Solver, roots: &Roots) {
+    fn solve(&mut self, body: &Body<'_>, chain: &Chain, solver: &Solver, roots: &Roots) {
         let (i, [x, y], [z, w]) = (roots.step, &roots.first, &roots.second);
         let v = |r: usize, k: usize| body.value(solver.rows[r][k]);
         let minus = |r: usize, k: usize| body.negative(solver.rows[r][k]);
@@ -93,7 +93,8 @@ impl Writer<'_> {
             }
             (StepKind::SinCos, _) => {
                 let (a, b, c) = (v(0, 0), v(0, 1), minus(0, 2));
-                format!("let ([{x}, {y}, {z}, {w}], e{i}, m{i}) = ::dh_robot::lanes::sincos({a}, {b}, {c});\n")
+                let kernel = if chain.scalar == Scalar::F32 { "sincos_single" } else { "sincos" };
+                format!("let ([{x}, {y}, {z}, {w}], e{i}, m{i}) = ::dh_robot::lanes::{kernel}({a}, {b}, {c});\n")
             }
             (_, Some((a, b))) => format!("let [{x}, {y}] = ::dh_robot::lanes::unit({a}, {b});\n"),
             (StepKind::AtanPair, None) => {
