@@ -3,6 +3,7 @@
 
 mod classes;
 mod compiled;
+mod continua;
 mod newton;
 mod once;
 mod shrinking;

@@ -3,7 +3,10 @@
 use super::drive::Drive;
 use super::math::{atan2, sqrt};
 use super::pose::{Pose, cross, dot, rotation_between};
-use super::tolerance::{BLURRED, NEAR, POLISHED, SAME};
+use super::tolerance::{BLURRED, NEAR, POLISHED, SAME, VALLEY};
+
+/// Most steps back to the floor of a bent valley.
+const BACK: usize = 4;
 
 /// What polishing must know of an arm.
 pub trait Kinematics<const N: usize> {
@@ -191,23 +194,19 @@ pub fn same_solution<const N: usize>(
     // As well as the two ends do: near a root that was not polished to the last digit, what lies between is no better.
     let miss = |x: &[f64; N]| task.error(&arm.forward(x), reach).iter().fold(0.0f64, |m, e| m.max(e.abs()));
     let enough = 4.0 * miss(p).max(miss(q)) + BLURRED;
-    if miss(&middle) <= enough {
-        return true;
-    }
-    // The way between them may be bent: a step or two lead back to it. From between two solutions they lead to one of them, or nowhere.
-    // (Many steps lead to the end of the way, where the root of high order is.)
-    for _ in 0..4 {
-        polish(arm, &mut middle, task, reach, 1);
-        let distance =
-            |q: &[f64; N]| middle.iter().zip(q).fold(0.0f64, |m, (a, b)| m.max(super::math::sin_cos(a - b).0.abs()));
-        if distance(p).min(distance(q)) <= 0.2 * apart {
-            return false;
-        }
+    // The way between them may be bent: steps that are damped so much that they don't lead along it lead back to it.
+    for _ in 0..BACK {
         if miss(&middle) <= enough {
             return true;
         }
+        let (pose, j) = arm.forward_and_jacobian(&middle);
+        let error = task.error(&pose, reach);
+        let back = solve_damped(&task.rows(&pose, j, reach), &error, VALLEY * VALLEY);
+        for i in 0..N {
+            middle[i] += back[i];
+        }
     }
-    false
+    miss(&middle) <= enough
 }
 
 /// Drives `error(q)` to zero in the sense of least squares; `jacobian` is minus its derivative. Gives back the last error and
@@ -275,14 +274,20 @@ pub fn levenberg_marquardt<const N: usize, const M: usize>(
                 }
                 break;
             }
-            // Next to a double root a good step bends away from the target by as much as is left; the next one leads back.
+            // A good step along a bent valley leads away from the target by more than is left; steps that don't go along it lead back.
             if attempt == 0 && now < BENT {
-                let back = solve_damped(&jacobian(&next), &e_next, weight * then);
-                for i in 0..N {
-                    next[i] += back[i];
+                let (mut e_next, mut then) = (e_next, then);
+                for _ in 0..BACK {
+                    let back = solve_damped(&jacobian(&next), &e_next, (weight * then).max(VALLEY * VALLEY));
+                    for i in 0..N {
+                        next[i] += back[i];
+                    }
+                    e_next = error(&next);
+                    then = square(&e_next);
+                    if then < 0.9 * now {
+                        break;
+                    }
                 }
-                let e_next = error(&next);
-                let then = square(&e_next);
                 if then < 0.9 * now {
                     (*q, e, now) = (next, e_next, then);
                     helped = true;

@@ -57,3 +57,7 @@ pub const SAME: f64 = 1e-6;
 
 /// Joint vectors that differ by more than this (rad) are never the same solution, even if they end at the same root of high order.
 pub const NEAR: f64 = 0.05;
+
+/// Singular values of the slopes well below this belong to the direction in which a root of high order is flat: 1e-3 from a double root
+/// they are as large. The others are a hundred times larger on arms that anybody builds.
+pub const VALLEY: f64 = 3e-4;

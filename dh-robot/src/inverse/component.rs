@@ -1,6 +1,6 @@
 //! Do two solutions belong to one continuum: does a motion of the arm lead from one to the other while the target stays reached?
 
-use super::verifier::Verifier;
+use super::verifier::{SAME, Verifier};
 use crate::ik::Kinematics;
 use crate::{Real, math};
 
@@ -8,6 +8,8 @@ use crate::{Real, math};
 const WALK: usize = 40;
 /// Longest step (rad, or reach).
 const STRIDE: f64 = 0.3;
+/// Turns beyond this (rad) may as well be made the other way round: of three that add up to a whole one the largest is.
+const ROUND: f64 = 2.0;
 /// Joint vectors nearer than this are the same.
 const ARRIVED: f64 = 1e-4;
 
@@ -36,17 +38,41 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
         })
     }
 
-    /// Are the joint vectors on the straight way from `p` to `q` solutions too?
-    pub(super) fn straight_way(&self, p: &[f64; N], q: &[f64; N]) -> bool {
-        let way = self.apart(p, q);
-        [0.5, 0.3, 0.85].iter().all(|t| self.miss(&self.moved_by(p, &way, *t)) <= self.tolerance)
+    /// Ways from `p` to `q`: the shortest one, then those on which one of the joints turns the other way round. Half a turn of two joints
+    /// against each other and half a turn of both together end at the same joint vector.
+    fn ways(&self, p: &[f64; N], q: &[f64; N]) -> impl Iterator<Item = [f64; N]> {
+        let shortest = self.apart(p, q);
+        let (joints, single) = (self.setting.joints, self.drive.is_none());
+        let far = move |k: &usize| single && joints[*k].is_revolute() && shortest[*k].abs() > ROUND;
+        core::iter::once(shortest).chain((0..N).filter(far).map(move |k| {
+            let mut way = shortest;
+            way[k] -= core::f64::consts::TAU.copysign(way[k]);
+            way
+        }))
     }
 
-    /// Walks from `p` towards `q` among the solutions; says whether it arrives.
-    pub(super) fn walk(&self, p: &[f64; N], q: &[f64; N]) -> bool {
+    /// A straight way from `p` among the solutions that ends at `q`, or so near that it is the same. (Beside a continuum polishing may end
+    /// at a joint vector that isn't of it, and reaches the target all the same.)
+    pub(super) fn straight_way(&self, p: &[f64; N], q: &[f64; N]) -> Option<[f64; N]> {
+        let level = self.level(p);
+        let reached = |way: &[f64; N], t: f64| self.miss(&self.moved_by(p, way, t)) <= level;
+        self.ways(p, q).find_map(|way| {
+            let along = self.within_motions(p, &way).map(|x| if x.abs() <= SAME { 0.0 } else { x });
+            let ends = way.iter().zip(&along).all(|(w, a)| (w - a).abs() <= SAME);
+            (ends && [0.5, 0.3, 0.85].iter().all(|t| reached(&along, *t))).then_some(along)
+        })
+    }
+
+    /// Is there a way from `p` to `q` among the solutions?
+    pub(super) fn are_joined(&self, p: &[f64; N], q: &[f64; N]) -> bool {
+        self.ways(p, q).any(|way| self.walk(p, way))
+    }
+
+    /// Walks from `p` along a way, as far as possible among the solutions; says whether it arrives.
+    fn walk(&self, p: &[f64; N], mut way: [f64; N]) -> bool {
         let size = |v: &[f64; N]| math::sqrt(v.iter().map(|x| x * x).sum::<f64>());
+        let level = self.level(p);
         let mut x = *p;
-        let mut way = self.apart(&x, q);
         let mut left = size(&way);
         for _ in 0..WALK {
             if left <= ARRIVED {
@@ -59,10 +85,11 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
             }
             let stride = (STRIDE / length).min(1.0);
             let mut next = self.moved_by(&x, &step, stride);
-            if !self.brought_back(&mut next, 20).reaches(self.tolerance) {
+            if !self.brought_back(&mut next, 20, level) {
                 return false;
             }
-            way = self.apart(&next, q);
+            let moved = self.apart(&x, &next);
+            way = core::array::from_fn(|k| way[k] - moved[k]);
             let then = size(&way);
             if then > left - 0.1 * stride * length.min(left) {
                 return false;
@@ -116,12 +143,16 @@ mod tests {
         let task = Task::Pose(arm.forward(&a));
         let setting = Setting { joints: &JOINTS, reach: 1.0, few: true, given: None };
         let verifier: Verifier<'_, _, f64, 2, 4> = Verifier::new(&arm, setting, &task);
-        assert!(verifier.straight_way(&a, &b) && verifier.walk(&a, &b));
+        assert!(verifier.straight_way(&a, &b).is_some() && verifier.are_joined(&a, &b));
         let off = [1.2, 0.3];
-        assert!(!verifier.straight_way(&a, &off) && !verifier.walk(&a, &off));
+        assert!(verifier.straight_way(&a, &off).is_none() && !verifier.are_joined(&a, &off));
         // The short way round.
         let way = verifier.apart(&[3.0, 0.0], &[-3.0, 0.5]);
         assert!((way[0] - (core::f64::consts::TAU - 6.0)).abs() < 1e-15 && way[1] == 0.5);
-        assert!(verifier.straight_way(&[3.0, -2.5], &[-3.0, 3.5]));
+        assert!(verifier.straight_way(&[3.0, -2.5], &[-3.0, 3.5]).is_some());
+        // Half a turn of both, of which each shortest way alone is the same turn.
+        let half = core::f64::consts::PI;
+        let there = [0.2 + half, 0.3 + half];
+        assert!(verifier.straight_way(&a, &there).is_some() && verifier.are_joined(&a, &there));
     }
 }

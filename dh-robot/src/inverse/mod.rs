@@ -8,6 +8,7 @@
 
 mod attempt;
 mod component;
+mod crossing;
 mod frame;
 mod motion;
 mod off;

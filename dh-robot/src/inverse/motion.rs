@@ -16,11 +16,29 @@ const FOLLOWED: usize = 8;
 const KEPT: f64 = 0.4;
 /// Steps along a straight motion.
 const STRAIGHT: [f64; 3] = [0.9, -2.2, 1.7];
+/// Steps along several motions at once, of no special length.
+const OBLIQUE: [f64; 3] = [0.41, -0.57, 0.33];
 
 /// Motions that leave the task alone to first order: a basis, each with its largest entry 1; in rad and reach.
 pub(super) struct Motions<const N: usize> {
     pub(super) list: [[f64; N]; N],
     pub(super) len: usize,
+    /// The product of the pivots that do not count as zero: it vanishes where one more motion opens.
+    pub(super) volume: f64,
+}
+
+impl<const N: usize> Motions<N> {
+    /// Directions to try: the basis, then sums and differences of two of it, since where curves of solutions cross none of them need go
+    /// in a direction of the basis.
+    pub(super) fn directions(&self) -> impl Iterator<Item = [f64; N]> + '_ {
+        let basis = self.list.iter().take(self.len);
+        let pairs = (0..self.len).flat_map(|i| (0..i).flat_map(move |j| [(i, j, 1.0), (i, j, -1.0)]));
+        basis.copied().chain(pairs.filter_map(|(i, j, sign)| {
+            let both: [f64; N] = core::array::from_fn(|k| self.list[i][k] + sign * self.list[j][k]);
+            let size = both.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+            (size > 1e-6).then(|| both.map(|x| x / size))
+        }))
+    }
 }
 
 /// What is free at a singular solution.
@@ -43,30 +61,50 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
     pub(super) fn freedom(&self, q: &[f64; N]) -> Freedom {
         let motions = self.motions(q);
         let mut freedom = Freedom { joints: FreeJoints::NONE, straight: true };
-        for v in motions.list.iter().take(motions.len) {
-            self.add_motion(q, v, &mut freedom);
+        for (i, v) in motions.directions().enumerate() {
+            if i < motions.len || freedom.joints.is_empty() {
+                self.add_motion(q, &v, &mut freedom);
+            }
         }
-        if freedom.joints.is_empty() && motions.len > 1 {
-            // Where curves of solutions cross, none of them need go in a direction of the basis.
-            for i in 0..motions.len {
-                for j in 0..i {
-                    for sign in [1.0, -1.0] {
-                        let both: [f64; N] =
-                            core::array::from_fn(|k| motions.list[i][k] + sign * motions.list[j][k]);
-                        let size = both.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-                        if size > 1e-6 {
-                            self.add_motion(q, &both.map(|x| x / size), &mut freedom);
-                        }
-                    }
-                }
+        if motions.len > 1 && !freedom.joints.is_empty() {
+            // Of a continuum of two dimensions some joints may rest at `q` only. (Fewer motions off it: curves that cross at `q`.)
+            let oblique = self.oblique(q, &motions);
+            if self.motions(&oblique).len == motions.len {
+                let way = self.apart(q, &oblique);
+                freedom.joints = (0..N).filter(|k| way[*k].abs() > 1e-3).fold(freedom.joints, FreeJoints::with);
             }
         }
         freedom
     }
 
+    /// A point of no special kind of the continuum that `motions` begin at `q`; `q` itself where there is none.
+    fn oblique(&self, q: &[f64; N], motions: &Motions<N>) -> [f64; N] {
+        let mut way = [0.0; N];
+        for (v, size) in motions.list.iter().take(motions.len).zip(OBLIQUE) {
+            way = core::array::from_fn(|k| way[k] + size * v[k]);
+        }
+        let kept = |x: &[f64; N]| self.apart(q, x).iter().zip(&way).all(|(d, v)| (d - v).abs() < 0.2);
+        self.step(q, &way, 1.0).filter(kept).unwrap_or(*q)
+    }
+
+    /// A step in a direction, and back onto the target, as near as `q` is.
+    pub(super) fn step(&self, q: &[f64; N], way: &[f64; N], stride: f64) -> Option<[f64; N]> {
+        let level = self.level(q);
+        let mut next = self.moved_by(q, way, stride);
+        self.brought_back(&mut next, 60, level).then_some(next)
+    }
+
+    /// The direction in which a curve goes on at `x`, after a step; its largest entry is 1.
+    pub(super) fn onward(&self, x: &[f64; N], step: &[f64; N]) -> Option<[f64; N]> {
+        let way = self.within_motions(x, step);
+        let size = way.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        (size > 1e-6).then(|| way.map(|x| x / size))
+    }
+
     /// Notes the joints that move along a motion.
     fn add_motion(&self, q: &[f64; N], v: &[f64; N], freedom: &mut Freedom) {
-        let moved = if STRAIGHT.iter().all(|t| self.miss(&self.moved_by(q, v, *t)) <= self.tolerance) {
+        let level = self.level(q);
+        let moved = if STRAIGHT.iter().all(|t| self.miss(&self.moved_by(q, v, *t)) <= level) {
             (0..N).filter(|k| v[*k].abs() > 1e-6).fold(FreeJoints::NONE, FreeJoints::with)
         } else {
             let moved = self.moved_along(q, v);
@@ -83,22 +121,14 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
             let mut x = *q;
             let mut way = v.map(|v| sign * v);
             for stride in core::iter::once(FIRST).chain([STRIDE; FOLLOWED]) {
-                let mut next = self.moved_by(&x, &way, stride);
-                if !self.brought_back(&mut next, 60).reaches(self.tolerance) {
-                    break;
-                }
+                let Some(next) = self.step(&x, &way, stride) else { break };
                 let step = self.apart(&x, &next);
                 if !step.iter().any(|d| d.abs() > KEPT * stride) {
                     break;
                 }
                 free = (0..N).filter(|k| step[*k].abs() > 1e-3 * stride).fold(free, FreeJoints::with);
-                x = next;
-                way = self.within_motions(&x, &step);
-                let size = way.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-                if !(size > 1e-6) {
-                    break;
-                }
-                way = way.map(|x| x / size);
+                let Some(onward) = self.onward(&next, &step) else { break };
+                (x, way) = (next, onward);
             }
         }
         free
@@ -117,6 +147,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
             }
         }
         let mut pivot = [usize::MAX; 6];
+        let mut volume = 1.0;
         for r in 0..6 {
             let mut best = (0.0, 0, 0);
             for (i, row) in j.iter().enumerate().skip(r) {
@@ -130,6 +161,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
             if size < SINGULAR {
                 break;
             }
+            volume *= size;
             j.swap(r, i);
             pivot[r] = k;
             let lead = j[r];
@@ -142,7 +174,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
                 }
             }
         }
-        let mut motions = Motions { list: [[0.0; N]; N], len: 0 };
+        let mut motions = Motions { list: [[0.0; N]; N], len: 0, volume };
         for k in (0..N).filter(|k| !pivot.contains(k) && self.setting.given.is_none_or(|g| g.0 != *k)) {
             let mut v = [0.0; N];
             v[k] = 1.0;

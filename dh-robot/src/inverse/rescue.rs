@@ -36,6 +36,18 @@ pub(super) fn rescue<A: Kinematics<N>, T: Real, const N: usize, const M: usize>(
     first: &Attempt,
     candidates: &impl Fn(&Pose, Pick, &mut dyn FnMut([f64; N], Branch, FreeJoints)) -> Attempt,
 ) {
+    rescue_by_candidates(verifier, frame, first, candidates);
+    verifier.take_crossings();
+    verifier.forget_copies();
+}
+
+/// Other values, nearby poses, a search.
+fn rescue_by_candidates<A: Kinematics<N>, T: Real, const N: usize, const M: usize>(
+    verifier: &mut Verifier<'_, A, T, N, M>,
+    frame: &Pose,
+    first: &Attempt,
+    candidates: &impl Fn(&Pose, Pick, &mut dyn FnMut([f64; N], Branch, FreeJoints)) -> Attempt,
+) {
     let mut lost = verifier.lost || first.lost || verifier.out.is_empty();
     if first.degenerate {
         for (i, pick) in Pick::others().enumerate() {
@@ -54,12 +66,12 @@ pub(super) fn rescue<A: Kinematics<N>, T: Real, const N: usize, const M: usize>(
     let mut doubt = first.degenerate || first.doubt;
     // Few joints cannot follow a motion of the target, but the equations of the plan hold well enough after a small one.
     for size in if verifier.setting.few { [1e-6, 1e-4] } else { [1e-4, 1e-2] } {
-        for motion in &MOTIONS {
+        for (motion, nth) in MOTIONS.iter().zip(0..) {
             // A double root has two neighbours on one side and none on the other.
             for side in [1.0, -1.0] {
                 let near = moved(frame, motion, side * size);
                 let mut any = false;
-                let run = candidates(&near, Pick::FIRST, &mut |q, branch, _| {
+                let run = candidates(&near, Pick::nth(nth), &mut |q, branch, _| {
                     any = true;
                     verifier.take_rough(q, branch, side < 0.0);
                 });
@@ -113,7 +125,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
     /// take longer than all others.
     fn is_in_known_continuum(&mut self, mut q: [f64; N], further: bool) -> bool {
         self.out.iter().any(|s| !s.free.is_empty())
-            && self.brought_back(&mut q, STEPS).reaches(self.tolerance)
+            && self.brought_back(&mut q, STEPS, self.tolerance)
             && !self.is_regular(&q)
             && (further && self.may_hold(&q) || self.known_continuum(&q).is_some())
     }

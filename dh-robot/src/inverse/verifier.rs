@@ -1,7 +1,7 @@
 //! Takes candidates, keeps what reaches the target, each solution and each continuum once.
 
 use super::Setting;
-use crate::ik::{Drive, Kinematics, Polished, Task, polish, polish_to, same_solution};
+use crate::ik::{Drive, Kinematics, Task, polish, polish_to, same_solution};
 use crate::{Branch, FreeJoints, Real, Solution, Solutions};
 
 /// Residual (position over reach, rotation in rad) up to which a candidate is taken as it is: rounding of a chain of seven links.
@@ -21,7 +21,7 @@ const ROUGH: f64 = 1e-3;
 /// Regular solutions nearer than this in every joint may be one root of high order, seen twice.
 const CLOSE: f64 = 1e-3;
 /// Joint vectors nearer than this in every joint are one solution (rad, or table units over reach).
-const SAME: f64 = 1e-6;
+pub(super) const SAME: f64 = 1e-6;
 /// Damped Newton steps for a candidate of the plan, which is near a solution if it belongs to one.
 const STEPS: usize = 12;
 
@@ -68,6 +68,12 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
         error.iter().fold(0.0_f64, |m, x| if x.abs() <= m { m } else { x.abs() })
     }
 
+    /// Residual up to which what moves on from a solution is a solution too: as well as it does itself. A thousand times less than what is
+    /// let pass for a target that was rounded: 1e-9 beside a singular pose there are solutions that stand alone.
+    pub(super) fn level(&self, q: &[f64; N]) -> f64 {
+        (4.0 * self.miss(q)).clamp(1e-3 * self.tolerance, self.tolerance)
+    }
+
     /// Polishes; says whether the target is reached.
     pub(super) fn polish(&mut self, q: &mut [f64; N], steps: usize) -> bool {
         let polished = polish(self.arm, q, self.task, self.setting.reach, steps);
@@ -78,9 +84,9 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
         polished.reaches(self.tolerance)
     }
 
-    /// Moves a joint vector onto the target, no nearer than needed.
-    pub(super) fn brought_back(&self, q: &mut [f64; N], steps: usize) -> Polished {
-        polish_to(self.arm, q, self.task, self.setting.reach, steps, 0.5 * self.tolerance)
+    /// Moves a joint vector onto the target, no nearer than needed; says whether that is near enough.
+    pub(super) fn brought_back(&self, q: &mut [f64; N], steps: usize, level: f64) -> bool {
+        polish_to(self.arm, q, self.task, self.setting.reach, steps, 0.5 * level).reaches(level)
     }
 
     /// Where nothing reached the target and something nearly did: a root of high order, to which polishing creeps. It may take its time,
@@ -124,6 +130,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
     pub(super) fn take_singular(&mut self, q: [f64; N], branch: Branch) -> FreeJoints {
         let near = |p: &[f64; N], _| same_solution(self.arm, self.task, self.setting.reach, p, &q);
         if let Some(i) = self.find(near) {
+            self.improve(i, &q);
             return self.out[i].free;
         }
         if let Some(free) = self.known_continuum(&q) {
@@ -136,7 +143,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
             self.push(Solution::new(q.map(T::of), branch));
             return free;
         }
-        let walk = |p: &[f64; N], free: FreeJoints| !free.is_empty() && self.walk(&q, p);
+        let walk = |p: &[f64; N], free: FreeJoints| !free.is_empty() && self.are_joined(&q, p);
         if let Some(i) = self.find(walk) {
             return self.free_at(i, free);
         }
@@ -156,19 +163,40 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
 
     /// The free joints of the known continuum that holds a joint vector.
     pub(super) fn known_continuum(&mut self, q: &[f64; N]) -> Option<FreeJoints> {
-        let along = |p: &[f64; N], free: FreeJoints| !free.is_empty() && self.straight_way(p, q);
-        if let Some(i) = self.find(along) {
-            let way = self.apart(&self.out[i].q.map(T::to_f64), q);
+        if let Some((i, way)) = self.find_map(|p, free| self.along(p, free, q)) {
             let moved = (0..N).filter(|k| way[*k].abs() > 1e-6).fold(FreeJoints::NONE, FreeJoints::with);
             return Some(self.free_at(i, moved));
         }
-        let around = |p: &[f64; N], free: FreeJoints| self.holds(p, free, q) && self.walk(q, p);
+        let around = |p: &[f64; N], free: FreeJoints| self.holds(p, free, q) && self.are_joined(q, p);
         self.find(around).map(|i| self.out[i].free)
     }
 
     /// The first solution of which this is true.
     fn find(&self, same: impl Fn(&[f64; N], FreeJoints) -> bool) -> Option<usize> {
-        self.out.iter().position(|s| same(&s.q.map(T::to_f64), s.free))
+        self.find_map(|p, free| same(p, free).then_some(())).map(|found| found.0)
+    }
+
+    /// The first solution for which there is a value, and the value.
+    fn find_map<X>(&self, value: impl Fn(&[f64; N], FreeJoints) -> Option<X>) -> Option<(usize, X)> {
+        self.out.iter().enumerate().find_map(|(i, s)| Some((i, value(&s.q.map(T::to_f64), s.free)?)))
+    }
+
+    /// The way from a known solution straight along its continuum to `q`.
+    fn along(&self, p: &[f64; N], free: FreeJoints, q: &[f64; N]) -> Option<[f64; N]> {
+        if free.is_empty() { None } else { self.straight_way(p, q) }
+    }
+
+    /// Forgets solutions without free joints that lie on a continuum, or so near that they are copies of it: they came before it.
+    #[cold]
+    pub(super) fn forget_copies(&mut self) {
+        let mut kept = Solutions::new(self.setting.joints);
+        for s in &self.out {
+            let q = s.q.map(T::to_f64);
+            if !s.free.is_empty() || self.find_map(|p, free| self.along(p, free, &q)).is_none() {
+                kept.push(*s);
+            }
+        }
+        self.out = kept;
     }
 
     /// Does a known continuum agree in all joints that do not move along it?
@@ -192,21 +220,25 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
     /// Adds a regular solution.
     pub(super) fn insert(&mut self, q: [f64; N], branch: Branch) {
         // Two ends of the way to a root of high order, seen as regular from both.
-        let miss = self.miss(&q);
         let one = |p: &[f64; N], _| {
             self.apart(p, &q).iter().all(|x| x.abs() <= CLOSE)
                 && same_solution(self.arm, self.task, self.setting.reach, p, &q)
         };
-        if let Some(i) = self.find(one) {
-            let better = self.out.get(i).is_some_and(|s| miss < 0.5 * self.miss(&s.q.map(T::to_f64)));
-            if let Some(known) = self.out.get_mut(i).filter(|_| better) {
-                for ((x, joint), known) in q.iter().zip(self.setting.joints).zip(&mut known.q) {
-                    *known = joint.normalize(T::of(*x));
-                }
-            }
-            return;
+        match self.find(one) {
+            Some(i) => self.improve(i, &q),
+            None => _ = self.push(Solution::new(q.map(T::of), branch)),
         }
-        self.push(Solution::new(q.map(T::of), branch));
+    }
+
+    /// Of two ends of the way to a root of high order the one that misses by less is kept.
+    fn improve(&mut self, i: usize, q: &[f64; N]) {
+        let miss = self.miss(q);
+        let better = self.out.get(i).is_some_and(|s| miss < 0.5 * self.miss(&s.q.map(T::to_f64)));
+        if let Some(known) = self.out.get_mut(i).filter(|_| better) {
+            for ((x, joint), known) in q.iter().zip(self.setting.joints).zip(&mut known.q) {
+                *known = joint.normalize(T::of(*x));
+            }
+        }
     }
 
     fn push(&mut self, mut solution: Solution<T, N>) -> bool {
@@ -214,6 +246,9 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
             && self.is_another_turn(&drive, &mut solution)
         {
             return false;
+        }
+        if self.out.len() == M {
+            self.forget_copies();
         }
         let new = self.out.insert(solution, T::of(SAME));
         self.news |= new;
