@@ -72,3 +72,19 @@ fn rounding_does_not_put_a_stretched_arm_out_of_reach() {
         assert!(found.iter().any(|s| s.q.iter().zip(&q).all(|(a, b)| near(a, b))), "{q:?}: {found:?}");
     }
 }
+
+#[test]
+fn a_straight_wrist_is_a_continuum_in_single_precision_too() {
+    fn check(q: &[f32; 6], found: &[dh_robot::Solution<f32, 6>]) {
+        let near = |k: usize, s: &dh_robot::Solution<f32, 6>| (s.q[k] - q[k]).cos() > 1.0 - 5e-4 || s.free.contains(k);
+        let named = found.iter().any(|s| s.free.contains(5) && (0..6).all(|k| near(k, s)));
+        assert!(named, "{q:?}: {found:?}");
+    }
+    let mut random = Random::new(5);
+    for _ in 0..100 {
+        let mut q: [f32; 6] = std::array::from_fn(|_| (random.signed() * std::f64::consts::PI) as f32);
+        q[4] = 0.0;
+        check(&q, &Single.inverse(&Single.forward(&q)));
+        check(&q, &Stretched.inverse(&Stretched.forward(&q)));
+    }
+}

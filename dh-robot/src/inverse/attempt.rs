@@ -101,6 +101,14 @@ impl Attempt {
         Attempt { degenerate: false, lost: false, grazed: false, doubt: false, why: Why::NoSolution }
     }
 
+    /// The same for a target in `f32`: beside a singular pose its rounding turns a double root into two, and what comes after them has as few
+    /// digits as after a double one.
+    #[inline]
+    #[must_use]
+    pub fn single() -> Self {
+        Attempt { grazed: true, ..Attempt::new() }
+    }
+
     /// Notes how a step ended that has no roots, or a double one, where `free` are the joints for which values were chosen before. `scale` turns the
     /// numbers of its equation into `unit`.
     #[cold]

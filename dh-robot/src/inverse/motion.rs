@@ -6,6 +6,8 @@ use crate::{FreeJoints, Real};
 
 /// A pivot below this (position over reach, rotation in rad, per rad or reach) counts as zero: a singular pose.
 const SINGULAR: f64 = 1e-7;
+/// The same for a target in `f32`: rounding moves a double root by the square root of 6e-8 and some more.
+const SINGULAR_SINGLE: f64 = 1e-3;
 /// Length of the first trial step along a motion that isn't straight (rad, or reach): long enough to tell a curve of solutions from a
 /// double one.
 const FIRST: f64 = 0.05;
@@ -146,6 +148,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
                 }
             }
         }
+        let singular = if T::EPSILON > T::of(1e-10) { SINGULAR_SINGLE } else { SINGULAR };
         let mut pivot = [usize::MAX; 6];
         let mut volume = 1.0;
         for r in 0..6 {
@@ -158,7 +161,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
                 }
             }
             let (size, i, k) = best;
-            if size < SINGULAR {
+            if size < singular {
                 break;
             }
             volume *= size;

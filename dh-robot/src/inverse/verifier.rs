@@ -69,9 +69,11 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
     }
 
     /// Residual up to which what moves on from a solution is a solution too: as well as it does itself. A thousand times less than what is
-    /// let pass for a target that was rounded: 1e-9 beside a singular pose there are solutions that stand alone.
+    /// let pass for a target that was rounded: 1e-9 beside a singular pose there are solutions that stand alone. (A target in `f32` does not
+    /// tell them from a continuum.)
     pub(super) fn level(&self, q: &[f64; N]) -> f64 {
-        (4.0 * self.miss(q)).clamp(1e-3 * self.tolerance, self.tolerance)
+        let least = if self.tolerance < REACHED_SINGLE { 1e-3 * self.tolerance } else { self.tolerance };
+        (4.0 * self.miss(q)).clamp(least, self.tolerance)
     }
 
     /// Polishes; says whether the target is reached.

@@ -17,11 +17,12 @@ pub(super) fn candidates(chain: &Chain, inverse: &Inverse) -> String {
     let outputs: Vec<Value> = inverse.solvers.iter().flat_map(Solver::values).collect();
     let mut body = Body::staged(chain, &inverse.graph, outputs, Scalar::F64, 1.0 / plan.axes.reach, inputs(inverse));
     let depths = inverse.depths();
+    let attempt = if chain.scalar == Scalar::F32 { "single" } else { "new" };
     let mut out = format!(
         "/// Runs the plan: calls `found` with every candidate.\n\
          fn candidates(&self, t: &::dh_robot::ik::Pose, {given}pick: ::dh_robot::inverse::Pick, found: &mut dyn FnMut([f64; {n}], ::dh_robot::Branch, ::dh_robot::FreeJoints)) \
          -> ::dh_robot::inverse::Attempt {{\n\
-         let mut attempt = ::dh_robot::inverse::Attempt::new();\nlet free = ::dh_robot::FreeJoints::NONE;\n"
+         let mut attempt = ::dh_robot::inverse::Attempt::{attempt}();\nlet free = ::dh_robot::FreeJoints::NONE;\n"
     );
     let mut angles: Vec<String> = Vec::new();
     let emit = |body: &mut Body<'_>, depth: usize, out: &mut String| {
