@@ -149,13 +149,13 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
             }
         }
         let singular = if T::EPSILON > T::of(1e-10) { SINGULAR_SINGLE } else { SINGULAR };
-        let mut pivot = [usize::MAX; 6];
+        let (mut pivot, mut used) = ([usize::MAX; 6], [false; N]);
         let mut volume = 1.0;
         for r in 0..6 {
             let mut best = (0.0, 0, 0);
             for (i, row) in j.iter().enumerate().skip(r) {
-                for (k, x) in row.iter().enumerate() {
-                    if x.abs() > best.0 && !pivot.contains(&k) {
+                for (k, (x, used)) in row.iter().zip(&used).enumerate() {
+                    if !used && x.abs() > best.0 {
                         best = (x.abs(), i, k);
                     }
                 }
@@ -166,7 +166,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
             }
             volume *= size;
             j.swap(r, i);
-            pivot[r] = k;
+            (pivot[r], used[k]) = (k, true);
             let lead = j[r];
             for (i, row) in j.iter_mut().enumerate() {
                 let factor = row[k] / lead[k];
@@ -178,7 +178,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
             }
         }
         let mut motions = Motions { list: [[0.0; N]; N], len: 0, volume };
-        for k in (0..N).filter(|k| !pivot.contains(k) && self.setting.given.is_none_or(|g| g.0 != *k)) {
+        for k in (0..N).filter(|k| !used[*k] && self.setting.given.is_none_or(|g| g.0 != *k)) {
             let mut v = [0.0; N];
             v[k] = 1.0;
             for (p, row) in pivot.iter().zip(&j) {

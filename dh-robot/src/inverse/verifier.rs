@@ -169,8 +169,27 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
             let moved = (0..N).filter(|k| way[*k].abs() > 1e-6).fold(FreeJoints::NONE, FreeJoints::with);
             return Some(self.free_at(i, moved));
         }
-        let around = |p: &[f64; N], free: FreeJoints| self.holds(p, free, q) && self.are_joined(q, p);
-        self.find(around).map(|i| self.out[i].free)
+        // The nearest one first: a walk that fails has been a long one.
+        let distance = |p: &[f64; N]| self.apart(p, q).iter().map(|x| x * x).sum::<f64>();
+        let nearest = self.find_least(|p, free| self.holds(p, free, q).then(|| distance(p)))?;
+        let joined = |i: usize| self.are_joined(q, &self.out[i].q.map(T::to_f64));
+        if joined(nearest) {
+            return Some(self.out[nearest].free);
+        }
+        let mut others = (0..self.out.len()).filter(|i| *i != nearest);
+        let holds = |i: &usize| self.holds(&self.out[*i].q.map(T::to_f64), self.out[*i].free, q);
+        others.find(|i| holds(i) && joined(*i)).map(|i| self.out[i].free)
+    }
+
+    /// The solution with the least value, of those that have one.
+    fn find_least(&self, value: impl Fn(&[f64; N], FreeJoints) -> Option<f64>) -> Option<usize> {
+        let mut least = None;
+        for (i, s) in self.out.iter().enumerate() {
+            if let Some(x) = value(&s.q.map(T::to_f64), s.free).filter(|x| least.is_none_or(|(_, y)| *x < y)) {
+                least = Some((i, x));
+            }
+        }
+        least.map(|found| found.0)
     }
 
     /// The first solution of which this is true.
