@@ -211,7 +211,8 @@ mod tests {
     #[test]
     fn what_is_no_number_stays_in_its_lane() {
         let nan = f64::NAN;
-        let angles = atan2_batch(&[nan, 1.0, nan, f64::INFINITY, 1.0, 1.0], &[1.0, nan, nan, f64::INFINITY, f64::INFINITY, 1.0]);
+        let angles =
+            atan2_batch(&[nan, 1.0, nan, f64::INFINITY, 1.0, 1.0], &[1.0, nan, nan, f64::INFINITY, f64::INFINITY, 1.0]);
         assert!(angles[..4].iter().all(|angle| angle.is_nan()), "{angles:?}");
         assert_eq!(angles[4..], [0.0, FRAC_PI_4]);
     }

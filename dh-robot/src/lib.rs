@@ -243,53 +243,33 @@
 //! Medians over 41 repetitions of `cargo bench -p dh-robot` on one core of a server processor, random angles.
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 
-#[cfg(not(any(feature = "std", feature = "libm")))]
-compile_error!(
-    "dh-robot needs elementary functions: turn on its feature `std` (on by default), \
-     or for `no_std` its feature `libm`: dh-robot = { version = \"0.1\", default-features = false, features = [\"libm\"] }"
-);
-
-/// Declares every module only where elementary functions exist, so that the message above is the only error without them.
-macro_rules! modules {
-    ($($(#[$attribute:meta])* $visibility:vis mod $name:ident;)*) => {
-        $($(#[$attribute])* #[cfg(any(feature = "std", feature = "libm"))] $visibility mod $name;)*
-    };
-}
-
-modules! {
-    pub mod atan2;
-    mod branch;
-    mod free;
-    #[doc(hidden)]
-    pub mod ik;
-    #[doc(hidden)]
-    pub mod inverse;
-    mod joint;
-    #[doc(hidden)]
-    pub mod lanes;
-    pub mod math;
-    pub mod pose;
-    mod real;
-    mod robot;
-    pub mod sincos;
-    mod solution;
-    mod solutions;
-    mod why;
-}
+// Without one of the features `std` and `libm` the crate dh-kernels refuses to compile, with a message that says so.
+pub mod atan2;
+mod branch;
+mod free;
+mod inverse;
+mod joint;
+pub mod math;
+pub mod pose;
+mod real;
+mod robot;
+#[doc(hidden)]
+pub mod runtime;
+pub mod sincos;
+mod solution;
+mod solutions;
+mod why;
 
 pub use dh_macro::dh_robot;
 pub use nalgebra;
 
-#[cfg(any(feature = "std", feature = "libm"))]
-pub use {
-    atan2::atan2_batch,
-    branch::{Branch, Elbow, Shoulder, Wrist},
-    free::{FreeJoints, FreeJointsIter},
-    joint::{Joint, JointKind},
-    real::Real,
-    robot::{ForwardKinematics, InverseKinematics, Jacobian, Robot},
-    sincos::sincos_batch,
-    solution::Solution,
-    solutions::Solutions,
-    why::Why,
-};
+pub use atan2::atan2_batch;
+pub use branch::{Branch, Elbow, Shoulder, Wrist};
+pub use free::{FreeJoints, FreeJointsIter};
+pub use joint::{Joint, JointKind};
+pub use real::Real;
+pub use robot::{ForwardKinematics, InverseKinematics, Jacobian, Robot};
+pub use sincos::sincos_batch;
+pub use solution::Solution;
+pub use solutions::Solutions;
+pub use why::Why;

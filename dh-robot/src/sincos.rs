@@ -16,8 +16,8 @@
 //!
 //! Above [`LIMIT`] (also NaN and infinity) the whole batch goes to the functions of [`math`].
 
-use crate::math::{self, mul_add};
 use crate::Real;
+use crate::math::{self, mul_add};
 
 /// The largest angle, in radians, that the batch computes by itself.
 pub const LIMIT: f64 = 1e5;

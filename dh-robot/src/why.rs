@@ -142,7 +142,9 @@ impl<T: Real> fmt::Display for Why<T> {
             Self::NotOnTask { what, by, unit } => {
                 write!(f, "the arm cannot take this pose: {what} is off by {by:.3e}{}", Unit(unit))
             }
-            Self::NotVerified { error } => write!(f, "no joint values reach the target: the best candidate misses it by {error:.1e}"),
+            Self::NotVerified { error } => {
+                write!(f, "no joint values reach the target: the best candidate misses it by {error:.1e}")
+            }
             Self::OutOfRange { solutions: 1 } => f.write_str("the only solution leaves a joint's range"),
             Self::OutOfRange { solutions } => write!(f, "each of the {solutions} solutions leaves a joint's range"),
         }
@@ -176,7 +178,10 @@ mod tests {
                 Why::NotOnTask { what: "its orientation", by: 0.5, unit: "rad" },
                 "the arm cannot take this pose: its orientation is off by 5.000e-1 rad",
             ),
-            (Why::NotVerified { error: 1e-3 }, "no joint values reach the target: the best candidate misses it by 1.0e-3"),
+            (
+                Why::NotVerified { error: 1e-3 },
+                "no joint values reach the target: the best candidate misses it by 1.0e-3",
+            ),
             (Why::OutOfRange { solutions: 1 }, "the only solution leaves a joint's range"),
             (Why::OutOfRange { solutions: 8 }, "each of the 8 solutions leaves a joint's range"),
         ] {

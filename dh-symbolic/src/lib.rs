@@ -12,6 +12,3 @@ pub mod render;
 pub mod pipeline;
 
 pub use pipeline::expand;
-
-#[cfg(test)]
-pub(crate) use planner::kernels as ik;

@@ -50,7 +50,7 @@ impl Cobra600 {
     #[must_use]
     pub fn forward(&self, q: &[f64; 4]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[0] + q[1] - q[3], q[0] + q[1], q[0]];
-        let ([s12m4, s12, s1], [c12m4, c12, c1]) = ::dh_robot::sincos::sincos_batch(
+        let ([s12m4, s12, s1], [c12m4, c12, c1]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         ::dh_robot::pose::from_entries(
@@ -67,7 +67,7 @@ impl Cobra600 {
         q: &[f64; 4],
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 4] {
         let angles = [q[0], q[0] + q[1], q[0] + q[1] - q[3]];
-        let ([s1, s12, s12m4], [c1, c12, c12m4]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s12, s12m4], [c1, c12, c12m4]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = c1 * 0.325;
@@ -102,7 +102,7 @@ impl Cobra600 {
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 4]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 4> {
         let angles = [q[0] + q[1], q[0]];
-        let ([s12, s1], [c12, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s12, s1], [c12, c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = 0.275 * c12;
         let t_3 = 0.275 * s12;
         ::dh_robot::nalgebra::SMatrix::from_data(
@@ -127,7 +127,7 @@ impl Cobra600 {
         ::dh_robot::nalgebra::SMatrix<f64, 6, 4>,
     ) {
         let angles = [q[0] + q[1] - q[3], q[0] + q[1], q[0]];
-        let ([s12m4, s12, s1], [c12m4, c12, c1]) = ::dh_robot::sincos::sincos_batch(
+        let ([s12m4, s12, s1], [c12m4, c12, c1]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = 0.275 * c12;
@@ -190,7 +190,7 @@ impl Cobra600 {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 4, 2> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 0.987) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 0.987) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -202,7 +202,7 @@ impl Cobra600 {
             return self.robust(target);
         }
         if valid == [1.0; 2] {
-            let at = |l: usize| ::dh_robot::lanes::solution(
+            let at = |l: usize| ::dh_robot::runtime::lanes::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -210,20 +210,20 @@ impl Cobra600 {
             );
             return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0), at(1)]);
         }
-        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
-        t: &::dh_robot::ik::Pose,
-        pick: ::dh_robot::inverse::Pick,
+        t: &::dh_robot::runtime::Pose,
+        pick: ::dh_robot::runtime::Pick,
         found: &mut dyn FnMut([f64; 4], ::dh_robot::Branch, ::dh_robot::FreeJoints),
-    ) -> ::dh_robot::inverse::Attempt {
-        let mut attempt = ::dh_robot::inverse::Attempt::new();
+    ) -> ::dh_robot::runtime::Attempt {
+        let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
         let t_3 = t_2 - 0.3397962776479236;
-        let r0 = ::dh_robot::ik::solve_quadratic(
+        let r0 = ::dh_robot::runtime::solve_quadratic(
             0.0,
             -1.0,
             -(t[2][3] - 0.39209726443769),
@@ -241,7 +241,7 @@ impl Cobra600 {
         for (i0, &q3) in r0.or_if_free(pick.length(0)).iter().enumerate() {
             let a0 = q3 * 0.987;
             let t_4 = q3 * (0.78419452887538 - q3);
-            let r1 = ::dh_robot::ik::solve_pair(
+            let r1 = ::dh_robot::runtime::solve_pair(
                 1.0,
                 0.0,
                 t[0][0],
@@ -261,8 +261,8 @@ impl Cobra600 {
             };
             for (i1, &[c12m4, s12m4]) in r1.or_if_free(pick.angle(1)).iter().enumerate()
             {
-                let a1 = ::dh_robot::math::atan2(s12m4, c12m4);
-                let r2 = ::dh_robot::ik::solve_sincos(
+                let a1 = ::dh_robot::runtime::atan2(s12m4, c12m4);
+                let r2 = ::dh_robot::runtime::solve_sincos(
                     0.18348972303573616,
                     0.0,
                     t_4 + t_3,
@@ -287,10 +287,10 @@ impl Cobra600 {
                     free
                 };
                 for (i2, &[c2, s2]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::math::atan2(s2, c2);
+                    let a2 = ::dh_robot::runtime::atan2(s2, c2);
                     let t_5 = 0.32928064842958465 + 0.27862208713272546 * c2;
                     let t_6 = 0.27862208713272546 * s2;
-                    let r3 = ::dh_robot::ik::solve_pair(
+                    let r3 = ::dh_robot::runtime::solve_pair(
                         t_5,
                         -t_6,
                         t[0][3],
@@ -313,7 +313,7 @@ impl Cobra600 {
                         .iter()
                         .enumerate()
                     {
-                        let a3 = ::dh_robot::math::atan2(s1, c1);
+                        let a3 = ::dh_robot::runtime::atan2(s1, c1);
                         let branch = ::dh_robot::Branch::ANY
                             .with_step(0, i2)
                             .with_elbow(
@@ -337,22 +337,22 @@ impl Cobra600 {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 4, 2> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 0.987) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 0.987) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
             }
         };
-        let setting = ::dh_robot::inverse::Setting {
+        let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
             reach: 0.987,
             few: true,
             given: ::core::option::Option::None,
         };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 0.987),
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 0.987),
         );
-        ::dh_robot::inverse::solve(
+        ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
@@ -378,7 +378,7 @@ impl Cobra600 {
     #[inline]
     fn lanes(
         &self,
-        t: &::dh_robot::ik::Pose,
+        t: &::dh_robot::runtime::Pose,
         q: &mut [[f64; 2]; 4],
         valid: &mut [f64; 2],
     ) -> bool {
@@ -386,21 +386,24 @@ impl Cobra600 {
         let t_3 = t_2 - 0.3397962776479236;
         let r0 = (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs()
             + (-1.0 - t[2][2]).abs();
-        let (q3, m0) = ::dh_robot::lanes::linear(-1.0, -(t[2][3] - 0.39209726443769));
+        let (q3, m0) = ::dh_robot::runtime::lanes::linear(
+            -1.0,
+            -(t[2][3] - 0.39209726443769),
+        );
         let q3 = q3;
         let g0 = q3 * 0.987;
         let r1 = (0.39209726443769 - q3 - t[2][3]).abs();
-        let [c12m4, s12m4] = ::dh_robot::lanes::unit(t[0][0], t[0][1]);
-        let g1 = ::dh_robot::lanes::angle(s12m4, c12m4);
+        let [c12m4, s12m4] = ::dh_robot::runtime::lanes::unit(t[0][0], t[0][1]);
+        let g1 = ::dh_robot::runtime::lanes::angle(s12m4, c12m4);
         let r2 = (s12m4 - t[0][1]).abs() + (-c12m4 - t[1][1]).abs();
-        let ([x2, y2, z2, w2], e2, m2) = ::dh_robot::lanes::sincos(
+        let ([x2, y2, z2, w2], e2, m2) = ::dh_robot::runtime::lanes::sincos(
             0.18348972303573616,
             0.0,
             q3 * (0.78419452887538 - q3) + t_3,
         );
         let c2_ = [x2, z2];
         let s2_ = [y2, w2];
-        let g2_ = ::dh_robot::lanes::angles(&[y2, w2], &[x2, z2]);
+        let g2_ = ::dh_robot::runtime::lanes::angles(&[y2, w2], &[x2, z2]);
         let g2_: [f64; 2] = ::core::array::from_fn(|l| g2_[l / 1 % 2]);
         let mut margin_ = [0.0; 2];
         let mut valid_ = [0.0; 2];
@@ -410,7 +413,7 @@ impl Cobra600 {
             let s2 = s2_[l];
             let t_4 = 0.32928064842958465 + 0.27862208713272546 * c2;
             let t_5 = 0.27862208713272546 * s2;
-            let ([c1, s1], m3) = ::dh_robot::lanes::pair(
+            let ([c1, s1], m3) = ::dh_robot::runtime::lanes::pair(
                 t_4,
                 -t_5,
                 t[0][3],
@@ -418,15 +421,15 @@ impl Cobra600 {
                 t_4,
                 t[1][3],
             );
-            let g3 = ::dh_robot::lanes::angle(s1, c1);
+            let g3 = ::dh_robot::runtime::lanes::angle(s1, c1);
             let t_6 = 0.27862208713272546 * (c2 * c1 - s2 * s1)
                 + 0.32928064842958465 * c1;
             let t_7 = 0.27862208713272546 * (c2 * s1 + s2 * c1)
                 + 0.32928064842958465 * s1;
             let r4 = (t_6 - t[0][3]).abs() + (t_7 - t[1][3]).abs();
             let g2 = g2_[l];
-            margin_[l] = ::dh_robot::lanes::lesser(
-                ::dh_robot::lanes::lesser(m0, m2),
+            margin_[l] = ::dh_robot::runtime::lanes::lesser(
+                ::dh_robot::runtime::lanes::lesser(m0, m2),
                 m3,
             );
             valid_[l] = e2;
@@ -434,18 +437,18 @@ impl Cobra600 {
             q[0][l] = g3;
             q[1][l] = g2;
             q[2][l] = g0;
-            q[3][l] = ::dh_robot::lanes::wrap(-g1 + g2 + g3);
+            q[3][l] = ::dh_robot::runtime::lanes::wrap(-g1 + g2 + g3);
         }
         *valid = valid_;
-        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
+        ::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
-impl ::dh_robot::ik::Kinematics<4> for Cobra600 {
+impl ::dh_robot::runtime::Kinematics<4> for Cobra600 {
     #[inline]
-    fn forward(&self, q: &[f64; 4]) -> ::dh_robot::ik::Pose {
+    fn forward(&self, q: &[f64; 4]) -> ::dh_robot::runtime::Pose {
         let angles = [q[0] + q[1] - q[3], q[0] + q[1], q[0]];
-        let ([s12m4, s12, s1], [c12m4, c12, c1]) = ::dh_robot::sincos::sincos_batch(
+        let ([s12m4, s12, s1], [c12m4, c12, c1]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         [
@@ -457,9 +460,9 @@ impl ::dh_robot::ik::Kinematics<4> for Cobra600 {
     fn forward_and_jacobian(
         &self,
         q: &[f64; 4],
-    ) -> (::dh_robot::ik::Pose, [[f64; 4]; 6]) {
+    ) -> (::dh_robot::runtime::Pose, [[f64; 4]; 6]) {
         let angles = [q[0] + q[1] - q[3], q[0] + q[1], q[0]];
-        let ([s12m4, s12, s1], [c12m4, c12, c1]) = ::dh_robot::sincos::sincos_batch(
+        let ([s12m4, s12, s1], [c12m4, c12, c1]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = 0.275 * c12;

@@ -65,7 +65,7 @@ impl Crx10ia {
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[5], q[4], q[3], q[1] + q[2], q[0], q[1]];
-        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c6c5 = c6 * c5;
@@ -107,7 +107,7 @@ impl Crx10ia {
         q: &[f64; 6],
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 6] {
         let angles = [q[0], q[1], q[1] + q[2], q[3], q[4], q[5]];
-        let ([s1, s2, s23, s4, s5, s6], [c1, c2, c23, c4, c5, c6]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s2, s23, s4, s5, s6], [c1, c2, c23, c4, c5, c6]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = 0.54 * s2;
@@ -175,7 +175,7 @@ impl Crx10ia {
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         let angles = [q[0], q[1] + q[2], q[3], q[4], q[1]];
-        let ([s1, s23, s4, s5, s2], [c1, c23, c4, c5, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s23, s4, s5, s2], [c1, c23, c4, c5, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let s23s4 = s23 * s4;
@@ -235,7 +235,7 @@ impl Crx10ia {
         ::dh_robot::nalgebra::SMatrix<f64, 6, 6>,
     ) {
         let angles = [q[0], q[1] + q[2], q[3], q[4], q[5], q[1]];
-        let ([s1, s23, s4, s5, s6, s2], [c1, c23, c4, c5, c6, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s23, s4, s5, s6, s2], [c1, c23, c4, c5, c6, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let s23s4 = s23 * s4;
@@ -328,22 +328,22 @@ impl Crx10ia {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 16> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 1.39) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 1.39) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
             }
         };
-        let setting = ::dh_robot::inverse::Setting {
+        let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
             reach: 1.39,
             few: false,
             given: ::core::option::Option::None,
         };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 1.39),
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 1.39),
         );
-        ::dh_robot::inverse::solve(
+        ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
@@ -354,13 +354,13 @@ impl Crx10ia {
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
-        t: &::dh_robot::ik::Pose,
-        pick: ::dh_robot::inverse::Pick,
+        t: &::dh_robot::runtime::Pose,
+        pick: ::dh_robot::runtime::Pick,
         found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
-    ) -> ::dh_robot::inverse::Attempt {
-        let mut attempt = ::dh_robot::inverse::Attempt::new();
+    ) -> ::dh_robot::runtime::Attempt {
+        let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
-        let r0 = ::dh_robot::ik::general::General6R::with_slides(
+        let r0 = ::dh_robot::runtime::General6R::with_slides(
                 &[
                     [[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, -1.0, 0.0, 0.0]],
                     [
@@ -383,9 +383,9 @@ impl Crx10ia {
                 ],
                 &[false, false, false, false, false, false],
                 [
-                    ::dh_robot::ik::general::Choice::new(72),
-                    ::dh_robot::ik::general::Choice::new(31),
-                    ::dh_robot::ik::general::Choice::new(35),
+                    ::dh_robot::runtime::Choice::new(72),
+                    ::dh_robot::runtime::Choice::new(31),
+                    ::dh_robot::runtime::Choice::new(35),
                 ],
             )
             .find(
@@ -409,12 +409,12 @@ impl Crx10ia {
             .iter()
             .enumerate()
         {
-            let a0 = ::dh_robot::math::atan2(s1, c1);
-            let a1 = ::dh_robot::math::atan2(s2, c2);
-            let a2 = ::dh_robot::math::atan2(s3, c3);
-            let a3 = ::dh_robot::math::atan2(s4, c4);
-            let a4 = ::dh_robot::math::atan2(s5, c5);
-            let a5 = ::dh_robot::math::atan2(s6, c6);
+            let a0 = ::dh_robot::runtime::atan2(s1, c1);
+            let a1 = ::dh_robot::runtime::atan2(s2, c2);
+            let a2 = ::dh_robot::runtime::atan2(s3, c3);
+            let a3 = ::dh_robot::runtime::atan2(s4, c4);
+            let a4 = ::dh_robot::runtime::atan2(s5, c5);
+            let a5 = ::dh_robot::runtime::atan2(s6, c6);
             let branch = ::dh_robot::Branch::ANY.with_step(0, i0);
             found([a0, a1, a2, a3, a4, a5], branch, free);
         }
@@ -422,11 +422,11 @@ impl Crx10ia {
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
-impl ::dh_robot::ik::Kinematics<6> for Crx10ia {
+impl ::dh_robot::runtime::Kinematics<6> for Crx10ia {
     #[inline]
-    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {
+    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::runtime::Pose {
         let angles = [q[5], q[4], q[3], q[1] + q[2], q[0], q[1]];
-        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c6c5 = c6 * c5;
@@ -470,9 +470,9 @@ impl ::dh_robot::ik::Kinematics<6> for Crx10ia {
     fn forward_and_jacobian(
         &self,
         q: &[f64; 6],
-    ) -> (::dh_robot::ik::Pose, [[f64; 6]; 6]) {
+    ) -> (::dh_robot::runtime::Pose, [[f64; 6]; 6]) {
         let angles = [q[0], q[1] + q[2], q[3], q[4], q[5], q[1]];
-        let ([s1, s23, s4, s5, s6, s2], [c1, c23, c4, c5, c6, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s23, s4, s5, s6, s2], [c1, c23, c4, c5, c6, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let s23s4 = s23 * s4;

@@ -63,7 +63,7 @@ impl CupArm {
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[5], q[4], q[3], q[1] + q[2], q[0], q[1]];
-        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let s5c4 = s5 * c4;
@@ -107,7 +107,7 @@ impl CupArm {
         q: &[f64; 6],
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 6] {
         let angles = [q[0], q[1], q[1] + q[2], q[3], q[4], q[5]];
-        let ([s1, s2, s23, s4, s5, s6], [c1, c2, c23, c4, c5, c6]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s2, s23, s4, s5, s6], [c1, c2, c23, c4, c5, c6]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = c1 * 30.0;
@@ -174,7 +174,7 @@ impl CupArm {
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         let angles = [q[0], q[1] + q[2], q[3], q[4], q[1]];
-        let ([s1, s23, s4, s5, s2], [c1, c23, c4, c5, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s23, s4, s5, s2], [c1, c23, c4, c5, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c1c23 = c1 * c23;
@@ -234,7 +234,7 @@ impl CupArm {
         ::dh_robot::nalgebra::SMatrix<f64, 6, 6>,
     ) {
         let angles = [q[0], q[1] + q[2], q[3], q[4], q[5], q[1]];
-        let ([s1, s23, s4, s5, s6, s2], [c1, c23, c4, c5, c6, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s23, s4, s5, s6, s2], [c1, c23, c4, c5, c6, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c1c23 = c1 * c23;
@@ -328,7 +328,7 @@ impl CupArm {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 954.0) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 954.0) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -340,7 +340,7 @@ impl CupArm {
             return self.robust(target);
         }
         if valid == [1.0; 8] {
-            let at = |l: usize| ::dh_robot::lanes::solution(
+            let at = |l: usize| ::dh_robot::runtime::lanes::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -351,20 +351,20 @@ impl CupArm {
                 [at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)],
             );
         }
-        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
-        t: &::dh_robot::ik::Pose,
-        pick: ::dh_robot::inverse::Pick,
+        t: &::dh_robot::runtime::Pose,
+        pick: ::dh_robot::runtime::Pick,
         found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
-    ) -> ::dh_robot::inverse::Attempt {
-        let mut attempt = ::dh_robot::inverse::Attempt::new();
+    ) -> ::dh_robot::runtime::Attempt {
+        let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
         let t_2 = t[2][3] - 0.39098532494758914 - t[2][0] * 0.2159329140461216;
         let t_3 = t_2 * t_2;
-        let r0 = ::dh_robot::ik::solve_sincos(
+        let r0 = ::dh_robot::runtime::solve_sincos(
             -(t[1][3] - t[1][0] * 0.2159329140461216),
             t[0][3] - t[0][0] * 0.2159329140461216,
             0.0,
@@ -380,7 +380,7 @@ impl CupArm {
             free
         };
         for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
-            let a0 = ::dh_robot::math::atan2(s1, c1);
+            let a0 = ::dh_robot::runtime::atan2(s1, c1);
             let t_4 = t[0][2] * c1 + t[1][2] * s1;
             let t_5 = t[0][2] * s1 - t[1][2] * c1;
             let t_6 = t[0][1] * c1 + t[1][1] * s1;
@@ -392,7 +392,7 @@ impl CupArm {
             let t_12 = 0.031446540880503145 * (0.031446540880503145 + t_10 * 2.0);
             let t_13 = t_12 + t_3 + t_10 * t_10 + t_11 * t_11 - 0.25430164946006883;
             let t_14 = t_10 + 0.031446540880503145;
-            let r1 = ::dh_robot::ik::solve_sincos(
+            let r1 = ::dh_robot::runtime::solve_sincos(
                 -0.02988630020788559,
                 -0.2525392367566332,
                 t_13,
@@ -417,10 +417,10 @@ impl CupArm {
                 free
             };
             for (i1, &[c3, s3]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::math::atan2(s3, c3);
+                let a1 = ::dh_robot::runtime::atan2(s3, c3);
                 let t_15 = 0.35639412997903563 - 0.041928721174004195 * c3
                     - 0.35429769392033544 * s3;
-                let r2 = ::dh_robot::ik::solve_pair(
+                let r2 = ::dh_robot::runtime::solve_pair(
                     -t_14,
                     t_2,
                     -t_15,
@@ -439,7 +439,7 @@ impl CupArm {
                     free
                 };
                 for (i2, &[c2, s2]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::math::atan2(s2, c2);
+                    let a2 = ::dh_robot::runtime::atan2(s2, c2);
                     let t_16 = c3 * c2 - s3 * s2;
                     let t_17 = c3 * s2 + s3 * c2;
                     let t_18 = t_4 * t_16 - t[2][2] * t_17;
@@ -447,7 +447,7 @@ impl CupArm {
                     let t_20 = t_6 * t_16 - t[2][1] * t_17;
                     let t_21 = t_6 * t_17 + t[2][1] * t_16;
                     let t_22 = t_8 * t_16 - t[2][0] * t_17;
-                    let r3 = ::dh_robot::ik::solve_sincos(-t_9, t_22, 0.0, 1e-11);
+                    let r3 = ::dh_robot::runtime::solve_sincos(-t_9, t_22, 0.0, 1e-11);
                     if !r3.is_regular() {
                         attempt.note(r3.outcome, free, "wrist q4", 1.0, "");
                     }
@@ -462,10 +462,10 @@ impl CupArm {
                         .iter()
                         .enumerate()
                     {
-                        let a3 = ::dh_robot::math::atan2(s4, c4);
+                        let a3 = ::dh_robot::runtime::atan2(s4, c4);
                         let t_23 = t_18 * c4 + t_5 * s4;
                         let t_24 = t_20 * c4 + t_7 * s4;
-                        let r4 = ::dh_robot::ik::solve_pair(
+                        let r4 = ::dh_robot::runtime::solve_pair(
                             0.0,
                             -1.0,
                             t_22 * c4 + t_9 * s4,
@@ -488,8 +488,8 @@ impl CupArm {
                             .iter()
                             .enumerate()
                         {
-                            let a4 = ::dh_robot::math::atan2(s5, c5);
-                            let r5 = ::dh_robot::ik::solve_pair(
+                            let a4 = ::dh_robot::runtime::atan2(s5, c5);
+                            let r5 = ::dh_robot::runtime::solve_pair(
                                 1.0,
                                 0.0,
                                 t_23 * c5 - t_19 * s5,
@@ -512,7 +512,7 @@ impl CupArm {
                                 .iter()
                                 .enumerate()
                             {
-                                let a5 = ::dh_robot::math::atan2(s6, c6);
+                                let a5 = ::dh_robot::runtime::atan2(s6, c6);
                                 let branch = ::dh_robot::Branch::ANY
                                     .with_step(0, i0)
                                     .with_shoulder(
@@ -554,22 +554,22 @@ impl CupArm {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 954.0) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 954.0) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
             }
         };
-        let setting = ::dh_robot::inverse::Setting {
+        let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
             reach: 954.0,
             few: false,
             given: ::core::option::Option::None,
         };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 954.0),
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 954.0),
         );
-        ::dh_robot::inverse::solve(
+        ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
@@ -617,13 +617,13 @@ impl CupArm {
     #[inline]
     fn lanes(
         &self,
-        t: &::dh_robot::ik::Pose,
+        t: &::dh_robot::runtime::Pose,
         q: &mut [[f64; 8]; 6],
         valid: &mut [f64; 8],
     ) -> bool {
         let t_2 = t[2][3] - 0.39098532494758914 - t[2][0] * 0.2159329140461216;
         let t_3 = t_2 * t_2;
-        let ([x0, y0], m0) = ::dh_robot::lanes::half_turn([
+        let ([x0, y0], m0) = ::dh_robot::runtime::lanes::half_turn([
             [
                 -(t[1][3] - t[1][0] * 0.2159329140461216),
                 t[0][3] - t[0][0] * 0.2159329140461216,
@@ -631,7 +631,7 @@ impl CupArm {
         ]);
         let c1_ = [x0, -x0];
         let s1_ = [y0, -y0];
-        let g0_ = ::dh_robot::lanes::angles(&[y0, -y0], &[x0, -x0]);
+        let g0_ = ::dh_robot::runtime::lanes::angles(&[y0, -y0], &[x0, -x0]);
         let mut v53_ = [0.0; 2];
         let mut v56_ = [0.0; 2];
         let mut v59_ = [0.0; 2];
@@ -663,7 +663,7 @@ impl CupArm {
             v65_[l] = t_8;
             v68_[l] = t_9;
             v99_[l] = t_14;
-            let ([x1, y1, z1, w1], e1, m1) = ::dh_robot::lanes::sincos(
+            let ([x1, y1, z1, w1], e1, m1) = ::dh_robot::runtime::lanes::sincos(
                 -0.02988630020788559,
                 -0.2525392367566332,
                 t_13,
@@ -675,7 +675,7 @@ impl CupArm {
             margin1_[l] = m1;
             valid1_[l] = e1;
         }
-        let g1_ = ::dh_robot::lanes::angles(&f1[1], &f1[0]);
+        let g1_ = ::dh_robot::runtime::lanes::angles(&f1[1], &f1[0]);
         q[2] = ::core::array::from_fn(|l| g1_[l / 2 % 2 * 2 + l % 2]);
         let c3_ = f1[0];
         let s3_ = f1[1];
@@ -700,7 +700,7 @@ impl CupArm {
             let t_15 = 0.35639412997903563 - 0.041928721174004195 * c3
                 - 0.35429769392033544 * s3;
             let v99 = v99_[l];
-            let ([c2, s2], m2) = ::dh_robot::lanes::pair(
+            let ([c2, s2], m2) = ::dh_robot::runtime::lanes::pair(
                 -v99,
                 t_2,
                 -t_15,
@@ -708,7 +708,7 @@ impl CupArm {
                 v99,
                 -(c3 * 0.35429769392033544 - 0.041928721174004195 * s3),
             );
-            let g2 = ::dh_robot::lanes::angle(s2, c2);
+            let g2 = ::dh_robot::runtime::lanes::angle(s2, c2);
             let v53 = v53_[l];
             let v59 = v59_[l];
             let v65 = v65_[l];
@@ -722,17 +722,17 @@ impl CupArm {
             let t_23 = 0.35639412997903563 * c2;
             let t_24 = 0.35639412997903563 * s2;
             let v68 = v68_[l];
-            let ([c4, s4], m3) = ::dh_robot::lanes::half_turn([[-v68, t_22]]);
-            let g3 = ::dh_robot::lanes::angle(s4, c4);
+            let ([c4, s4], m3) = ::dh_robot::runtime::lanes::half_turn([[-v68, t_22]]);
+            let g3 = ::dh_robot::runtime::lanes::angle(s4, c4);
             let v56 = v56_[l];
             let v62 = v62_[l];
             let t_25 = t_18 * c4 + v56 * s4;
             let t_26 = t_20 * c4 + v62 * s4;
-            let [c5, s5] = ::dh_robot::lanes::unit(
+            let [c5, s5] = ::dh_robot::runtime::lanes::unit(
                 -(v65 * t_17 + t[2][0] * t_16),
                 -(t_22 * c4 + v68 * s4),
             );
-            let g4 = ::dh_robot::lanes::angle(s5, c5);
+            let g4 = ::dh_robot::runtime::lanes::angle(s5, c5);
             let c1 = c1_[l];
             let s1 = s1_[l];
             let c4s5 = c4 * s5;
@@ -750,11 +750,11 @@ impl CupArm {
                 + (-(s1 * t_32 - c1 * t_30) - t[1][3]).abs()
                 + (0.39098532494758914 + t_17 * t_31 - t_16 * t_29 - t_24 - t[2][3])
                     .abs();
-            let [c6, s6] = ::dh_robot::lanes::unit(
+            let [c6, s6] = ::dh_robot::runtime::lanes::unit(
                 t_25 * c5 - t_19 * s5,
                 t_26 * c5 - t_21 * s5,
             );
-            let g5 = ::dh_robot::lanes::angle(s6, c6);
+            let g5 = ::dh_robot::runtime::lanes::angle(s6, c6);
             let c5c6 = c5 * c6;
             let s5c6 = s5 * c6;
             let t_33 = c4 * c5c6 - s4 * s6;
@@ -766,15 +766,18 @@ impl CupArm {
             let g0 = g0_[l];
             let margin1 = margin1_[l];
             let valid1 = valid1_[l];
-            margin_[l] = ::dh_robot::lanes::lesser(
-                ::dh_robot::lanes::lesser(::dh_robot::lanes::lesser(m0, margin1), m2),
+            margin_[l] = ::dh_robot::runtime::lanes::lesser(
+                ::dh_robot::runtime::lanes::lesser(
+                    ::dh_robot::runtime::lanes::lesser(m0, margin1),
+                    m2,
+                ),
                 m3,
             );
             valid_[l] = valid1;
             error_[l] = r5 + r6;
-            let h3 = ::dh_robot::lanes::opposite(g3);
-            let h4 = ::dh_robot::lanes::negative(g4);
-            let h5 = ::dh_robot::lanes::opposite(g5);
+            let h3 = ::dh_robot::runtime::lanes::opposite(g3);
+            let h4 = ::dh_robot::runtime::lanes::negative(g4);
+            let h5 = ::dh_robot::runtime::lanes::opposite(g5);
             q[0][l] = g0;
             q[1][l] = g2;
             q[3][l] = g3;
@@ -787,15 +790,15 @@ impl CupArm {
             q[5][l + 4] = h5;
         }
         *valid = ::core::array::from_fn(|l| valid_[l % 4]);
-        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
+        ::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
-impl ::dh_robot::ik::Kinematics<6> for CupArm {
+impl ::dh_robot::runtime::Kinematics<6> for CupArm {
     #[inline]
-    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {
+    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::runtime::Pose {
         let angles = [q[5], q[4], q[3], q[1] + q[2], q[0], q[1]];
-        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let s5c4 = s5 * c4;
@@ -831,9 +834,9 @@ impl ::dh_robot::ik::Kinematics<6> for CupArm {
     fn forward_and_jacobian(
         &self,
         q: &[f64; 6],
-    ) -> (::dh_robot::ik::Pose, [[f64; 6]; 6]) {
+    ) -> (::dh_robot::runtime::Pose, [[f64; 6]; 6]) {
         let angles = [q[0], q[1] + q[2], q[3], q[4], q[5], q[1]];
-        let ([s1, s23, s4, s5, s6, s2], [c1, c23, c4, c5, c6, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s23, s4, s5, s6, s2], [c1, c23, c4, c5, c6, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c1c23 = c1 * c23;

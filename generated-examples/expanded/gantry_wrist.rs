@@ -50,7 +50,7 @@ impl GantryWrist {
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[5] + 0.5235987755982988, q[4], q[3]];
-        let ([s6_30, s5, s4], [c6_30, c5, c4]) = ::dh_robot::sincos::sincos_batch(
+        let ([s6_30, s5, s4], [c6_30, c5, c4]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = c6_30 * c5;
@@ -75,7 +75,7 @@ impl GantryWrist {
         q: &[f64; 6],
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 6] {
         let angles = [q[3], q[4], q[5] + 0.5235987755982988];
-        let ([s4, s5, s6_30], [c4, c5, c6_30]) = ::dh_robot::sincos::sincos_batch(
+        let ([s4, s5, s6_30], [c4, c5, c6_30]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = q[2] + 0.1;
@@ -122,7 +122,7 @@ impl GantryWrist {
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         let angles = [q[4], q[3]];
-        let ([s5, s4], [c5, c4]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s5, s4], [c5, c4]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = s5 * 0.2;
         let t_3 = c5 * 0.2;
         ::dh_robot::nalgebra::SMatrix::from_data(
@@ -149,7 +149,7 @@ impl GantryWrist {
         ::dh_robot::nalgebra::SMatrix<f64, 6, 6>,
     ) {
         let angles = [q[5] + 0.5235987755982988, q[4], q[3]];
-        let ([s6_30, s5, s4], [c6_30, c5, c4]) = ::dh_robot::sincos::sincos_batch(
+        let ([s6_30, s5, s4], [c6_30, c5, c4]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = c6_30 * c5;
@@ -224,7 +224,7 @@ impl GantryWrist {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 2> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 0.30000000000000004) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 0.30000000000000004) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -236,7 +236,7 @@ impl GantryWrist {
             return self.robust(target);
         }
         if valid == [1.0; 2] {
-            let at = |l: usize| ::dh_robot::lanes::solution(
+            let at = |l: usize| ::dh_robot::runtime::lanes::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -244,23 +244,23 @@ impl GantryWrist {
             );
             return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0), at(1)]);
         }
-        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
-        t: &::dh_robot::ik::Pose,
-        pick: ::dh_robot::inverse::Pick,
+        t: &::dh_robot::runtime::Pose,
+        pick: ::dh_robot::runtime::Pick,
         found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
-    ) -> ::dh_robot::inverse::Attempt {
-        let mut attempt = ::dh_robot::inverse::Attempt::new();
+    ) -> ::dh_robot::runtime::Attempt {
+        let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
         let t_2 = t[0][0] * 0.8660254037844386 - t[0][1] * 0.5;
         let t_3 = t[2][0] * 0.8660254037844386 - t[2][1] * 0.5;
         let t_4 = t[0][0] * 0.5 + t[0][1] * 0.8660254037844386;
         let t_5 = t[2][0] * 0.5 + t[2][1] * 0.8660254037844386;
         let t_6 = t[1][3] - t[1][2] * 0.6666666666666666 - 0.3333333333333333;
-        let r0 = ::dh_robot::ik::solve_quadratic(
+        let r0 = ::dh_robot::runtime::solve_quadratic(
             0.0,
             1.0,
             -(t[2][3] - t[2][2] * 0.6666666666666666),
@@ -277,7 +277,7 @@ impl GantryWrist {
         };
         for (i0, &q1) in r0.or_if_free(pick.length(0)).iter().enumerate() {
             let a0 = q1 * 0.30000000000000004;
-            let r1 = ::dh_robot::ik::solve_quadratic(
+            let r1 = ::dh_robot::runtime::solve_quadratic(
                 0.0,
                 -1.0,
                 t[0][3] - t[0][2] * 0.6666666666666666,
@@ -294,7 +294,7 @@ impl GantryWrist {
             };
             for (i1, &q2) in r1.or_if_free(pick.length(1)).iter().enumerate() {
                 let a1 = q2 * 0.30000000000000004;
-                let r2 = ::dh_robot::ik::solve_quadratic(0.0, -1.0, t_6, 1e-11);
+                let r2 = ::dh_robot::runtime::solve_quadratic(0.0, -1.0, t_6, 1e-11);
                 if !r2.is_regular() {
                     attempt.note(r2.outcome, free, "q3", 0.30000000000000004, "m");
                 }
@@ -306,7 +306,7 @@ impl GantryWrist {
                 };
                 for (i2, &q3) in r2.or_if_free(pick.length(2)).iter().enumerate() {
                     let a2 = q3 * 0.30000000000000004;
-                    let r3 = ::dh_robot::ik::solve_sincos(
+                    let r3 = ::dh_robot::runtime::solve_sincos(
                         -(t[1][0] * 0.5 + t[1][1] * 0.8660254037844386),
                         -(t[1][0] * 0.8660254037844386 - t[1][1] * 0.5),
                         0.0,
@@ -326,8 +326,8 @@ impl GantryWrist {
                         .iter()
                         .enumerate()
                     {
-                        let a3 = ::dh_robot::math::atan2(s6, c6);
-                        let r4 = ::dh_robot::ik::solve_pair(
+                        let a3 = ::dh_robot::runtime::atan2(s6, c6);
+                        let r4 = ::dh_robot::runtime::solve_pair(
                             0.0,
                             1.0,
                             -(t_3 * s6 + t_5 * c6),
@@ -350,8 +350,8 @@ impl GantryWrist {
                             .iter()
                             .enumerate()
                         {
-                            let a4 = ::dh_robot::math::atan2(s4, c4);
-                            let r5 = ::dh_robot::ik::solve_pair(
+                            let a4 = ::dh_robot::runtime::atan2(s4, c4);
+                            let r5 = ::dh_robot::runtime::solve_pair(
                                 1.0,
                                 0.0,
                                 c6 * (t_3 * c4 + t_2 * s4) - s6 * (t_5 * c4 + t_4 * s4),
@@ -374,7 +374,7 @@ impl GantryWrist {
                                 .iter()
                                 .enumerate()
                             {
-                                let a5 = ::dh_robot::math::atan2(s5, c5);
+                                let a5 = ::dh_robot::runtime::atan2(s5, c5);
                                 let branch = ::dh_robot::Branch::ANY
                                     .with_step(0, i3)
                                     .with_wrist(
@@ -400,22 +400,22 @@ impl GantryWrist {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 2> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 0.30000000000000004) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 0.30000000000000004) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
             }
         };
-        let setting = ::dh_robot::inverse::Setting {
+        let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
             reach: 0.30000000000000004,
             few: false,
             given: ::core::option::Option::None,
         };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 0.30000000000000004),
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 0.30000000000000004),
         );
-        ::dh_robot::inverse::solve(
+        ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
@@ -445,7 +445,7 @@ impl GantryWrist {
     #[inline]
     fn lanes(
         &self,
-        t: &::dh_robot::ik::Pose,
+        t: &::dh_robot::runtime::Pose,
         q: &mut [[f64; 2]; 6],
         valid: &mut [f64; 2],
     ) -> bool {
@@ -457,43 +457,43 @@ impl GantryWrist {
         let mut margin_ = [0.0; 1];
         let mut valid_ = [0.0; 1];
         let mut error_ = [0.0; 1];
-        let (q1, m0) = ::dh_robot::lanes::linear(
+        let (q1, m0) = ::dh_robot::runtime::lanes::linear(
             1.0,
             -(t[2][3] - t[2][2] * 0.6666666666666666),
         );
         let q1 = q1;
         let g0 = q1 * 0.30000000000000004;
-        let (q2, m1) = ::dh_robot::lanes::linear(
+        let (q2, m1) = ::dh_robot::runtime::lanes::linear(
             -1.0,
             t[0][3] - t[0][2] * 0.6666666666666666,
         );
         let q2 = q2;
         let g1 = q2 * 0.30000000000000004;
-        let (q3, m2) = ::dh_robot::lanes::linear(-1.0, t_6);
+        let (q3, m2) = ::dh_robot::runtime::lanes::linear(-1.0, t_6);
         let q3 = q3;
         let g2 = q3 * 0.30000000000000004;
         let t_7 = 0.3333333333333333 + q3;
-        let ([c6, s6], m3) = ::dh_robot::lanes::half_turn([
+        let ([c6, s6], m3) = ::dh_robot::runtime::lanes::half_turn([
             [
                 -(t[1][0] * 0.5 + t[1][1] * 0.8660254037844386),
                 -(t[1][0] * 0.8660254037844386 - t[1][1] * 0.5),
             ],
         ]);
-        let g3 = ::dh_robot::lanes::angle(s6, c6);
+        let g3 = ::dh_robot::runtime::lanes::angle(s6, c6);
         let t_8 = 0.8660254037844386 * c6 - 0.5 * s6;
         let t_9 = 0.5 * c6 + 0.8660254037844386 * s6;
-        let [c4, s4] = ::dh_robot::lanes::unit(
+        let [c4, s4] = ::dh_robot::runtime::lanes::unit(
             t_2 * s6 + t_4 * c6,
             -(t_3 * s6 + t_5 * c6),
         );
-        let g4 = ::dh_robot::lanes::angle(s4, c4);
+        let g4 = ::dh_robot::runtime::lanes::angle(s4, c4);
         let t_10 = s4 * t_8;
         let t_11 = c4 * t_8;
-        let [c5, s5] = ::dh_robot::lanes::unit(
+        let [c5, s5] = ::dh_robot::runtime::lanes::unit(
             c6 * (t_3 * c4 + t_2 * s4) - s6 * (t_5 * c4 + t_4 * s4),
             -(t[2][2] * c4 + t[0][2] * s4),
         );
-        let g5 = ::dh_robot::lanes::angle(s5, c5);
+        let g5 = ::dh_robot::runtime::lanes::angle(s5, c5);
         let t_12 = t_9 * c5;
         let c4s5 = c4 * s5;
         let s4s5 = s4 * s5;
@@ -504,15 +504,18 @@ impl GantryWrist {
             + (t_7 + 0.6666666666666666 * c5 - t[1][3]).abs()
             + (q1 - 0.6666666666666666 * c4s5 - t[2][3]).abs();
         let l = 0;
-        margin_[l] = ::dh_robot::lanes::lesser(
-            ::dh_robot::lanes::lesser(::dh_robot::lanes::lesser(m0, m1), m2),
+        margin_[l] = ::dh_robot::runtime::lanes::lesser(
+            ::dh_robot::runtime::lanes::lesser(
+                ::dh_robot::runtime::lanes::lesser(m0, m1),
+                m2,
+            ),
             m3,
         );
         valid_[l] = 1.0;
         error_[l] = r6;
-        let h3 = ::dh_robot::lanes::opposite(g3);
-        let h4 = ::dh_robot::lanes::opposite(g4);
-        let h5 = ::dh_robot::lanes::negative(g5);
+        let h3 = ::dh_robot::runtime::lanes::opposite(g3);
+        let h4 = ::dh_robot::runtime::lanes::opposite(g4);
+        let h5 = ::dh_robot::runtime::lanes::negative(g5);
         q[0][l] = g0;
         q[1][l] = g1;
         q[2][l] = g2;
@@ -526,15 +529,15 @@ impl GantryWrist {
         q[4][l + 1] = h5;
         q[5][l + 1] = h3;
         *valid = ::core::array::from_fn(|l| valid_[l % 1]);
-        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
+        ::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
-impl ::dh_robot::ik::Kinematics<6> for GantryWrist {
+impl ::dh_robot::runtime::Kinematics<6> for GantryWrist {
     #[inline]
-    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {
+    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::runtime::Pose {
         let angles = [q[5] + 0.5235987755982988, q[4], q[3]];
-        let ([s6_30, s5, s4], [c6_30, c5, c4]) = ::dh_robot::sincos::sincos_batch(
+        let ([s6_30, s5, s4], [c6_30, c5, c4]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = c6_30 * c5;
@@ -550,9 +553,9 @@ impl ::dh_robot::ik::Kinematics<6> for GantryWrist {
     fn forward_and_jacobian(
         &self,
         q: &[f64; 6],
-    ) -> (::dh_robot::ik::Pose, [[f64; 6]; 6]) {
+    ) -> (::dh_robot::runtime::Pose, [[f64; 6]; 6]) {
         let angles = [q[5] + 0.5235987755982988, q[4], q[3]];
-        let ([s6_30, s5, s4], [c6_30, c5, c4]) = ::dh_robot::sincos::sincos_batch(
+        let ([s6_30, s5, s4], [c6_30, c5, c4]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = c6_30 * c5;

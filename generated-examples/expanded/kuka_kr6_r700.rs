@@ -65,7 +65,7 @@ impl KukaKr6R700 {
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[5], q[4], q[3], q[1] + q[2], q[0], q[1]];
-        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c6c5 = c6 * c5;
@@ -102,7 +102,7 @@ impl KukaKr6R700 {
         q: &[f64; 6],
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 6] {
         let angles = [q[0], q[1], q[1] + q[2], q[3], q[4], q[5]];
-        let ([s1, s2, s23, s4, s5, s6], [c1, c2, c23, c4, c5, c6]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s2, s23, s4, s5, s6], [c1, c2, c23, c4, c5, c6]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = c1 * 0.025;
@@ -173,7 +173,7 @@ impl KukaKr6R700 {
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         let angles = [q[0], q[1] + q[2], q[3], q[4], q[1]];
-        let ([s1, s23, s4, s5, s2], [c1, c23, c4, c5, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s23, s4, s5, s2], [c1, c23, c4, c5, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c1s23 = c1 * s23;
@@ -233,7 +233,7 @@ impl KukaKr6R700 {
         ::dh_robot::nalgebra::SMatrix<f64, 6, 6>,
     ) {
         let angles = [q[0], q[1] + q[2], q[3], q[4], q[5], q[1]];
-        let ([s1, s23, s4, s5, s6, s2], [c1, c23, c4, c5, c6, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s23, s4, s5, s6, s2], [c1, c23, c4, c5, c6, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c1s23 = c1 * s23;
@@ -327,7 +327,7 @@ impl KukaKr6R700 {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 1.2200000000000002) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 1.2200000000000002) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -339,7 +339,7 @@ impl KukaKr6R700 {
             return self.robust(target);
         }
         if valid == [1.0; 8] {
-            let at = |l: usize| ::dh_robot::lanes::solution(
+            let at = |l: usize| ::dh_robot::runtime::lanes::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -350,22 +350,22 @@ impl KukaKr6R700 {
                 [at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)],
             );
         }
-        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
-        t: &::dh_robot::ik::Pose,
-        pick: ::dh_robot::inverse::Pick,
+        t: &::dh_robot::runtime::Pose,
+        pick: ::dh_robot::runtime::Pick,
         found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
-    ) -> ::dh_robot::inverse::Attempt {
-        let mut attempt = ::dh_robot::inverse::Attempt::new();
+    ) -> ::dh_robot::runtime::Attempt {
+        let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
         let t_2 = t[0][3] - t[0][2] * 0.06557377049180327;
         let t_3 = t[1][3] - t[1][2] * 0.06557377049180327;
         let t_4 = t[2][3] - t[2][2] * 0.06557377049180327 - 0.32786885245901637;
         let t_5 = t_4 * t_4;
-        let r0 = ::dh_robot::ik::solve_sincos(-t_3, t_2, 0.0, 1e-11);
+        let r0 = ::dh_robot::runtime::solve_sincos(-t_3, t_2, 0.0, 1e-11);
         if !r0.is_regular() {
             attempt.note(r0.outcome, free, "shoulder q1", 1.2200000000000002, "m");
         }
@@ -376,7 +376,7 @@ impl KukaKr6R700 {
             free
         };
         for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
-            let a0 = ::dh_robot::math::atan2(s1, c1);
+            let a0 = ::dh_robot::runtime::atan2(s1, c1);
             let t_6 = t_2 * c1 + t_3 * s1;
             let t_7 = t_2 * s1 - t_3 * c1;
             let t_8 = t[0][0] * c1 + t[1][0] * s1;
@@ -387,7 +387,7 @@ impl KukaKr6R700 {
             let t_13 = t[0][2] * s1 - t[1][2] * c1;
             let t_14 = 0.020491803278688523 * (0.020491803278688523 - t_6 * 2.0);
             let t_15 = t_6 - 0.020491803278688523;
-            let r1 = ::dh_robot::ik::solve_sincos(
+            let r1 = ::dh_robot::runtime::solve_sincos(
                 0.014814565976887932,
                 -0.15449475947325983,
                 t_14 + t_6 * t_6 + t_7 * t_7 + t_5 - 0.15699744692287015,
@@ -415,10 +415,10 @@ impl KukaKr6R700 {
                 free
             };
             for (i1, &[c3, s3]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::math::atan2(s3, c3);
+                let a1 = ::dh_robot::runtime::atan2(s3, c3);
                 let t_16 = 0.25819672131147536 + c3 * 0.028688524590163935
                     - 0.2991803278688524 * s3;
-                let r2 = ::dh_robot::ik::solve_pair(
+                let r2 = ::dh_robot::runtime::solve_pair(
                     -t_15,
                     t_4,
                     -(0.2991803278688524 * c3 + 0.028688524590163935 * s3),
@@ -437,7 +437,7 @@ impl KukaKr6R700 {
                     free
                 };
                 for (i2, &[c2, s2]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::math::atan2(s2, c2);
+                    let a2 = ::dh_robot::runtime::atan2(s2, c2);
                     let t_17 = t_8 * c2 - t[2][0] * s2;
                     let t_18 = t_8 * s2 + t[2][0] * c2;
                     let t_19 = t_10 * c2 - t[2][1] * s2;
@@ -449,7 +449,7 @@ impl KukaKr6R700 {
                     let t_25 = c3 * t_20 + s3 * t_19;
                     let t_26 = s3 * t_20 - c3 * t_19;
                     let t_27 = c3 * t_22 + s3 * t_21;
-                    let r3 = ::dh_robot::ik::solve_sincos(-t_13, t_27, 0.0, 1e-11);
+                    let r3 = ::dh_robot::runtime::solve_sincos(-t_13, t_27, 0.0, 1e-11);
                     if !r3.is_regular() {
                         attempt.note(r3.outcome, free, "wrist q4", 1.0, "");
                     }
@@ -464,10 +464,10 @@ impl KukaKr6R700 {
                         .iter()
                         .enumerate()
                     {
-                        let a3 = ::dh_robot::math::atan2(s4, c4);
+                        let a3 = ::dh_robot::runtime::atan2(s4, c4);
                         let t_28 = t_23 * c4 + t_9 * s4;
                         let t_29 = t_25 * c4 + t_11 * s4;
-                        let r4 = ::dh_robot::ik::solve_pair(
+                        let r4 = ::dh_robot::runtime::solve_pair(
                             0.0,
                             -1.0,
                             t_27 * c4 + t_13 * s4,
@@ -490,8 +490,8 @@ impl KukaKr6R700 {
                             .iter()
                             .enumerate()
                         {
-                            let a4 = ::dh_robot::math::atan2(s5, c5);
-                            let r5 = ::dh_robot::ik::solve_pair(
+                            let a4 = ::dh_robot::runtime::atan2(s5, c5);
+                            let r5 = ::dh_robot::runtime::solve_pair(
                                 1.0,
                                 0.0,
                                 t_28 * c5 - t_24 * s5,
@@ -514,7 +514,7 @@ impl KukaKr6R700 {
                                 .iter()
                                 .enumerate()
                             {
-                                let a5 = ::dh_robot::math::atan2(s6, c6);
+                                let a5 = ::dh_robot::runtime::atan2(s6, c6);
                                 let branch = ::dh_robot::Branch::ANY
                                     .with_step(0, i0)
                                     .with_shoulder(
@@ -556,22 +556,22 @@ impl KukaKr6R700 {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 1.2200000000000002) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 1.2200000000000002) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
             }
         };
-        let setting = ::dh_robot::inverse::Setting {
+        let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
             reach: 1.2200000000000002,
             few: false,
             given: ::core::option::Option::None,
         };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 1.2200000000000002),
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 1.2200000000000002),
         );
-        ::dh_robot::inverse::solve(
+        ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
@@ -619,7 +619,7 @@ impl KukaKr6R700 {
     #[inline]
     fn lanes(
         &self,
-        t: &::dh_robot::ik::Pose,
+        t: &::dh_robot::runtime::Pose,
         q: &mut [[f64; 8]; 6],
         valid: &mut [f64; 8],
     ) -> bool {
@@ -627,10 +627,10 @@ impl KukaKr6R700 {
         let t_3 = t[1][3] - t[1][2] * 0.06557377049180327;
         let t_4 = t[2][3] - t[2][2] * 0.06557377049180327 - 0.32786885245901637;
         let t_5 = t_4 * t_4;
-        let ([x0, y0], m0) = ::dh_robot::lanes::half_turn([[-t_3, t_2]]);
+        let ([x0, y0], m0) = ::dh_robot::runtime::lanes::half_turn([[-t_3, t_2]]);
         let c1_ = [x0, -x0];
         let s1_ = [y0, -y0];
-        let g0_ = ::dh_robot::lanes::angles(&[y0, -y0], &[x0, -x0]);
+        let g0_ = ::dh_robot::runtime::lanes::angles(&[y0, -y0], &[x0, -x0]);
         let mut v53_ = [0.0; 2];
         let mut v56_ = [0.0; 2];
         let mut v59_ = [0.0; 2];
@@ -661,7 +661,7 @@ impl KukaKr6R700 {
             v65_[l] = t_12;
             v68_[l] = t_13;
             v99_[l] = t_15;
-            let ([x1, y1, z1, w1], e1, m1) = ::dh_robot::lanes::sincos(
+            let ([x1, y1, z1, w1], e1, m1) = ::dh_robot::runtime::lanes::sincos(
                 0.014814565976887932,
                 -0.15449475947325983,
                 t_14 + t_6 * t_6 + t_7 * t_7 + t_5 - 0.15699744692287015,
@@ -673,7 +673,7 @@ impl KukaKr6R700 {
             margin1_[l] = m1;
             valid1_[l] = e1;
         }
-        let g1_ = ::dh_robot::lanes::angles(&f1[1], &f1[0]);
+        let g1_ = ::dh_robot::runtime::lanes::angles(&f1[1], &f1[0]);
         q[2] = ::core::array::from_fn(|l| g1_[l / 2 % 2 * 2 + l % 2]);
         let c3_ = f1[0];
         let s3_ = f1[1];
@@ -698,7 +698,7 @@ impl KukaKr6R700 {
             let t_16 = 0.25819672131147536 + c3 * 0.028688524590163935
                 - 0.2991803278688524 * s3;
             let v99 = v99_[l];
-            let ([c2, s2], m2) = ::dh_robot::lanes::pair(
+            let ([c2, s2], m2) = ::dh_robot::runtime::lanes::pair(
                 -v99,
                 t_4,
                 -(0.2991803278688524 * c3 + 0.028688524590163935 * s3),
@@ -706,7 +706,7 @@ impl KukaKr6R700 {
                 v99,
                 t_16,
             );
-            let g2 = ::dh_robot::lanes::angle(s2, c2);
+            let g2 = ::dh_robot::runtime::lanes::angle(s2, c2);
             let c1 = c1_[l];
             let s1 = s1_[l];
             let v53 = v53_[l];
@@ -734,17 +734,17 @@ impl KukaKr6R700 {
             let t_34 = c1 * t_32;
             let t_35 = s1 * t_32;
             let v68 = v68_[l];
-            let ([c4, s4], m3) = ::dh_robot::lanes::half_turn([[-v68, t_27]]);
-            let g3 = ::dh_robot::lanes::angle(s4, c4);
+            let ([c4, s4], m3) = ::dh_robot::runtime::lanes::half_turn([[-v68, t_27]]);
+            let g3 = ::dh_robot::runtime::lanes::angle(s4, c4);
             let v56 = v56_[l];
             let v62 = v62_[l];
             let t_36 = t_23 * c4 + v56 * s4;
             let t_37 = t_25 * c4 + v62 * s4;
-            let [c5, s5] = ::dh_robot::lanes::unit(
+            let [c5, s5] = ::dh_robot::runtime::lanes::unit(
                 -(s3 * t_22 - c3 * t_21),
                 -(t_27 * c4 + v68 * s4),
             );
-            let g4 = ::dh_robot::lanes::angle(s5, c5);
+            let g4 = ::dh_robot::runtime::lanes::angle(s5, c5);
             let c4s5 = c4 * s5;
             let s4s5 = s4 * s5;
             let t_38 = t_29 * c4s5 - c5 * t_28;
@@ -756,11 +756,11 @@ impl KukaKr6R700 {
                 + (t_34 - 0.06557377049180327 * t_40 - t[0][3]).abs()
                 + (t_35 - 0.06557377049180327 * t_41 - t[1][3]).abs()
                 + (t_33 - 0.06557377049180327 * t_39 - t[2][3]).abs();
-            let [c6, s6] = ::dh_robot::lanes::unit(
+            let [c6, s6] = ::dh_robot::runtime::lanes::unit(
                 t_36 * c5 - t_24 * s5,
                 -(t_37 * c5 - t_26 * s5),
             );
-            let g5 = ::dh_robot::lanes::angle(s6, c6);
+            let g5 = ::dh_robot::runtime::lanes::angle(s6, c6);
             let c5c6 = c5 * c6;
             let s5c6 = s5 * c6;
             let t_42 = c4 * c5c6 - s4 * s6;
@@ -772,17 +772,20 @@ impl KukaKr6R700 {
             let g0 = g0_[l];
             let margin1 = margin1_[l];
             let valid1 = valid1_[l];
-            margin_[l] = ::dh_robot::lanes::lesser(
-                ::dh_robot::lanes::lesser(::dh_robot::lanes::lesser(m0, margin1), m2),
+            margin_[l] = ::dh_robot::runtime::lanes::lesser(
+                ::dh_robot::runtime::lanes::lesser(
+                    ::dh_robot::runtime::lanes::lesser(m0, margin1),
+                    m2,
+                ),
                 m3,
             );
             valid_[l] = valid1;
             error_[l] = r5 + r6;
-            let h3 = ::dh_robot::lanes::opposite(g3);
-            let h4 = ::dh_robot::lanes::negative(g4);
-            let h5 = ::dh_robot::lanes::opposite(g5);
+            let h3 = ::dh_robot::runtime::lanes::opposite(g3);
+            let h4 = ::dh_robot::runtime::lanes::negative(g4);
+            let h5 = ::dh_robot::runtime::lanes::opposite(g5);
             q[0][l] = g0;
-            q[1][l] = ::dh_robot::lanes::into_range(
+            q[1][l] = ::dh_robot::runtime::lanes::into_range(
                 g2,
                 -3.316125578789226,
                 0.7853981633974483,
@@ -791,7 +794,7 @@ impl KukaKr6R700 {
             q[4][l] = g4;
             q[5][l] = g5;
             q[0][l + 4] = g0;
-            q[1][l + 4] = ::dh_robot::lanes::into_range(
+            q[1][l + 4] = ::dh_robot::runtime::lanes::into_range(
                 g2,
                 -3.316125578789226,
                 0.7853981633974483,
@@ -801,15 +804,15 @@ impl KukaKr6R700 {
             q[5][l + 4] = h5;
         }
         *valid = ::core::array::from_fn(|l| valid_[l % 4]);
-        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
+        ::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
-impl ::dh_robot::ik::Kinematics<6> for KukaKr6R700 {
+impl ::dh_robot::runtime::Kinematics<6> for KukaKr6R700 {
     #[inline]
-    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {
+    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::runtime::Pose {
         let angles = [q[5], q[4], q[3], q[1] + q[2], q[0], q[1]];
-        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c6c5 = c6 * c5;
@@ -837,9 +840,9 @@ impl ::dh_robot::ik::Kinematics<6> for KukaKr6R700 {
     fn forward_and_jacobian(
         &self,
         q: &[f64; 6],
-    ) -> (::dh_robot::ik::Pose, [[f64; 6]; 6]) {
+    ) -> (::dh_robot::runtime::Pose, [[f64; 6]; 6]) {
         let angles = [q[0], q[1] + q[2], q[3], q[4], q[5], q[1]];
-        let ([s1, s23, s4, s5, s6, s2], [c1, c23, c4, c5, c6, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s23, s4, s5, s6, s2], [c1, c23, c4, c5, c6, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c1s23 = c1 * s23;

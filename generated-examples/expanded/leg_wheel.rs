@@ -44,7 +44,7 @@ impl LegWheel {
     #[must_use]
     pub fn forward(&self, q: &[f64; 2]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[0]];
-        let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s1], [c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = (-1.0 * self.p) * q[0] + self.p * q[1];
         ::dh_robot::pose::from_entries(
             [[c1, 0.0, -s1], [s1, 0.0, c1], [0.0, -1.0, 0.0]],
@@ -60,7 +60,7 @@ impl LegWheel {
         q: &[f64; 2],
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 2] {
         let angles = [q[0]];
-        let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s1], [c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = (-1.0 * self.p) * q[0] + self.p * q[1];
         [
             ::dh_robot::pose::from_entries(
@@ -81,7 +81,7 @@ impl LegWheel {
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 2]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 2> {
         let angles = [q[0]];
-        let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s1], [c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = (-1.0 * self.p) * q[0] + self.p * q[1];
         let t_3 = s1 * self.p;
         let t_4 = c1 * self.p;
@@ -105,7 +105,7 @@ impl LegWheel {
         ::dh_robot::nalgebra::SMatrix<f64, 6, 2>,
     ) {
         let angles = [q[0]];
-        let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s1], [c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = (-1.0 * self.p) * q[0] + self.p * q[1];
         let t_3 = s1 * t_2;
         let t_4 = c1 * t_2;
@@ -163,22 +163,22 @@ impl LegWheel {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 2, 1> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 1.0) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 1.0) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
             }
         };
-        let setting = ::dh_robot::inverse::Setting {
+        let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
             reach: 1.0,
             few: true,
             given: ::core::option::Option::None,
         };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 1.0),
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 1.0),
         );
-        ::dh_robot::inverse::solve(
+        ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
@@ -189,14 +189,14 @@ impl LegWheel {
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
-        t: &::dh_robot::ik::Pose,
-        pick: ::dh_robot::inverse::Pick,
+        t: &::dh_robot::runtime::Pose,
+        pick: ::dh_robot::runtime::Pick,
         found: &mut dyn FnMut([f64; 2], ::dh_robot::Branch, ::dh_robot::FreeJoints),
-    ) -> ::dh_robot::inverse::Attempt {
-        let mut attempt = ::dh_robot::inverse::Attempt::new();
+    ) -> ::dh_robot::runtime::Attempt {
+        let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
         let t_2 = t[0][2] * t[0][3] + t[1][2] * t[1][3] + t[2][2] * t[2][3];
-        let r0 = ::dh_robot::ik::solve_quadratic(0.0, -1.0, t_2, 1e-11);
+        let r0 = ::dh_robot::runtime::solve_quadratic(0.0, -1.0, t_2, 1e-11);
         if !r0.is_regular() {
             attempt.note(r0.outcome, free, "x2", 1.0, "m");
         }
@@ -208,7 +208,7 @@ impl LegWheel {
         };
         for (i0, &x2) in r0.or_if_free(pick.length(0)).iter().enumerate() {
             let a0 = x2 * 1.0;
-            let r1 = ::dh_robot::ik::solve_pair(
+            let r1 = ::dh_robot::runtime::solve_pair(
                 1.0,
                 0.0,
                 t[0][0],
@@ -227,7 +227,7 @@ impl LegWheel {
                 free
             };
             for (i1, &[c1, s1]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::math::atan2(s1, c1);
+                let a1 = ::dh_robot::runtime::atan2(s1, c1);
                 let branch = ::dh_robot::Branch::ANY;
                 found(
                     [
@@ -243,20 +243,20 @@ impl LegWheel {
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
-impl ::dh_robot::ik::Kinematics<2> for LegWheel {
+impl ::dh_robot::runtime::Kinematics<2> for LegWheel {
     #[inline]
-    fn forward(&self, q: &[f64; 2]) -> ::dh_robot::ik::Pose {
+    fn forward(&self, q: &[f64; 2]) -> ::dh_robot::runtime::Pose {
         let angles = [q[0]];
-        let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s1], [c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = (-1.0 * self.p) * q[0] + self.p * q[1];
         [[c1, 0.0, -s1, -s1 * t_2], [s1, 0.0, c1, c1 * t_2], [0.0, -1.0, 0.0, 0.0]]
     }
     fn forward_and_jacobian(
         &self,
         q: &[f64; 2],
-    ) -> (::dh_robot::ik::Pose, [[f64; 2]; 6]) {
+    ) -> (::dh_robot::runtime::Pose, [[f64; 2]; 6]) {
         let angles = [q[0]];
-        let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s1], [c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = (-1.0 * self.p) * q[0] + self.p * q[1];
         let t_3 = s1 * t_2;
         let t_4 = c1 * t_2;
@@ -277,9 +277,9 @@ impl ::dh_robot::ik::Kinematics<2> for LegWheel {
     fn unit(&self) -> &'static str {
         "m"
     }
-    fn drive(&self) -> ::core::option::Option<::dh_robot::ik::Drive<2>> {
+    fn drive(&self) -> ::core::option::Option<::dh_robot::runtime::Drive<2>> {
         let det = self.p;
-        ::core::option::Option::Some(::dh_robot::ik::Drive {
+        ::core::option::Option::Some(::dh_robot::runtime::Drive {
             rows: [[(1.0), 0.0], [(-1.0 * self.p), (self.p)]],
             motors: [[(self.p) / det, 0.0], [(self.p) / det, (1.0) / det]],
             turns: [true, false],

@@ -77,7 +77,7 @@ impl Panda {
     #[must_use]
     pub fn forward(&self, q: &[f64; 7]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[6], q[5], q[4], q[3], q[2], q[1], q[0]];
-        let ([s7, s6, s5, s4, s3, s2, s1], [c7, c6, c5, c4, c3, c2, c1]) = ::dh_robot::sincos::sincos_batch(
+        let ([s7, s6, s5, s4, s3, s2, s1], [c7, c6, c5, c4, c3, c2, c1]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c7c6 = c7 * c6;
@@ -133,7 +133,7 @@ impl Panda {
         q: &[f64; 7],
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 7] {
         let angles = [q[0], q[1], q[2], q[3], q[4], q[5], q[6]];
-        let ([s1, s2, s3, s4, s5, s6, s7], [c1, c2, c3, c4, c5, c6, c7]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s2, s3, s4, s5, s6, s7], [c1, c2, c3, c4, c5, c6, c7]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c1c2 = c1 * c2;
@@ -220,7 +220,7 @@ impl Panda {
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 7]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 7> {
         let angles = [q[0], q[1], q[2], q[3], q[4], q[5]];
-        let ([s1, s2, s3, s4, s5, s6], [c1, c2, c3, c4, c5, c6]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s2, s3, s4, s5, s6], [c1, c2, c3, c4, c5, c6]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c1c2 = c1 * c2;
@@ -304,7 +304,7 @@ impl Panda {
         ::dh_robot::nalgebra::SMatrix<f64, 6, 7>,
     ) {
         let angles = [q[0], q[1], q[2], q[3], q[4], q[5], q[6]];
-        let ([s1, s2, s3, s4, s5, s6, s7], [c1, c2, c3, c4, c5, c6, c7]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s2, s3, s4, s5, s6, s7], [c1, c2, c3, c4, c5, c6, c7]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c1c2 = c1 * c2;
@@ -434,7 +434,7 @@ impl Panda {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
         given: f64,
     ) -> ::dh_robot::Solutions<f64, 7, 8> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 1.393) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 1.393) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -446,7 +446,7 @@ impl Panda {
             return self.robust(target, given);
         }
         if valid == [1.0; 8] {
-            let at = |l: usize| ::dh_robot::lanes::solution(
+            let at = |l: usize| ::dh_robot::runtime::lanes::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -457,20 +457,20 @@ impl Panda {
                 [at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)],
             );
         }
-        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
-        t: &::dh_robot::ik::Pose,
+        t: &::dh_robot::runtime::Pose,
         given: f64,
-        pick: ::dh_robot::inverse::Pick,
+        pick: ::dh_robot::runtime::Pick,
         found: &mut dyn FnMut([f64; 7], ::dh_robot::Branch, ::dh_robot::FreeJoints),
-    ) -> ::dh_robot::inverse::Attempt {
-        let mut attempt = ::dh_robot::inverse::Attempt::new();
+    ) -> ::dh_robot::runtime::Attempt {
+        let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
         let a0 = given;
-        let (s7, c7) = ::dh_robot::math::sin_cos(a0);
+        let (s7, c7) = ::dh_robot::runtime::sin_cos(a0);
         let t_2 = t[0][3] - t[0][2] * 0.07681263460157932;
         let t_3 = t[1][3] - t[1][2] * 0.07681263460157932;
         let t_4 = t[2][3] - t[2][2] * 0.07681263460157932;
@@ -489,7 +489,7 @@ impl Panda {
         let t_17 = t_9 * t_12 + t_10 * t_13 + t_11 * t_14 - t_11 * 0.2390524048815506;
         let t_18 = t_6 * t_12 + t_7 * t_13 + t_8 * t_14 - t_8 * 0.2390524048815506;
         let t_19 = t[0][2] * t_12 + t[1][2] * t_13 + t[2][2] * t_14 - t_5;
-        let r0 = ::dh_robot::ik::solve_sincos(
+        let r0 = ::dh_robot::runtime::solve_sincos(
             0.11805283210226085,
             -0.05952230643526318,
             t_16,
@@ -514,11 +514,11 @@ impl Panda {
             free
         };
         for (i0, &[c4, s4]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
-            let a1 = ::dh_robot::math::atan2(s4, c4);
+            let a1 = ::dh_robot::runtime::atan2(s4, c4);
             let t_20 = 0.059224694903086864 * (1.0 - c4) - 0.22684852835606603 * s4;
             let t_21 = 0.2756640344580043 + c4 * 0.22684852835606603
                 - 0.059224694903086864 * s4;
-            let r1 = ::dh_robot::ik::solve_sincos(0.0, t_20, -t_17, 1e-11);
+            let r1 = ::dh_robot::runtime::solve_sincos(0.0, t_20, -t_17, 1e-11);
             if !r1.is_regular() {
                 attempt.note(r1.outcome, free, "wrist q5", 1.393, "m");
             }
@@ -529,11 +529,11 @@ impl Panda {
                 free
             };
             for (i1, &[c5, s5]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a2 = ::dh_robot::math::atan2(s5, c5);
+                let a2 = ::dh_robot::runtime::atan2(s5, c5);
                 let t_22 = t_9 * s5;
                 let t_23 = t_10 * s5;
                 let t_24 = t_11 * s5;
-                let r2 = ::dh_robot::ik::solve_pair(
+                let r2 = ::dh_robot::runtime::solve_pair(
                     t_18,
                     t_19,
                     -t_20 * c5,
@@ -552,14 +552,14 @@ impl Panda {
                     free
                 };
                 for (i2, &[c6, s6]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a3 = ::dh_robot::math::atan2(s6, c6);
+                    let a3 = ::dh_robot::runtime::atan2(s6, c6);
                     let t_25 = s4 * (c5 * (t_6 * c6 + t[0][2] * s6) + t_22)
                         + c4 * (t_6 * s6 - t[0][2] * c6);
                     let t_26 = s4 * (c5 * (t_7 * c6 + t[1][2] * s6) + t_23)
                         + c4 * (t_7 * s6 - t[1][2] * c6);
                     let t_27 = s4 * (c5 * (t_8 * c6 + t[2][2] * s6) + t_24)
                         + c4 * (t_8 * s6 - t[2][2] * c6);
-                    let r3 = ::dh_robot::ik::solve_sincos(-t_26, t_25, 0.0, 1e-11);
+                    let r3 = ::dh_robot::runtime::solve_sincos(-t_26, t_25, 0.0, 1e-11);
                     if !r3.is_regular() {
                         attempt.note(r3.outcome, free, "shoulder q1", 1.0, "");
                     }
@@ -574,14 +574,14 @@ impl Panda {
                         .iter()
                         .enumerate()
                     {
-                        let a4 = ::dh_robot::math::atan2(s1, c1);
+                        let a4 = ::dh_robot::runtime::atan2(s1, c1);
                         let t_28 = t[0][0] * c1 + t[1][0] * s1;
                         let t_29 = t[0][1] * c1 + t[1][1] * s1;
                         let t_30 = t[0][2] * c1 + t[1][2] * s1;
                         let t_31 = c7 * t_28 - s7 * t_29;
                         let t_32 = c5 * (c6 * t_31 + s6 * t_30)
                             + s5 * (s7 * t_28 + c7 * t_29);
-                        let r4 = ::dh_robot::ik::solve_pair(
+                        let r4 = ::dh_robot::runtime::solve_pair(
                             0.0,
                             1.0,
                             s4 * t_32 + c4 * (s6 * t_31 - c6 * t_30),
@@ -604,7 +604,7 @@ impl Panda {
                             .iter()
                             .enumerate()
                         {
-                            let a5 = ::dh_robot::math::atan2(s2, c2);
+                            let a5 = ::dh_robot::runtime::atan2(s2, c2);
                             let t_33 = t_28 * c2 - t[2][0] * s2;
                             let t_34 = t_29 * c2 - t[2][1] * s2;
                             let t_35 = t_30 * c2 - t[2][2] * s2;
@@ -613,7 +613,7 @@ impl Panda {
                             let t_38 = c6 * t_36 + s6 * t_35;
                             let t_39 = c4 * (c5 * t_38 + s5 * t_37)
                                 - s4 * (s6 * t_36 - c6 * t_35);
-                            let r5 = ::dh_robot::ik::solve_pair(
+                            let r5 = ::dh_robot::runtime::solve_pair(
                                 1.0,
                                 0.0,
                                 t_39,
@@ -636,7 +636,7 @@ impl Panda {
                                 .iter()
                                 .enumerate()
                             {
-                                let a6 = ::dh_robot::math::atan2(s3, c3);
+                                let a6 = ::dh_robot::runtime::atan2(s3, c3);
                                 let branch = ::dh_robot::Branch::ANY
                                     .with_step(0, i0)
                                     .with_elbow(
@@ -679,22 +679,22 @@ impl Panda {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
         given: f64,
     ) -> ::dh_robot::Solutions<f64, 7, 8> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 1.393) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 1.393) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
             }
         };
-        let setting = ::dh_robot::inverse::Setting {
+        let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
             reach: 1.393,
             few: false,
             given: ::core::option::Option::Some((6, given.into())),
         };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 1.393),
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 1.393),
         );
-        ::dh_robot::inverse::solve(
+        ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
@@ -738,13 +738,13 @@ impl Panda {
     #[inline]
     fn lanes(
         &self,
-        t: &::dh_robot::ik::Pose,
+        t: &::dh_robot::runtime::Pose,
         given: f64,
         q: &mut [[f64; 8]; 7],
         valid: &mut [f64; 8],
     ) -> bool {
         let a0 = given;
-        let (s7, c7) = ::dh_robot::math::sin_cos(a0);
+        let (s7, c7) = ::dh_robot::runtime::sin_cos(a0);
         q[6] = [Self::JOINTS[6].normalize(given); 8];
         let t_2 = t[0][3] - t[0][2] * 0.07681263460157932;
         let t_3 = t[1][3] - t[1][2] * 0.07681263460157932;
@@ -764,14 +764,14 @@ impl Panda {
         let t_17 = t_9 * t_12 + t_10 * t_13 + t_11 * t_14 - t_11 * 0.2390524048815506;
         let t_18 = t_6 * t_12 + t_7 * t_13 + t_8 * t_14 - t_8 * 0.2390524048815506;
         let t_19 = t[0][2] * t_12 + t[1][2] * t_13 + t[2][2] * t_14 - t_5;
-        let ([x0, y0, z0, w0], e0, m0) = ::dh_robot::lanes::sincos(
+        let ([x0, y0, z0, w0], e0, m0) = ::dh_robot::runtime::lanes::sincos(
             0.11805283210226085,
             -0.05952230643526318,
             t_16,
         );
         let c4_ = [x0, z0];
         let s4_ = [y0, w0];
-        let g0_ = ::dh_robot::lanes::angles(&[y0, w0], &[x0, z0]);
+        let g0_ = ::dh_robot::runtime::lanes::angles(&[y0, w0], &[x0, z0]);
         let mut v86_ = [0.0; 2];
         let mut v99_ = [0.0; 2];
         let mut f1 = [[0.0; 4]; 2];
@@ -785,7 +785,11 @@ impl Panda {
                 - 0.059224694903086864 * s4;
             v86_[l] = t_20;
             v99_[l] = t_21;
-            let ([x1, y1, z1, w1], e1, m1) = ::dh_robot::lanes::sincos(0.0, t_20, -t_17);
+            let ([x1, y1, z1, w1], e1, m1) = ::dh_robot::runtime::lanes::sincos(
+                0.0,
+                t_20,
+                -t_17,
+            );
             f1[0][l] = x1;
             f1[1][l] = y1;
             f1[0][l + 2] = z1;
@@ -793,7 +797,7 @@ impl Panda {
             margin1_[l] = m1;
             valid1_[l] = e1;
         }
-        let g1_ = ::dh_robot::lanes::angles(&f1[1], &f1[0]);
+        let g1_ = ::dh_robot::runtime::lanes::angles(&f1[1], &f1[0]);
         q[4] = ::core::array::from_fn(|l| g1_[l / 2 % 2 * 2 + l % 2]);
         let c5_ = f1[0];
         let s5_ = f1[1];
@@ -817,7 +821,7 @@ impl Panda {
             let s7s5 = s7 * s5;
             let s7c5 = s7 * c5;
             let v99 = v99_[l];
-            let ([c6, s6], m2) = ::dh_robot::lanes::pair(
+            let ([c6, s6], m2) = ::dh_robot::runtime::lanes::pair(
                 t_18,
                 t_19,
                 -v86 * c5,
@@ -825,7 +829,7 @@ impl Panda {
                 t_18,
                 v99,
             );
-            let g2 = ::dh_robot::lanes::angle(s6, c6);
+            let g2 = ::dh_robot::runtime::lanes::angle(s6, c6);
             let c4 = c4_[l];
             let s4 = s4_[l];
             let t_25 = s4 * (c5 * (t_6 * c6 + t[0][2] * s6) + t_22)
@@ -851,18 +855,18 @@ impl Panda {
             let t_37 = 0.059224694903086864 - c5 * t_34;
             let t_38 = 0.059224694903086864 - (c4 * t_37 + s4 * t_35);
             let t_39 = 0.22684852835606603 - (s4 * t_37 - c4 * t_35);
-            let ([c1, s1], m3) = ::dh_robot::lanes::half_turn([[-t_26, t_25]]);
-            let g3 = ::dh_robot::lanes::angle(s1, c1);
+            let ([c1, s1], m3) = ::dh_robot::runtime::lanes::half_turn([[-t_26, t_25]]);
+            let g3 = ::dh_robot::runtime::lanes::angle(s1, c1);
             let t_40 = t[0][0] * c1 + t[1][0] * s1;
             let t_41 = t[0][1] * c1 + t[1][1] * s1;
             let t_42 = t[0][2] * c1 + t[1][2] * s1;
             let t_43 = c7 * t_40 - s7 * t_41;
             let t_44 = c5 * (c6 * t_43 + s6 * t_42) + s5 * (s7 * t_40 + c7 * t_41);
-            let [c2, s2] = ::dh_robot::lanes::unit(
+            let [c2, s2] = ::dh_robot::runtime::lanes::unit(
                 t_27,
                 s4 * t_44 + c4 * (s6 * t_43 - c6 * t_42),
             );
-            let g4 = ::dh_robot::lanes::angle(s2, c2);
+            let g4 = ::dh_robot::runtime::lanes::angle(s2, c2);
             let t_45 = t_40 * c2 - t[2][0] * s2;
             let t_46 = t_41 * c2 - t[2][1] * s2;
             let t_47 = t_42 * c2 - t[2][2] * s2;
@@ -876,8 +880,11 @@ impl Panda {
             let t_55 = c2 * t_33;
             let t_56 = s2 * t_39;
             let t_57 = c2 * t_39;
-            let [c3, s3] = ::dh_robot::lanes::unit(t_51, -(s5 * t_50 - c5 * t_49));
-            let g5 = ::dh_robot::lanes::angle(s3, c3);
+            let [c3, s3] = ::dh_robot::runtime::lanes::unit(
+                t_51,
+                -(s5 * t_50 - c5 * t_49),
+            );
+            let g5 = ::dh_robot::runtime::lanes::angle(s3, c3);
             let t_58 = t_30 * c3 - t_29 * s3;
             let t_59 = t_30 * s3 + t_29 * c3;
             let t_60 = c2 * t_58 + t_52;
@@ -899,20 +906,23 @@ impl Panda {
             let g0 = g0_[l];
             let margin1 = margin1_[l];
             let valid1 = valid1_[l];
-            margin_[l] = ::dh_robot::lanes::lesser(
-                ::dh_robot::lanes::lesser(::dh_robot::lanes::lesser(m0, margin1), m2),
+            margin_[l] = ::dh_robot::runtime::lanes::lesser(
+                ::dh_robot::runtime::lanes::lesser(
+                    ::dh_robot::runtime::lanes::lesser(m0, margin1),
+                    m2,
+                ),
                 m3,
             );
             valid_[l] = e0 * valid1;
             error_[l] = r7;
-            let h3 = ::dh_robot::lanes::opposite(g3);
-            let h4 = ::dh_robot::lanes::negative(g4);
-            let h5 = ::dh_robot::lanes::opposite(g5);
+            let h3 = ::dh_robot::runtime::lanes::opposite(g3);
+            let h4 = ::dh_robot::runtime::lanes::negative(g4);
+            let h5 = ::dh_robot::runtime::lanes::opposite(g5);
             q[0][l] = g3;
             q[1][l] = g4;
             q[2][l] = g5;
             q[3][l] = g0;
-            q[5][l] = ::dh_robot::lanes::into_range(
+            q[5][l] = ::dh_robot::runtime::lanes::into_range(
                 g2,
                 -0.017453292519943295,
                 3.752457891787808,
@@ -921,22 +931,22 @@ impl Panda {
             q[1][l + 4] = h4;
             q[2][l + 4] = h5;
             q[3][l + 4] = g0;
-            q[5][l + 4] = ::dh_robot::lanes::into_range(
+            q[5][l + 4] = ::dh_robot::runtime::lanes::into_range(
                 g2,
                 -0.017453292519943295,
                 3.752457891787808,
             );
         }
         *valid = ::core::array::from_fn(|l| valid_[l % 4]);
-        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
+        ::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
-impl ::dh_robot::ik::Kinematics<7> for Panda {
+impl ::dh_robot::runtime::Kinematics<7> for Panda {
     #[inline]
-    fn forward(&self, q: &[f64; 7]) -> ::dh_robot::ik::Pose {
+    fn forward(&self, q: &[f64; 7]) -> ::dh_robot::runtime::Pose {
         let angles = [q[6], q[5], q[4], q[3], q[2], q[1], q[0]];
-        let ([s7, s6, s5, s4, s3, s2, s1], [c7, c6, c5, c4, c3, c2, c1]) = ::dh_robot::sincos::sincos_batch(
+        let ([s7, s6, s5, s4, s3, s2, s1], [c7, c6, c5, c4, c3, c2, c1]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c7c6 = c7 * c6;
@@ -979,9 +989,9 @@ impl ::dh_robot::ik::Kinematics<7> for Panda {
     fn forward_and_jacobian(
         &self,
         q: &[f64; 7],
-    ) -> (::dh_robot::ik::Pose, [[f64; 7]; 6]) {
+    ) -> (::dh_robot::runtime::Pose, [[f64; 7]; 6]) {
         let angles = [q[0], q[1], q[2], q[3], q[4], q[5], q[6]];
-        let ([s1, s2, s3, s4, s5, s6, s7], [c1, c2, c3, c4, c5, c6, c7]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s2, s3, s4, s5, s6, s7], [c1, c2, c3, c4, c5, c6, c7]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c1c2 = c1 * c2;

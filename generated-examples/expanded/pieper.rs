@@ -96,7 +96,7 @@ impl Pieper {
             c_alpha1,
             c1,
             ],
-        ) = ::dh_robot::sincos::sincos_batch(&angles);
+        ) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = s6 * c_alpha5;
         let t_3 = s6 * s_alpha5;
         let t_4 = c6 * c5 - t_2 * s5;
@@ -203,7 +203,7 @@ impl Pieper {
             c_alpha5,
             c6,
             ],
-        ) = ::dh_robot::sincos::sincos_batch(&angles);
+        ) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = s1 * c_alpha1;
         let t_3 = c1 * c_alpha1;
         let t_4 = s1 * s_alpha1;
@@ -347,7 +347,7 @@ impl Pieper {
             c5,
             c_alpha5,
             ],
-        ) = ::dh_robot::sincos::sincos_batch(&angles);
+        ) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = s1 * c_alpha1;
         let t_3 = c1 * c_alpha1;
         let t_4 = s1 * s_alpha1;
@@ -480,7 +480,7 @@ impl Pieper {
             c_alpha5,
             c6,
             ],
-        ) = ::dh_robot::sincos::sincos_batch(&angles);
+        ) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = s1 * c_alpha1;
         let t_3 = c1 * c_alpha1;
         let t_4 = s1 * s_alpha1;
@@ -622,22 +622,22 @@ impl Pieper {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 6.19664904810903) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 6.19664904810903) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
             }
         };
-        let setting = ::dh_robot::inverse::Setting {
+        let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
             reach: 6.19664904810903,
             few: false,
             given: ::core::option::Option::None,
         };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 6.19664904810903),
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 6.19664904810903),
         );
-        ::dh_robot::inverse::solve(
+        ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
@@ -648,11 +648,11 @@ impl Pieper {
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
-        t: &::dh_robot::ik::Pose,
-        pick: ::dh_robot::inverse::Pick,
+        t: &::dh_robot::runtime::Pose,
+        pick: ::dh_robot::runtime::Pick,
         found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
-    ) -> ::dh_robot::inverse::Attempt {
-        let mut attempt = ::dh_robot::inverse::Attempt::new();
+    ) -> ::dh_robot::runtime::Attempt {
+        let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
         let angles = [self.alpha2, self.alpha3, self.alpha1, self.alpha4, self.alpha5];
         let (
@@ -668,7 +668,7 @@ impl Pieper {
             c_alpha4,
             c_alpha5,
             ],
-        ) = ::dh_robot::sincos::sincos_batch(&angles);
+        ) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
         let t_3 = self.d2 * 0.16137754328771614;
         let t_4 = self.d3 * 0.16137754328771614;
@@ -693,7 +693,7 @@ impl Pieper {
         let t_22 = t[2][2] * c_alpha1;
         let t_23 = c_alpha4 * c_alpha5;
         let t_24 = s_alpha4 * c_alpha5;
-        let r0 = ::dh_robot::ik::solve_bilinear_choosing(
+        let r0 = ::dh_robot::runtime::solve_bilinear_choosing(
             &[
                 t_6,
                 -s_alpha3 * s_alpha2 * t_5,
@@ -729,8 +729,8 @@ impl Pieper {
             free
         };
         for (i0, &[[c1, s1], [c3, s3]]) in r0.iter().enumerate() {
-            let a0 = ::dh_robot::math::atan2(s1, c1);
-            let a1 = ::dh_robot::math::atan2(s3, c3);
+            let a0 = ::dh_robot::runtime::atan2(s1, c1);
+            let a1 = ::dh_robot::runtime::atan2(s3, c3);
             let t_25 = t[0][0] * c1 + t[1][0] * s1;
             let t_26 = t[0][0] * s1 - t[1][0] * c1;
             let t_27 = t[0][1] * c1 + t[1][1] * s1;
@@ -753,7 +753,7 @@ impl Pieper {
             let t_44 = c_alpha2 * t_38;
             let t_45 = t_5 * (s_alpha3 * c_alpha2 * c3 + t_15)
                 - (c_alpha2 * t_7 * s3 - t_16);
-            let r1 = ::dh_robot::ik::solve_pair(
+            let r1 = ::dh_robot::runtime::solve_pair(
                 t_31,
                 t_32,
                 -(t_9 + t_7 * c3 + s_alpha3 * t_5 * s3),
@@ -772,7 +772,7 @@ impl Pieper {
                 free
             };
             for (i1, &[c2, s2]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a2 = ::dh_robot::math::atan2(s2, c2);
+                let a2 = ::dh_robot::runtime::atan2(s2, c2);
                 let t_46 = t_25 * c2 - t_33 * s2;
                 let t_47 = t_25 * s2 + t_33 * c2;
                 let t_48 = t_27 * c2 - t_35 * s2;
@@ -796,7 +796,7 @@ impl Pieper {
                 let t_66 = c_alpha3 * t_61 - s_alpha3 * t_55;
                 let t_67 = s_alpha4 * (s_alpha3 * t_59 + c_alpha3 * t_53);
                 let t_68 = s_alpha4 * (s_alpha3 * t_61 + c_alpha3 * t_55);
-                let r2 = ::dh_robot::ik::solve_sincos(
+                let r2 = ::dh_robot::runtime::solve_sincos(
                     -s_alpha4 * s_alpha5,
                     0.0,
                     s_alpha3 * t_63 + c_alpha3 * t_57 - t_23,
@@ -812,8 +812,8 @@ impl Pieper {
                     free
                 };
                 for (i2, &[c5, s5]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a3 = ::dh_robot::math::atan2(s5, c5);
-                    let r3 = ::dh_robot::ik::solve_pair(
+                    let a3 = ::dh_robot::runtime::atan2(s5, c5);
+                    let r3 = ::dh_robot::runtime::solve_pair(
                         -t_62,
                         t_64,
                         -s_alpha5 * s5,
@@ -836,12 +836,12 @@ impl Pieper {
                         .iter()
                         .enumerate()
                     {
-                        let a4 = ::dh_robot::math::atan2(s4, c4);
+                        let a4 = ::dh_robot::runtime::atan2(s4, c4);
                         let t_69 = c5 * (t_58 * c4 - t_65 * s4)
                             - s5 * (c_alpha4 * (t_58 * s4 + t_65 * c4) - t_67);
                         let t_70 = c5 * (t_60 * c4 - t_66 * s4)
                             - s5 * (c_alpha4 * (t_60 * s4 + t_66 * c4) - t_68);
-                        let r4 = ::dh_robot::ik::solve_pair(
+                        let r4 = ::dh_robot::runtime::solve_pair(
                             1.0,
                             0.0,
                             t_69,
@@ -864,7 +864,7 @@ impl Pieper {
                             .iter()
                             .enumerate()
                         {
-                            let a5 = ::dh_robot::math::atan2(s6, c6);
+                            let a5 = ::dh_robot::runtime::atan2(s6, c6);
                             let branch = ::dh_robot::Branch::ANY
                                 .with_step(0, i0)
                                 .with_step(1, i2)
@@ -885,9 +885,9 @@ impl Pieper {
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
-impl ::dh_robot::ik::Kinematics<6> for Pieper {
+impl ::dh_robot::runtime::Kinematics<6> for Pieper {
     #[inline]
-    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {
+    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::runtime::Pose {
         let angles = [
             q[5],
             self.alpha5,
@@ -926,7 +926,7 @@ impl ::dh_robot::ik::Kinematics<6> for Pieper {
             c_alpha1,
             c1,
             ],
-        ) = ::dh_robot::sincos::sincos_batch(&angles);
+        ) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = s6 * c_alpha5;
         let t_3 = s6 * s_alpha5;
         let t_4 = c6 * c5 - t_2 * s5;
@@ -983,7 +983,7 @@ impl ::dh_robot::ik::Kinematics<6> for Pieper {
     fn forward_and_jacobian(
         &self,
         q: &[f64; 6],
-    ) -> (::dh_robot::ik::Pose, [[f64; 6]; 6]) {
+    ) -> (::dh_robot::runtime::Pose, [[f64; 6]; 6]) {
         let angles = [
             q[0],
             self.alpha1,
@@ -1022,7 +1022,7 @@ impl ::dh_robot::ik::Kinematics<6> for Pieper {
             c_alpha5,
             c6,
             ],
-        ) = ::dh_robot::sincos::sincos_batch(&angles);
+        ) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = s1 * c_alpha1;
         let t_3 = c1 * c_alpha1;
         let t_4 = s1 * s_alpha1;

@@ -48,7 +48,7 @@ impl Planar2r {
     #[must_use]
     pub fn forward(&self, q: &[f64; 2]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[0] + q[1], q[0]];
-        let ([s12, s1], [c12, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s12, s1], [c12, c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         ::dh_robot::pose::from_entries(
             [[c12, -s12, 0.0], [s12, c12, 0.0], [0.0, 0.0, 1.0]],
             [c12 * self.l2 + self.l1 * c1, s12 * self.l2 + self.l1 * s1, 0.0],
@@ -63,7 +63,7 @@ impl Planar2r {
         q: &[f64; 2],
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 2] {
         let angles = [q[0], q[0] + q[1]];
-        let ([s1, s12], [c1, c12]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s1, s12], [c1, c12]) = ::dh_robot::runtime::sincos_batch(&angles);
         [
             ::dh_robot::pose::from_entries(
                 [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
@@ -83,7 +83,7 @@ impl Planar2r {
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 2]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 2> {
         let angles = [q[0] + q[1], q[0]];
-        let ([s12, s1], [c12, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s12, s1], [c12, c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = c12 * self.l2;
         let t_3 = s12 * self.l2;
         ::dh_robot::nalgebra::SMatrix::from_data(
@@ -106,7 +106,7 @@ impl Planar2r {
         ::dh_robot::nalgebra::SMatrix<f64, 6, 2>,
     ) {
         let angles = [q[0] + q[1], q[0]];
-        let ([s12, s1], [c12, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s12, s1], [c12, c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = c12 * self.l2;
         let t_3 = s12 * self.l2;
         let t_4 = t_2 + self.l1 * c1;
@@ -167,18 +167,18 @@ impl Planar2r {
                 ::dh_robot::Why::NotFinite,
             );
         }
-        let frame = ::dh_robot::inverse::frame_of_axis(
+        let frame = ::dh_robot::runtime::frame_of_axis(
             p.map(|x| x / 1.6208883679528896),
             [0.0, 0.0, 1.0],
         );
-        let setting = ::dh_robot::inverse::Setting {
+        let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
             reach: 1.6208883679528896,
             few: true,
             given: ::core::option::Option::None,
         };
-        let task = ::dh_robot::ik::Task::Position(p);
-        ::dh_robot::inverse::solve(
+        let task = ::dh_robot::runtime::Task::Position(p);
+        ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
@@ -189,17 +189,22 @@ impl Planar2r {
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
-        t: &::dh_robot::ik::Pose,
-        pick: ::dh_robot::inverse::Pick,
+        t: &::dh_robot::runtime::Pose,
+        pick: ::dh_robot::runtime::Pick,
         found: &mut dyn FnMut([f64; 2], ::dh_robot::Branch, ::dh_robot::FreeJoints),
-    ) -> ::dh_robot::inverse::Attempt {
-        let mut attempt = ::dh_robot::inverse::Attempt::new();
+    ) -> ::dh_robot::runtime::Attempt {
+        let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
         let t_3 = self.l1 * 0.6169456328833773;
         let t_4 = self.l2 * 0.6169456328833773;
         let t_5 = t_3 * t_3 + t_4 * t_4;
-        let r0 = ::dh_robot::ik::solve_sincos(2.0 * t_3 * t_4, 0.0, t_2 - t_5, 1e-11);
+        let r0 = ::dh_robot::runtime::solve_sincos(
+            2.0 * t_3 * t_4,
+            0.0,
+            t_2 - t_5,
+            1e-11,
+        );
         if !r0.is_regular() {
             attempt
                 .note_law(
@@ -219,8 +224,8 @@ impl Planar2r {
             free
         };
         for (i0, &[c2, s2]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
-            let a0 = ::dh_robot::math::atan2(s2, c2);
-            let r1 = ::dh_robot::ik::solve_pair(
+            let a0 = ::dh_robot::runtime::atan2(s2, c2);
+            let r1 = ::dh_robot::runtime::solve_pair(
                 -t[0][3],
                 -t[1][3],
                 -(t_3 + t_4 * c2),
@@ -239,7 +244,7 @@ impl Planar2r {
                 free
             };
             for (i1, &[c1, s1]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::math::atan2(s1, c1);
+                let a1 = ::dh_robot::runtime::atan2(s1, c1);
                 let branch = ::dh_robot::Branch::ANY
                     .with_step(0, i0)
                     .with_elbow(
@@ -256,11 +261,11 @@ impl Planar2r {
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
-impl ::dh_robot::ik::Kinematics<2> for Planar2r {
+impl ::dh_robot::runtime::Kinematics<2> for Planar2r {
     #[inline]
-    fn forward(&self, q: &[f64; 2]) -> ::dh_robot::ik::Pose {
+    fn forward(&self, q: &[f64; 2]) -> ::dh_robot::runtime::Pose {
         let angles = [q[0] + q[1], q[0]];
-        let ([s12, s1], [c12, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s12, s1], [c12, c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         [
             [c12, -s12, 0.0, c12 * self.l2 + self.l1 * c1],
             [s12, c12, 0.0, s12 * self.l2 + self.l1 * s1],
@@ -270,9 +275,9 @@ impl ::dh_robot::ik::Kinematics<2> for Planar2r {
     fn forward_and_jacobian(
         &self,
         q: &[f64; 2],
-    ) -> (::dh_robot::ik::Pose, [[f64; 2]; 6]) {
+    ) -> (::dh_robot::runtime::Pose, [[f64; 2]; 6]) {
         let angles = [q[0] + q[1], q[0]];
-        let ([s12, s1], [c12, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s12, s1], [c12, c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = c12 * self.l2;
         let t_3 = s12 * self.l2;
         let t_4 = t_2 + self.l1 * c1;

@@ -55,7 +55,7 @@ impl Planar3r {
     #[must_use]
     pub fn forward(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[0] + q[1] + q[2], q[0] + q[1], q[0]];
-        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::sincos::sincos_batch(
+        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         ::dh_robot::pose::from_entries(
@@ -76,7 +76,7 @@ impl Planar3r {
         q: &[f64; 3],
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 3] {
         let angles = [q[0], q[0] + q[1], q[0] + q[1] + q[2]];
-        let ([s1, s12, s123], [c1, c12, c123]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s12, s123], [c1, c12, c123]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = self.l1 * c1;
@@ -106,7 +106,7 @@ impl Planar3r {
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 3> {
         let angles = [q[0] + q[1] + q[2], q[0] + q[1], q[0]];
-        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::sincos::sincos_batch(
+        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = c123 * self.l3;
@@ -134,7 +134,7 @@ impl Planar3r {
         ::dh_robot::nalgebra::SMatrix<f64, 6, 3>,
     ) {
         let angles = [q[0] + q[1] + q[2], q[0] + q[1], q[0]];
-        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::sincos::sincos_batch(
+        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = c123 * self.l3;
@@ -202,19 +202,19 @@ impl Planar3r {
                 ::dh_robot::Why::NotFinite,
             );
         }
-        let frame = ::dh_robot::inverse::frame_of_plane(
+        let frame = ::dh_robot::runtime::frame_of_plane(
             [x / 8.108033400635161, y / 8.108033400635161],
             phi,
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         );
-        let setting = ::dh_robot::inverse::Setting {
+        let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
             reach: 8.108033400635161,
             few: false,
             given: ::core::option::Option::None,
         };
-        let task = ::dh_robot::ik::Task::Planar(x, y, phi);
-        ::dh_robot::inverse::solve(
+        let task = ::dh_robot::runtime::Task::Planar(x, y, phi);
+        ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
@@ -225,11 +225,11 @@ impl Planar3r {
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
-        t: &::dh_robot::ik::Pose,
-        pick: ::dh_robot::inverse::Pick,
+        t: &::dh_robot::runtime::Pose,
+        pick: ::dh_robot::runtime::Pick,
         found: &mut dyn FnMut([f64; 3], ::dh_robot::Branch, ::dh_robot::FreeJoints),
-    ) -> ::dh_robot::inverse::Attempt {
-        let mut attempt = ::dh_robot::inverse::Attempt::new();
+    ) -> ::dh_robot::runtime::Attempt {
+        let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
         let t_2 = self.l3 * 0.1233344697274758;
         let t_3 = t[0][3] - t[0][0] * t_2;
@@ -238,7 +238,7 @@ impl Planar3r {
         let t_6 = self.l1 * 0.1233344697274758;
         let t_7 = self.l2 * 0.1233344697274758;
         let t_8 = t_6 * t_6 + t_7 * t_7;
-        let r0 = ::dh_robot::ik::solve_pair(
+        let r0 = ::dh_robot::runtime::solve_pair(
             1.0,
             0.0,
             t[0][0],
@@ -257,8 +257,8 @@ impl Planar3r {
             free
         };
         for (i0, &[c123, s123]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
-            let a0 = ::dh_robot::math::atan2(s123, c123);
-            let r1 = ::dh_robot::ik::solve_sincos(
+            let a0 = ::dh_robot::runtime::atan2(s123, c123);
+            let r1 = ::dh_robot::runtime::solve_sincos(
                 2.0 * t_6 * t_7,
                 0.0,
                 t_3 * t_3 + t_4 * t_4 + t_5 * t_5 - t_8,
@@ -283,10 +283,10 @@ impl Planar3r {
                 free
             };
             for (i1, &[c2, s2]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::math::atan2(s2, c2);
+                let a1 = ::dh_robot::runtime::atan2(s2, c2);
                 let t_9 = t_6 + t_7 * c2;
                 let t_10 = t_7 * s2;
-                let r2 = ::dh_robot::ik::solve_pair(
+                let r2 = ::dh_robot::runtime::solve_pair(
                     t_9,
                     -t_10,
                     t_3,
@@ -305,7 +305,7 @@ impl Planar3r {
                     free
                 };
                 for (i2, &[c1, s1]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::math::atan2(s1, c1);
+                    let a2 = ::dh_robot::runtime::atan2(s1, c1);
                     let branch = ::dh_robot::Branch::ANY
                         .with_step(0, i1)
                         .with_elbow(
@@ -323,11 +323,11 @@ impl Planar3r {
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
-impl ::dh_robot::ik::Kinematics<3> for Planar3r {
+impl ::dh_robot::runtime::Kinematics<3> for Planar3r {
     #[inline]
-    fn forward(&self, q: &[f64; 3]) -> ::dh_robot::ik::Pose {
+    fn forward(&self, q: &[f64; 3]) -> ::dh_robot::runtime::Pose {
         let angles = [q[0] + q[1] + q[2], q[0] + q[1], q[0]];
-        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::sincos::sincos_batch(
+        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         [
@@ -339,9 +339,9 @@ impl ::dh_robot::ik::Kinematics<3> for Planar3r {
     fn forward_and_jacobian(
         &self,
         q: &[f64; 3],
-    ) -> (::dh_robot::ik::Pose, [[f64; 3]; 6]) {
+    ) -> (::dh_robot::runtime::Pose, [[f64; 3]; 6]) {
         let angles = [q[0] + q[1] + q[2], q[0] + q[1], q[0]];
-        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::sincos::sincos_batch(
+        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = c123 * self.l3;

@@ -49,7 +49,7 @@ impl Planar3rCraig {
     #[must_use]
     pub fn forward(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[0] + q[1] + q[2], q[0] + q[1], q[0]];
-        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::sincos::sincos_batch(
+        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         ::dh_robot::pose::from_entries(
@@ -66,7 +66,7 @@ impl Planar3rCraig {
         q: &[f64; 3],
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 3] {
         let angles = [q[0], q[0] + q[1], q[0] + q[1] + q[2]];
-        let ([s1, s12, s123], [c1, c12, c123]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s12, s123], [c1, c12, c123]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = self.l1 * c1;
@@ -94,7 +94,7 @@ impl Planar3rCraig {
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 3> {
         let angles = [q[0] + q[1], q[0]];
-        let ([s12, s1], [c12, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s12, s1], [c12, c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = self.l2 * c12;
         let t_3 = self.l2 * s12;
         ::dh_robot::nalgebra::SMatrix::from_data(
@@ -118,7 +118,7 @@ impl Planar3rCraig {
         ::dh_robot::nalgebra::SMatrix<f64, 6, 3>,
     ) {
         let angles = [q[0] + q[1] + q[2], q[0] + q[1], q[0]];
-        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::sincos::sincos_batch(
+        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = self.l2 * c12;
@@ -184,19 +184,19 @@ impl Planar3rCraig {
                 ::dh_robot::Why::NotFinite,
             );
         }
-        let frame = ::dh_robot::inverse::frame_of_plane(
+        let frame = ::dh_robot::runtime::frame_of_plane(
             [x / 7.088461226509633, y / 7.088461226509633],
             phi,
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         );
-        let setting = ::dh_robot::inverse::Setting {
+        let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
             reach: 7.088461226509633,
             few: false,
             given: ::core::option::Option::None,
         };
-        let task = ::dh_robot::ik::Task::Planar(x, y, phi);
-        ::dh_robot::inverse::solve(
+        let task = ::dh_robot::runtime::Task::Planar(x, y, phi);
+        ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
@@ -207,17 +207,17 @@ impl Planar3rCraig {
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
-        t: &::dh_robot::ik::Pose,
-        pick: ::dh_robot::inverse::Pick,
+        t: &::dh_robot::runtime::Pose,
+        pick: ::dh_robot::runtime::Pick,
         found: &mut dyn FnMut([f64; 3], ::dh_robot::Branch, ::dh_robot::FreeJoints),
-    ) -> ::dh_robot::inverse::Attempt {
-        let mut attempt = ::dh_robot::inverse::Attempt::new();
+    ) -> ::dh_robot::runtime::Attempt {
+        let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
         let t_3 = self.l1 * 0.14107434153130033;
         let t_4 = self.l2 * 0.14107434153130033;
         let t_5 = t_3 * t_3 + t_4 * t_4;
-        let r0 = ::dh_robot::ik::solve_pair(
+        let r0 = ::dh_robot::runtime::solve_pair(
             1.0,
             0.0,
             t[0][0],
@@ -236,8 +236,8 @@ impl Planar3rCraig {
             free
         };
         for (i0, &[c123, s123]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
-            let a0 = ::dh_robot::math::atan2(s123, c123);
-            let r1 = ::dh_robot::ik::solve_sincos(
+            let a0 = ::dh_robot::runtime::atan2(s123, c123);
+            let r1 = ::dh_robot::runtime::solve_sincos(
                 2.0 * t_3 * t_4,
                 0.0,
                 t_2 - t_5,
@@ -262,10 +262,10 @@ impl Planar3rCraig {
                 free
             };
             for (i1, &[c2, s2]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::math::atan2(s2, c2);
+                let a1 = ::dh_robot::runtime::atan2(s2, c2);
                 let t_6 = t_3 + t_4 * c2;
                 let t_7 = t_4 * s2;
-                let r2 = ::dh_robot::ik::solve_pair(
+                let r2 = ::dh_robot::runtime::solve_pair(
                     t_6,
                     -t_7,
                     t[0][3],
@@ -284,7 +284,7 @@ impl Planar3rCraig {
                     free
                 };
                 for (i2, &[c1, s1]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::math::atan2(s1, c1);
+                    let a2 = ::dh_robot::runtime::atan2(s1, c1);
                     let branch = ::dh_robot::Branch::ANY
                         .with_step(0, i1)
                         .with_elbow(
@@ -302,11 +302,11 @@ impl Planar3rCraig {
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
-impl ::dh_robot::ik::Kinematics<3> for Planar3rCraig {
+impl ::dh_robot::runtime::Kinematics<3> for Planar3rCraig {
     #[inline]
-    fn forward(&self, q: &[f64; 3]) -> ::dh_robot::ik::Pose {
+    fn forward(&self, q: &[f64; 3]) -> ::dh_robot::runtime::Pose {
         let angles = [q[0] + q[1] + q[2], q[0] + q[1], q[0]];
-        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::sincos::sincos_batch(
+        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         [
@@ -318,9 +318,9 @@ impl ::dh_robot::ik::Kinematics<3> for Planar3rCraig {
     fn forward_and_jacobian(
         &self,
         q: &[f64; 3],
-    ) -> (::dh_robot::ik::Pose, [[f64; 3]; 6]) {
+    ) -> (::dh_robot::runtime::Pose, [[f64; 3]; 6]) {
         let angles = [q[0] + q[1] + q[2], q[0] + q[1], q[0]];
-        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::sincos::sincos_batch(
+        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = self.l2 * c12;

@@ -64,7 +64,7 @@ impl PolarOffsetWrist {
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[5], q[4], q[3], q[1], q[0]];
-        let ([s6, s5, s4, s2, s1], [c6, c5, c4, c2, c1]) = ::dh_robot::sincos::sincos_batch(
+        let ([s6, s5, s4, s2, s1], [c6, c5, c4, c2, c1]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c6c5 = c6 * c5;
@@ -108,7 +108,7 @@ impl PolarOffsetWrist {
         q: &[f64; 6],
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 6] {
         let angles = [q[0], q[1], q[3], q[4], q[5]];
-        let ([s1, s2, s4, s5, s6], [c1, c2, c4, c5, c6]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s2, s4, s5, s6], [c1, c2, c4, c5, c6]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = s1 * 0.12;
@@ -181,7 +181,7 @@ impl PolarOffsetWrist {
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         let angles = [q[0], q[1], q[3], q[4]];
-        let ([s1, s2, s4, s5], [c1, c2, c4, c5]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s2, s4, s5], [c1, c2, c4, c5]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c1c2 = c1 * c2;
@@ -234,7 +234,7 @@ impl PolarOffsetWrist {
         ::dh_robot::nalgebra::SMatrix<f64, 6, 6>,
     ) {
         let angles = [q[0], q[1], q[3], q[4], q[5]];
-        let ([s1, s2, s4, s5, s6], [c1, c2, c4, c5, c6]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s2, s4, s5, s6], [c1, c2, c4, c5, c6]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c1c2 = c1 * c2;
@@ -327,22 +327,22 @@ impl PolarOffsetWrist {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 16> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 1.07) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 1.07) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
             }
         };
-        let setting = ::dh_robot::inverse::Setting {
+        let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
             reach: 1.07,
             few: false,
             given: ::core::option::Option::None,
         };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 1.07),
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 1.07),
         );
-        ::dh_robot::inverse::solve(
+        ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
@@ -353,13 +353,13 @@ impl PolarOffsetWrist {
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
-        t: &::dh_robot::ik::Pose,
-        pick: ::dh_robot::inverse::Pick,
+        t: &::dh_robot::runtime::Pose,
+        pick: ::dh_robot::runtime::Pick,
         found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
-    ) -> ::dh_robot::inverse::Attempt {
-        let mut attempt = ::dh_robot::inverse::Attempt::new();
+    ) -> ::dh_robot::runtime::Attempt {
+        let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
-        let r0 = ::dh_robot::ik::general::General6R::with_slides(
+        let r0 = ::dh_robot::runtime::General6R::with_slides(
                 &[
                     [
                         [1.0, 0.0, 0.0, 0.0],
@@ -386,9 +386,9 @@ impl PolarOffsetWrist {
                 ],
                 &[false, false, true, false, false, false],
                 [
-                    ::dh_robot::ik::general::Choice::new(54),
-                    ::dh_robot::ik::general::Choice::new(59),
-                    ::dh_robot::ik::general::Choice::new(12),
+                    ::dh_robot::runtime::Choice::new(54),
+                    ::dh_robot::runtime::Choice::new(59),
+                    ::dh_robot::runtime::Choice::new(12),
                 ],
             )
             .find(
@@ -412,12 +412,12 @@ impl PolarOffsetWrist {
             .iter()
             .enumerate()
         {
-            let a0 = ::dh_robot::math::atan2(s1, c1);
-            let a1 = ::dh_robot::math::atan2(s2, c2);
+            let a0 = ::dh_robot::runtime::atan2(s1, c1);
+            let a1 = ::dh_robot::runtime::atan2(s2, c2);
             let a2 = q3 * 1.07;
-            let a3 = ::dh_robot::math::atan2(s4, c4);
-            let a4 = ::dh_robot::math::atan2(s5, c5);
-            let a5 = ::dh_robot::math::atan2(s6, c6);
+            let a3 = ::dh_robot::runtime::atan2(s4, c4);
+            let a4 = ::dh_robot::runtime::atan2(s5, c5);
+            let a5 = ::dh_robot::runtime::atan2(s6, c6);
             let branch = ::dh_robot::Branch::ANY.with_step(0, i0);
             found([a0, a1, a2, a3, a4, a5], branch, free);
         }
@@ -425,11 +425,11 @@ impl PolarOffsetWrist {
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
-impl ::dh_robot::ik::Kinematics<6> for PolarOffsetWrist {
+impl ::dh_robot::runtime::Kinematics<6> for PolarOffsetWrist {
     #[inline]
-    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {
+    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::runtime::Pose {
         let angles = [q[5], q[4], q[3], q[1], q[0]];
-        let ([s6, s5, s4, s2, s1], [c6, c5, c4, c2, c1]) = ::dh_robot::sincos::sincos_batch(
+        let ([s6, s5, s4, s2, s1], [c6, c5, c4, c2, c1]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c6c5 = c6 * c5;
@@ -460,9 +460,9 @@ impl ::dh_robot::ik::Kinematics<6> for PolarOffsetWrist {
     fn forward_and_jacobian(
         &self,
         q: &[f64; 6],
-    ) -> (::dh_robot::ik::Pose, [[f64; 6]; 6]) {
+    ) -> (::dh_robot::runtime::Pose, [[f64; 6]; 6]) {
         let angles = [q[0], q[1], q[3], q[4], q[5]];
-        let ([s1, s2, s4, s5, s6], [c1, c2, c4, c5, c6]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s2, s4, s5, s6], [c1, c2, c4, c5, c6]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c1c2 = c1 * c2;

@@ -78,7 +78,7 @@ impl Puma560 {
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[5], q[4], q[3], q[1] + q[2], q[0], q[1]];
-        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c6c5 = c6 * c5;
@@ -118,7 +118,7 @@ impl Puma560 {
         q: &[f64; 6],
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 6] {
         let angles = [q[0], q[1], q[1] + q[2], q[3], q[4], q[5]];
-        let ([s1, s2, s23, s4, s5, s6], [c1, c2, c23, c4, c5, c6]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s2, s23, s4, s5, s6], [c1, c2, c23, c4, c5, c6]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = self.a2 * c2;
@@ -183,7 +183,7 @@ impl Puma560 {
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         let angles = [q[0], q[1] + q[2], q[3], q[4], q[1]];
-        let ([s1, s23, s4, s5, s2], [c1, c23, c4, c5, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s23, s4, s5, s2], [c1, c23, c4, c5, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c23s4 = c23 * s4;
@@ -232,7 +232,7 @@ impl Puma560 {
         ::dh_robot::nalgebra::SMatrix<f64, 6, 6>,
     ) {
         let angles = [q[0], q[1] + q[2], q[3], q[4], q[5], q[1]];
-        let ([s1, s23, s4, s5, s6, s2], [c1, c23, c4, c5, c6, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s23, s4, s5, s6, s2], [c1, c23, c4, c5, c6, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c23s4 = c23 * s4;
@@ -318,7 +318,7 @@ impl Puma560 {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 1.0518492311766083) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 1.0518492311766083) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -330,7 +330,7 @@ impl Puma560 {
             return self.robust(target);
         }
         if valid == [1.0; 8] {
-            let at = |l: usize| ::dh_robot::lanes::solution(
+            let at = |l: usize| ::dh_robot::runtime::lanes::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -341,16 +341,16 @@ impl Puma560 {
                 [at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)],
             );
         }
-        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
-        t: &::dh_robot::ik::Pose,
-        pick: ::dh_robot::inverse::Pick,
+        t: &::dh_robot::runtime::Pose,
+        pick: ::dh_robot::runtime::Pick,
         found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
-    ) -> ::dh_robot::inverse::Attempt {
-        let mut attempt = ::dh_robot::inverse::Attempt::new();
+    ) -> ::dh_robot::runtime::Attempt {
+        let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
         let t_3 = self.d3 * 0.9507065940252585;
@@ -359,7 +359,7 @@ impl Puma560 {
         let t_6 = self.a3 * 0.9507065940252585;
         let t_7 = self.d4 * 0.9507065940252585;
         let t_8 = t_4 * t_4 + t_6 * t_6 + t_3 * t_3 + t_7 * t_7;
-        let r0 = ::dh_robot::ik::solve_sincos(-t[1][3], t[0][3], -t_3, 1e-11);
+        let r0 = ::dh_robot::runtime::solve_sincos(-t[1][3], t[0][3], -t_3, 1e-11);
         if !r0.is_regular() {
             attempt.note(r0.outcome, free, "shoulder q1", 1.0518492311766083, "m");
         }
@@ -370,7 +370,7 @@ impl Puma560 {
             free
         };
         for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
-            let a0 = ::dh_robot::math::atan2(s1, c1);
+            let a0 = ::dh_robot::runtime::atan2(s1, c1);
             let t_9 = t[0][3] * c1 + t[1][3] * s1;
             let t_10 = t[0][0] * c1 + t[1][0] * s1;
             let t_11 = t[0][0] * s1 - t[1][0] * c1;
@@ -378,7 +378,7 @@ impl Puma560 {
             let t_13 = t[0][1] * s1 - t[1][1] * c1;
             let t_14 = t[0][2] * c1 + t[1][2] * s1;
             let t_15 = t[0][2] * s1 - t[1][2] * c1;
-            let r1 = ::dh_robot::ik::solve_sincos(
+            let r1 = ::dh_robot::runtime::solve_sincos(
                 t_5 * t_6,
                 -t_5 * t_7,
                 t_2 - t_8,
@@ -403,8 +403,8 @@ impl Puma560 {
                 free
             };
             for (i1, &[c3, s3]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::math::atan2(s3, c3);
-                let r2 = ::dh_robot::ik::solve_pair(
+                let a1 = ::dh_robot::runtime::atan2(s3, c3);
+                let r2 = ::dh_robot::runtime::solve_pair(
                     -t_9,
                     t[2][3],
                     -(t_4 + t_6 * c3 - t_7 * s3),
@@ -423,7 +423,7 @@ impl Puma560 {
                     free
                 };
                 for (i2, &[c2, s2]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::math::atan2(s2, c2);
+                    let a2 = ::dh_robot::runtime::atan2(s2, c2);
                     let t_16 = c3 * c2 - s3 * s2;
                     let t_17 = c3 * s2 + s3 * c2;
                     let t_18 = t_10 * t_16 - t[2][0] * t_17;
@@ -431,7 +431,7 @@ impl Puma560 {
                     let t_20 = t_12 * t_16 - t[2][1] * t_17;
                     let t_21 = t_12 * t_17 + t[2][1] * t_16;
                     let t_22 = t_14 * t_16 - t[2][2] * t_17;
-                    let r3 = ::dh_robot::ik::solve_sincos(-t_15, t_22, 0.0, 1e-11);
+                    let r3 = ::dh_robot::runtime::solve_sincos(-t_15, t_22, 0.0, 1e-11);
                     if !r3.is_regular() {
                         attempt.note(r3.outcome, free, "wrist q4", 1.0, "");
                     }
@@ -446,10 +446,10 @@ impl Puma560 {
                         .iter()
                         .enumerate()
                     {
-                        let a3 = ::dh_robot::math::atan2(s4, c4);
+                        let a3 = ::dh_robot::runtime::atan2(s4, c4);
                         let t_23 = t_18 * c4 + t_11 * s4;
                         let t_24 = t_20 * c4 + t_13 * s4;
-                        let r4 = ::dh_robot::ik::solve_pair(
+                        let r4 = ::dh_robot::runtime::solve_pair(
                             0.0,
                             -1.0,
                             t_22 * c4 + t_15 * s4,
@@ -472,8 +472,8 @@ impl Puma560 {
                             .iter()
                             .enumerate()
                         {
-                            let a4 = ::dh_robot::math::atan2(s5, c5);
-                            let r5 = ::dh_robot::ik::solve_pair(
+                            let a4 = ::dh_robot::runtime::atan2(s5, c5);
+                            let r5 = ::dh_robot::runtime::solve_pair(
                                 1.0,
                                 0.0,
                                 t_23 * c5 - t_19 * s5,
@@ -496,7 +496,7 @@ impl Puma560 {
                                 .iter()
                                 .enumerate()
                             {
-                                let a5 = ::dh_robot::math::atan2(s6, c6);
+                                let a5 = ::dh_robot::runtime::atan2(s6, c6);
                                 let branch = ::dh_robot::Branch::ANY
                                     .with_step(0, i0)
                                     .with_shoulder(
@@ -538,22 +538,22 @@ impl Puma560 {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 1.0518492311766083) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 1.0518492311766083) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
             }
         };
-        let setting = ::dh_robot::inverse::Setting {
+        let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
             reach: 1.0518492311766083,
             few: false,
             given: ::core::option::Option::None,
         };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 1.0518492311766083),
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 1.0518492311766083),
         );
-        ::dh_robot::inverse::solve(
+        ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
@@ -601,7 +601,7 @@ impl Puma560 {
     #[inline]
     fn lanes(
         &self,
-        t: &::dh_robot::ik::Pose,
+        t: &::dh_robot::runtime::Pose,
         q: &mut [[f64; 8]; 6],
         valid: &mut [f64; 8],
     ) -> bool {
@@ -611,14 +611,14 @@ impl Puma560 {
         let t_5 = 2.0 * t_4;
         let t_6 = self.a3 * 0.9507065940252585;
         let t_7 = self.d4 * 0.9507065940252585;
-        let ([x0, y0, z0, w0], e0, m0) = ::dh_robot::lanes::sincos(
+        let ([x0, y0, z0, w0], e0, m0) = ::dh_robot::runtime::lanes::sincos(
             -t[1][3],
             t[0][3],
             -t_3,
         );
         let c1_ = [x0, z0];
         let s1_ = [y0, w0];
-        let g0_ = ::dh_robot::lanes::angles(&[y0, w0], &[x0, z0]);
+        let g0_ = ::dh_robot::runtime::lanes::angles(&[y0, w0], &[x0, z0]);
         let mut v54_ = [0.0; 2];
         let mut v60_ = [0.0; 2];
         let mut v63_ = [0.0; 2];
@@ -650,14 +650,14 @@ impl Puma560 {
             v303_[l] = t_15;
             v306_[l] = t_16;
         }
-        let ([x1, y1, z1, w1], e1, m1) = ::dh_robot::lanes::sincos(
+        let ([x1, y1, z1, w1], e1, m1) = ::dh_robot::runtime::lanes::sincos(
             t_5 * t_6,
             -t_5 * t_7,
             t_2 - (t_4 * t_4 + t_6 * t_6 + t_3 * t_3 + t_7 * t_7),
         );
         let c3_ = [x1, x1, z1, z1];
         let s3_ = [y1, y1, w1, w1];
-        let g1_ = ::dh_robot::lanes::angles(&[y1, w1], &[x1, z1]);
+        let g1_ = ::dh_robot::runtime::lanes::angles(&[y1, w1], &[x1, z1]);
         let v54_: [f64; 4] = ::core::array::from_fn(|l| v54_[l % 2]);
         let c1_: [f64; 4] = ::core::array::from_fn(|l| c1_[l % 2]);
         let s1_: [f64; 4] = ::core::array::from_fn(|l| s1_[l % 2]);
@@ -678,7 +678,7 @@ impl Puma560 {
             let c3 = c3_[l];
             let s3 = s3_[l];
             let v54 = v54_[l];
-            let ([c2, s2], m2) = ::dh_robot::lanes::pair(
+            let ([c2, s2], m2) = ::dh_robot::runtime::lanes::pair(
                 -v54,
                 t[2][3],
                 -(t_4 + t_6 * c3 - t_7 * s3),
@@ -686,7 +686,7 @@ impl Puma560 {
                 v54,
                 -(t_6 * s3 + t_7 * c3),
             );
-            let g2 = ::dh_robot::lanes::angle(s2, c2);
+            let g2 = ::dh_robot::runtime::lanes::angle(s2, c2);
             let c1 = c1_[l];
             let s1 = s1_[l];
             let v60 = v60_[l];
@@ -706,28 +706,28 @@ impl Puma560 {
                 + (s1 * t_24 + v306 - t[1][3]).abs()
                 + (-(t_6 * t_18 + t_7 * t_17 + t_4 * s2) - t[2][3]).abs();
             let v75 = v75_[l];
-            let ([c4, s4], m3) = ::dh_robot::lanes::half_turn([[-v75, t_23]]);
-            let g3 = ::dh_robot::lanes::angle(s4, c4);
+            let ([c4, s4], m3) = ::dh_robot::runtime::lanes::half_turn([[-v75, t_23]]);
+            let g3 = ::dh_robot::runtime::lanes::angle(s4, c4);
             let v63 = v63_[l];
             let v69 = v69_[l];
             let t_25 = t_19 * c4 + v63 * s4;
             let t_26 = t_21 * c4 + v69 * s4;
-            let [c5, s5] = ::dh_robot::lanes::unit(
+            let [c5, s5] = ::dh_robot::runtime::lanes::unit(
                 -(v72 * t_18 + t[2][2] * t_17),
                 -(t_23 * c4 + v75 * s4),
             );
-            let g4 = ::dh_robot::lanes::angle(s5, c5);
+            let g4 = ::dh_robot::runtime::lanes::angle(s5, c5);
             let c4s5 = c4 * s5;
             let s4s5 = s4 * s5;
             let t_27 = t_17 * c4s5 + t_18 * c5;
             let r5 = (-(c1 * t_27 + s1 * s4s5) - t[0][2]).abs()
                 + (-(s1 * t_27 - c1 * s4s5) - t[1][2]).abs()
                 + (t_18 * c4s5 - t_17 * c5 - t[2][2]).abs();
-            let [c6, s6] = ::dh_robot::lanes::unit(
+            let [c6, s6] = ::dh_robot::runtime::lanes::unit(
                 t_25 * c5 - t_20 * s5,
                 -(t_26 * c5 - t_22 * s5),
             );
-            let g5 = ::dh_robot::lanes::angle(s6, c6);
+            let g5 = ::dh_robot::runtime::lanes::angle(s6, c6);
             let c5c6 = c5 * c6;
             let s5c6 = s5 * c6;
             let t_28 = c4 * c5c6 - s4 * s6;
@@ -738,22 +738,25 @@ impl Puma560 {
                 + (-(t_18 * t_28 + t_17 * s5c6) - t[2][0]).abs();
             let g0 = g0_[l];
             let g1 = g1_[l];
-            margin_[l] = ::dh_robot::lanes::lesser(
-                ::dh_robot::lanes::lesser(::dh_robot::lanes::lesser(m0, m1), m2),
+            margin_[l] = ::dh_robot::runtime::lanes::lesser(
+                ::dh_robot::runtime::lanes::lesser(
+                    ::dh_robot::runtime::lanes::lesser(m0, m1),
+                    m2,
+                ),
                 m3,
             );
             valid_[l] = e0 * e1;
             error_[l] = r3 + r5 + r6;
-            let h3 = ::dh_robot::lanes::opposite(g3);
-            let h4 = ::dh_robot::lanes::negative(g4);
-            let h5 = ::dh_robot::lanes::opposite(g5);
+            let h3 = ::dh_robot::runtime::lanes::opposite(g3);
+            let h4 = ::dh_robot::runtime::lanes::negative(g4);
+            let h5 = ::dh_robot::runtime::lanes::opposite(g5);
             q[0][l] = g0;
-            q[1][l] = ::dh_robot::lanes::into_range(
+            q[1][l] = ::dh_robot::runtime::lanes::into_range(
                 g2,
                 -3.9269908169872414,
                 0.7853981633974483,
             );
-            q[2][l] = ::dh_robot::lanes::into_range(
+            q[2][l] = ::dh_robot::runtime::lanes::into_range(
                 g1,
                 -0.7853981633974483,
                 3.9269908169872414,
@@ -762,12 +765,12 @@ impl Puma560 {
             q[4][l] = g4;
             q[5][l] = g5;
             q[0][l + 4] = g0;
-            q[1][l + 4] = ::dh_robot::lanes::into_range(
+            q[1][l + 4] = ::dh_robot::runtime::lanes::into_range(
                 g2,
                 -3.9269908169872414,
                 0.7853981633974483,
             );
-            q[2][l + 4] = ::dh_robot::lanes::into_range(
+            q[2][l + 4] = ::dh_robot::runtime::lanes::into_range(
                 g1,
                 -0.7853981633974483,
                 3.9269908169872414,
@@ -777,15 +780,15 @@ impl Puma560 {
             q[5][l + 4] = h5;
         }
         *valid = ::core::array::from_fn(|l| valid_[l % 4]);
-        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
+        ::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
-impl ::dh_robot::ik::Kinematics<6> for Puma560 {
+impl ::dh_robot::runtime::Kinematics<6> for Puma560 {
     #[inline]
-    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {
+    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::runtime::Pose {
         let angles = [q[5], q[4], q[3], q[1] + q[2], q[0], q[1]];
-        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s6, s5, s4, s23, s1, s2], [c6, c5, c4, c23, c1, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c6c5 = c6 * c5;
@@ -817,9 +820,9 @@ impl ::dh_robot::ik::Kinematics<6> for Puma560 {
     fn forward_and_jacobian(
         &self,
         q: &[f64; 6],
-    ) -> (::dh_robot::ik::Pose, [[f64; 6]; 6]) {
+    ) -> (::dh_robot::runtime::Pose, [[f64; 6]; 6]) {
         let angles = [q[0], q[1] + q[2], q[3], q[4], q[5], q[1]];
-        let ([s1, s23, s4, s5, s6, s2], [c1, c23, c4, c5, c6, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s23, s4, s5, s6, s2], [c1, c23, c4, c5, c6, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c23s4 = c23 * s4;

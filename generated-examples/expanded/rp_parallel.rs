@@ -44,7 +44,7 @@ impl RpParallel {
     #[must_use]
     pub fn forward(&self, q: &[f64; 2]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[0]];
-        let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s1], [c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         ::dh_robot::pose::from_entries(
             [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
             [c1 * self.a1, s1 * self.a1, q[1]],
@@ -59,7 +59,7 @@ impl RpParallel {
         q: &[f64; 2],
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 2] {
         let angles = [q[0]];
-        let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s1], [c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         [
             ::dh_robot::pose::from_entries(
                 [[c1, -s1, 0.0], [s1, c1, 0.0], [0.0, 0.0, 1.0]],
@@ -79,7 +79,7 @@ impl RpParallel {
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 2]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 2> {
         let angles = [q[0]];
-        let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s1], [c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         ::dh_robot::nalgebra::SMatrix::from_data(
             ::dh_robot::nalgebra::ArrayStorage([
                 [-s1 * self.a1, c1 * self.a1, 0.0, 0.0, 0.0, 1.0],
@@ -100,7 +100,7 @@ impl RpParallel {
         ::dh_robot::nalgebra::SMatrix<f64, 6, 2>,
     ) {
         let angles = [q[0]];
-        let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s1], [c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = c1 * self.a1;
         let t_3 = s1 * self.a1;
         (
@@ -155,7 +155,7 @@ impl RpParallel {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 2, 1> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 0.50565) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 0.50565) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -167,7 +167,7 @@ impl RpParallel {
             return self.robust(target);
         }
         if valid == [1.0; 1] {
-            let at = |l: usize| ::dh_robot::lanes::solution(
+            let at = |l: usize| ::dh_robot::runtime::lanes::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -175,18 +175,18 @@ impl RpParallel {
             );
             return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0)]);
         }
-        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
-        t: &::dh_robot::ik::Pose,
-        pick: ::dh_robot::inverse::Pick,
+        t: &::dh_robot::runtime::Pose,
+        pick: ::dh_robot::runtime::Pick,
         found: &mut dyn FnMut([f64; 2], ::dh_robot::Branch, ::dh_robot::FreeJoints),
-    ) -> ::dh_robot::inverse::Attempt {
-        let mut attempt = ::dh_robot::inverse::Attempt::new();
+    ) -> ::dh_robot::runtime::Attempt {
+        let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
-        let r0 = ::dh_robot::ik::solve_quadratic(0.0, 1.0, -t[2][3], 1e-11);
+        let r0 = ::dh_robot::runtime::solve_quadratic(0.0, 1.0, -t[2][3], 1e-11);
         if !r0.is_regular() {
             attempt.note(r0.outcome, free, "q2", 0.50565, "m");
         }
@@ -198,7 +198,7 @@ impl RpParallel {
         };
         for (i0, &q2) in r0.or_if_free(pick.length(0)).iter().enumerate() {
             let a0 = q2 * 0.50565;
-            let r1 = ::dh_robot::ik::solve_pair(
+            let r1 = ::dh_robot::runtime::solve_pair(
                 1.0,
                 0.0,
                 t[0][0],
@@ -217,7 +217,7 @@ impl RpParallel {
                 free
             };
             for (i1, &[c1, s1]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::math::atan2(s1, c1);
+                let a1 = ::dh_robot::runtime::atan2(s1, c1);
                 let branch = ::dh_robot::Branch::ANY;
                 found([a1, a0], branch, free);
             }
@@ -231,22 +231,22 @@ impl RpParallel {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 2, 1> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 0.50565) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 0.50565) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
             }
         };
-        let setting = ::dh_robot::inverse::Setting {
+        let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
             reach: 0.50565,
             few: true,
             given: ::core::option::Option::None,
         };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 0.50565),
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 0.50565),
         );
-        ::dh_robot::inverse::solve(
+        ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
@@ -267,7 +267,7 @@ impl RpParallel {
     #[inline]
     fn lanes(
         &self,
-        t: &::dh_robot::ik::Pose,
+        t: &::dh_robot::runtime::Pose,
         q: &mut [[f64; 1]; 2],
         valid: &mut [f64; 1],
     ) -> bool {
@@ -277,12 +277,12 @@ impl RpParallel {
         let mut error_ = [0.0; 1];
         let r0 = (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs()
             + (1.0 - t[2][2]).abs();
-        let (q2, m0) = ::dh_robot::lanes::linear(1.0, -t[2][3]);
+        let (q2, m0) = ::dh_robot::runtime::lanes::linear(1.0, -t[2][3]);
         let q2 = q2;
         let g0 = q2 * 0.50565;
         let r1 = (q2 - t[2][3]).abs();
-        let [c1, s1] = ::dh_robot::lanes::unit(t[0][0], -t[0][1]);
-        let g1 = ::dh_robot::lanes::angle(s1, c1);
+        let [c1, s1] = ::dh_robot::runtime::lanes::unit(t[0][0], -t[0][1]);
+        let g1 = ::dh_robot::runtime::lanes::angle(s1, c1);
         let r2 = (-s1 - t[0][1]).abs() + (c1 - t[1][1]).abs()
             + (t_2 * c1 - t[0][3]).abs() + (t_2 * s1 - t[1][3]).abs();
         let l = 0;
@@ -292,15 +292,15 @@ impl RpParallel {
         q[0][l] = g1;
         q[1][l] = g0;
         *valid = valid_;
-        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
+        ::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
-impl ::dh_robot::ik::Kinematics<2> for RpParallel {
+impl ::dh_robot::runtime::Kinematics<2> for RpParallel {
     #[inline]
-    fn forward(&self, q: &[f64; 2]) -> ::dh_robot::ik::Pose {
+    fn forward(&self, q: &[f64; 2]) -> ::dh_robot::runtime::Pose {
         let angles = [q[0]];
-        let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s1], [c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         [
             [c1, -s1, 0.0, c1 * self.a1],
             [s1, c1, 0.0, s1 * self.a1],
@@ -310,9 +310,9 @@ impl ::dh_robot::ik::Kinematics<2> for RpParallel {
     fn forward_and_jacobian(
         &self,
         q: &[f64; 2],
-    ) -> (::dh_robot::ik::Pose, [[f64; 2]; 6]) {
+    ) -> (::dh_robot::runtime::Pose, [[f64; 2]; 6]) {
         let angles = [q[0]];
-        let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s1], [c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = c1 * self.a1;
         let t_3 = s1 * self.a1;
         (

@@ -46,7 +46,7 @@ impl Rpr {
     #[must_use]
     pub fn forward(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[2], q[0]];
-        let ([s3, s1], [c3, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s3, s1], [c3, c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = self.l2 + q[1];
         ::dh_robot::pose::from_entries(
             [[c3 * c1, -s3 * c1, s1], [c3 * s1, -s3 * s1, -c1], [s3, c3, 0.0]],
@@ -62,7 +62,7 @@ impl Rpr {
         q: &[f64; 3],
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 3] {
         let angles = [q[0], q[2]];
-        let ([s1, s3], [c1, c3]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s1, s3], [c1, c3]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = s1 * q[1];
         let t_3 = c1 * q[1];
         [
@@ -88,7 +88,7 @@ impl Rpr {
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 3> {
         let angles = [q[0]];
-        let ([s1], [c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s1], [c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = self.l2 + q[1];
         ::dh_robot::nalgebra::SMatrix::from_data(
             ::dh_robot::nalgebra::ArrayStorage([
@@ -111,7 +111,7 @@ impl Rpr {
         ::dh_robot::nalgebra::SMatrix<f64, 6, 3>,
     ) {
         let angles = [q[2], q[0]];
-        let ([s3, s1], [c3, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s3, s1], [c3, c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = self.l2 + q[1];
         let t_3 = s1 * t_2;
         let t_4 = c1 * t_2;
@@ -169,7 +169,7 @@ impl Rpr {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 3, 1> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 0.40452000000000005) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 0.40452000000000005) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -181,7 +181,7 @@ impl Rpr {
             return self.robust(target);
         }
         if valid == [1.0; 1] {
-            let at = |l: usize| ::dh_robot::lanes::solution(
+            let at = |l: usize| ::dh_robot::runtime::lanes::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -189,21 +189,21 @@ impl Rpr {
             );
             return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0)]);
         }
-        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
-        t: &::dh_robot::ik::Pose,
-        pick: ::dh_robot::inverse::Pick,
+        t: &::dh_robot::runtime::Pose,
+        pick: ::dh_robot::runtime::Pick,
         found: &mut dyn FnMut([f64; 3], ::dh_robot::Branch, ::dh_robot::FreeJoints),
-    ) -> ::dh_robot::inverse::Attempt {
-        let mut attempt = ::dh_robot::inverse::Attempt::new();
+    ) -> ::dh_robot::runtime::Attempt {
+        let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
         let t_2 = self.l2 * 2.472065658063878;
         let t_3 = t[0][2] * (t[0][3] - t[0][2] * t_2)
             + t[1][2] * (t[1][3] - t[1][2] * t_2);
-        let r0 = ::dh_robot::ik::solve_quadratic(
+        let r0 = ::dh_robot::runtime::solve_quadratic(
             0.0,
             -1.0,
             t_3 + t[2][2] * (t[2][3] - t[2][2] * t_2),
@@ -220,7 +220,7 @@ impl Rpr {
         };
         for (i0, &q2) in r0.or_if_free(pick.length(0)).iter().enumerate() {
             let a0 = q2 * 0.40452000000000005;
-            let r1 = ::dh_robot::ik::solve_pair(
+            let r1 = ::dh_robot::runtime::solve_pair(
                 0.0,
                 1.0,
                 t[0][2],
@@ -239,8 +239,8 @@ impl Rpr {
                 free
             };
             for (i1, &[c1, s1]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::math::atan2(s1, c1);
-                let r2 = ::dh_robot::ik::solve_pair(
+                let a1 = ::dh_robot::runtime::atan2(s1, c1);
+                let r2 = ::dh_robot::runtime::solve_pair(
                     1.0,
                     0.0,
                     t[0][0] * c1 + t[1][0] * s1,
@@ -259,7 +259,7 @@ impl Rpr {
                     free
                 };
                 for (i2, &[c3, s3]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::math::atan2(s3, c3);
+                    let a2 = ::dh_robot::runtime::atan2(s3, c3);
                     let branch = ::dh_robot::Branch::ANY;
                     found([a1, a0, a2], branch, free);
                 }
@@ -274,22 +274,22 @@ impl Rpr {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 3, 1> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 0.40452000000000005) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 0.40452000000000005) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
             }
         };
-        let setting = ::dh_robot::inverse::Setting {
+        let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
             reach: 0.40452000000000005,
             few: true,
             given: ::core::option::Option::None,
         };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 0.40452000000000005),
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 0.40452000000000005),
         );
-        ::dh_robot::inverse::solve(
+        ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
@@ -310,7 +310,7 @@ impl Rpr {
     #[inline]
     fn lanes(
         &self,
-        t: &::dh_robot::ik::Pose,
+        t: &::dh_robot::runtime::Pose,
         q: &mut [[f64; 1]; 3],
         valid: &mut [f64; 1],
     ) -> bool {
@@ -321,22 +321,22 @@ impl Rpr {
         let mut valid_ = [0.0; 1];
         let mut error_ = [0.0; 1];
         let r0 = (0.0 - t[2][2]).abs() + (0.0 - t[2][3]).abs();
-        let (q2, m0) = ::dh_robot::lanes::linear(
+        let (q2, m0) = ::dh_robot::runtime::lanes::linear(
             -1.0,
             t_3 + t[2][2] * (t[2][3] - t[2][2] * t_2),
         );
         let q2 = q2;
         let g0 = q2 * 0.40452000000000005;
         let t_4 = t_2 + q2;
-        let [c1, s1] = ::dh_robot::lanes::unit(-t[1][2], t[0][2]);
-        let g1 = ::dh_robot::lanes::angle(s1, c1);
+        let [c1, s1] = ::dh_robot::runtime::lanes::unit(-t[1][2], t[0][2]);
+        let g1 = ::dh_robot::runtime::lanes::angle(s1, c1);
         let r2 = (s1 - t[0][2]).abs() + (-c1 - t[1][2]).abs()
             + (s1 * t_4 - t[0][3]).abs() + (-c1 * t_4 - t[1][3]).abs();
-        let [c3, s3] = ::dh_robot::lanes::unit(
+        let [c3, s3] = ::dh_robot::runtime::lanes::unit(
             t[0][0] * c1 + t[1][0] * s1,
             -(t[0][1] * c1 + t[1][1] * s1),
         );
-        let g2 = ::dh_robot::lanes::angle(s3, c3);
+        let g2 = ::dh_robot::runtime::lanes::angle(s3, c3);
         let r3 = (-c1 * s3 - t[0][1]).abs() + (-s1 * s3 - t[1][1]).abs()
             + (c3 - t[2][1]).abs();
         let l = 0;
@@ -347,15 +347,15 @@ impl Rpr {
         q[1][l] = g0;
         q[2][l] = g2;
         *valid = valid_;
-        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
+        ::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
-impl ::dh_robot::ik::Kinematics<3> for Rpr {
+impl ::dh_robot::runtime::Kinematics<3> for Rpr {
     #[inline]
-    fn forward(&self, q: &[f64; 3]) -> ::dh_robot::ik::Pose {
+    fn forward(&self, q: &[f64; 3]) -> ::dh_robot::runtime::Pose {
         let angles = [q[2], q[0]];
-        let ([s3, s1], [c3, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s3, s1], [c3, c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = self.l2 + q[1];
         [
             [c3 * c1, -s3 * c1, s1, s1 * t_2],
@@ -366,9 +366,9 @@ impl ::dh_robot::ik::Kinematics<3> for Rpr {
     fn forward_and_jacobian(
         &self,
         q: &[f64; 3],
-    ) -> (::dh_robot::ik::Pose, [[f64; 3]; 6]) {
+    ) -> (::dh_robot::runtime::Pose, [[f64; 3]; 6]) {
         let angles = [q[2], q[0]];
-        let ([s3, s1], [c3, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s3, s1], [c3, c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = self.l2 + q[1];
         let t_3 = s1 * t_2;
         let t_4 = c1 * t_2;

@@ -57,7 +57,7 @@ impl RrrIntersecting {
     #[must_use]
     pub fn forward(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[1] + q[2], q[0], q[1]];
-        let ([s23, s1, s2], [c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s23, s1, s2], [c23, c1, c2]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = c23 * self.l3 + self.l2 * c2;
         ::dh_robot::pose::from_entries(
             [[c23 * c1, -s23 * c1, -s1], [c23 * s1, -s23 * s1, c1], [-s23, -c23, 0.0]],
@@ -77,7 +77,7 @@ impl RrrIntersecting {
         q: &[f64; 3],
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 3] {
         let angles = [q[0], q[1], q[1] + q[2]];
-        let ([s1, s2, s23], [c1, c2, c23]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s1, s2, s23], [c1, c2, c23]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = s1 * self.d2;
         let t_3 = c1 * self.d2;
         let t_4 = c2 * self.l2;
@@ -108,7 +108,7 @@ impl RrrIntersecting {
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 3> {
         let angles = [q[1] + q[2], q[0], q[1]];
-        let ([s23, s1, s2], [c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s23, s1, s2], [c23, c1, c2]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = c23 * self.l3;
         let t_3 = s23 * self.l3;
         let t_4 = t_2 + self.l2 * c2;
@@ -141,7 +141,7 @@ impl RrrIntersecting {
         ::dh_robot::nalgebra::SMatrix<f64, 6, 3>,
     ) {
         let angles = [q[1] + q[2], q[0], q[1]];
-        let ([s23, s1, s2], [c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s23, s1, s2], [c23, c1, c2]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = c23 * self.l3;
         let t_3 = s23 * self.l3;
         let t_4 = t_2 + self.l2 * c2;
@@ -210,18 +210,18 @@ impl RrrIntersecting {
                 ::dh_robot::Why::NotFinite,
             );
         }
-        let frame = ::dh_robot::inverse::frame_of_axis(
+        let frame = ::dh_robot::runtime::frame_of_axis(
             p.map(|x| x / 1.0675141762776192),
             [0.0, 0.0, 1.0],
         );
-        let setting = ::dh_robot::inverse::Setting {
+        let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
             reach: 1.0675141762776192,
             few: false,
             given: ::core::option::Option::None,
         };
-        let task = ::dh_robot::ik::Task::Position(p);
-        ::dh_robot::inverse::solve(
+        let task = ::dh_robot::runtime::Task::Position(p);
+        ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
@@ -232,18 +232,18 @@ impl RrrIntersecting {
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
-        t: &::dh_robot::ik::Pose,
-        pick: ::dh_robot::inverse::Pick,
+        t: &::dh_robot::runtime::Pose,
+        pick: ::dh_robot::runtime::Pick,
         found: &mut dyn FnMut([f64; 3], ::dh_robot::Branch, ::dh_robot::FreeJoints),
-    ) -> ::dh_robot::inverse::Attempt {
-        let mut attempt = ::dh_robot::inverse::Attempt::new();
+    ) -> ::dh_robot::runtime::Attempt {
+        let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
         let t_3 = self.d2 * 0.9367557098744688;
         let t_4 = self.l2 * 0.9367557098744688;
         let t_5 = self.l3 * 0.9367557098744688;
         let t_6 = t_3 * t_3 + t_4 * t_4 + t_5 * t_5;
-        let r0 = ::dh_robot::ik::solve_sincos(-t[1][3], t[0][3], -t_3, 1e-11);
+        let r0 = ::dh_robot::runtime::solve_sincos(-t[1][3], t[0][3], -t_3, 1e-11);
         if !r0.is_regular() {
             attempt.note(r0.outcome, free, "shoulder q1", 1.0675141762776192, "m");
         }
@@ -254,9 +254,9 @@ impl RrrIntersecting {
             free
         };
         for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
-            let a0 = ::dh_robot::math::atan2(s1, c1);
+            let a0 = ::dh_robot::runtime::atan2(s1, c1);
             let t_7 = t[0][3] * c1 + t[1][3] * s1;
-            let r1 = ::dh_robot::ik::solve_sincos(
+            let r1 = ::dh_robot::runtime::solve_sincos(
                 2.0 * t_4 * t_5,
                 0.0,
                 t_2 - t_6,
@@ -281,8 +281,8 @@ impl RrrIntersecting {
                 free
             };
             for (i1, &[c3, s3]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::math::atan2(s3, c3);
-                let r2 = ::dh_robot::ik::solve_pair(
+                let a1 = ::dh_robot::runtime::atan2(s3, c3);
+                let r2 = ::dh_robot::runtime::solve_pair(
                     -t_7,
                     t[2][3],
                     -(t_4 + t_5 * c3),
@@ -301,7 +301,7 @@ impl RrrIntersecting {
                     free
                 };
                 for (i2, &[c2, s2]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::math::atan2(s2, c2);
+                    let a2 = ::dh_robot::runtime::atan2(s2, c2);
                     let branch = ::dh_robot::Branch::ANY
                         .with_step(0, i0)
                         .with_shoulder(
@@ -327,11 +327,11 @@ impl RrrIntersecting {
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
-impl ::dh_robot::ik::Kinematics<3> for RrrIntersecting {
+impl ::dh_robot::runtime::Kinematics<3> for RrrIntersecting {
     #[inline]
-    fn forward(&self, q: &[f64; 3]) -> ::dh_robot::ik::Pose {
+    fn forward(&self, q: &[f64; 3]) -> ::dh_robot::runtime::Pose {
         let angles = [q[1] + q[2], q[0], q[1]];
-        let ([s23, s1, s2], [c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s23, s1, s2], [c23, c1, c2]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = c23 * self.l3 + self.l2 * c2;
         [
             [c23 * c1, -s23 * c1, -s1, c1 * t_2 - s1 * self.d2],
@@ -342,9 +342,9 @@ impl ::dh_robot::ik::Kinematics<3> for RrrIntersecting {
     fn forward_and_jacobian(
         &self,
         q: &[f64; 3],
-    ) -> (::dh_robot::ik::Pose, [[f64; 3]; 6]) {
+    ) -> (::dh_robot::runtime::Pose, [[f64; 3]; 6]) {
         let angles = [q[1] + q[2], q[0], q[1]];
-        let ([s23, s1, s2], [c23, c1, c2]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s23, s1, s2], [c23, c1, c2]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = c23 * self.l3;
         let t_3 = s23 * self.l3;
         let t_4 = t_2 + self.l2 * c2;

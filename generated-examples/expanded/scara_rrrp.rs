@@ -60,7 +60,7 @@ impl ScaraRrrp {
     #[must_use]
     pub fn forward(&self, q: &[f64; 4]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[0] + q[1] + q[2], q[0] + q[1], q[0]];
-        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::sincos::sincos_batch(
+        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         ::dh_robot::pose::from_entries(
@@ -81,7 +81,7 @@ impl ScaraRrrp {
         q: &[f64; 4],
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 4] {
         let angles = [q[0], q[0] + q[1], q[0] + q[1] + q[2]];
-        let ([s1, s12, s123], [c1, c12, c123]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s12, s123], [c1, c12, c123]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = c1 * self.a1;
@@ -116,7 +116,7 @@ impl ScaraRrrp {
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 4]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 4> {
         let angles = [q[0] + q[1], q[0]];
-        let ([s12, s1], [c12, c1]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s12, s1], [c12, c1]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = self.a2 * c12;
         let t_3 = self.a2 * s12;
         ::dh_robot::nalgebra::SMatrix::from_data(
@@ -141,7 +141,7 @@ impl ScaraRrrp {
         ::dh_robot::nalgebra::SMatrix<f64, 6, 4>,
     ) {
         let angles = [q[0] + q[1] + q[2], q[0] + q[1], q[0]];
-        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::sincos::sincos_batch(
+        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = self.a2 * c12;
@@ -204,7 +204,7 @@ impl ScaraRrrp {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 4, 2> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 1.321360271039209) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 1.321360271039209) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -216,7 +216,7 @@ impl ScaraRrrp {
             return self.robust(target);
         }
         if valid == [1.0; 2] {
-            let at = |l: usize| ::dh_robot::lanes::solution(
+            let at = |l: usize| ::dh_robot::runtime::lanes::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -224,16 +224,16 @@ impl ScaraRrrp {
             );
             return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0), at(1)]);
         }
-        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
-        t: &::dh_robot::ik::Pose,
-        pick: ::dh_robot::inverse::Pick,
+        t: &::dh_robot::runtime::Pose,
+        pick: ::dh_robot::runtime::Pick,
         found: &mut dyn FnMut([f64; 4], ::dh_robot::Branch, ::dh_robot::FreeJoints),
-    ) -> ::dh_robot::inverse::Attempt {
-        let mut attempt = ::dh_robot::inverse::Attempt::new();
+    ) -> ::dh_robot::runtime::Attempt {
+        let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
         let t_2 = self.d1 * 0.7567958730994166;
         let t_3 = self.d2 * 0.7567958730994166;
@@ -241,7 +241,7 @@ impl ScaraRrrp {
         let t_5 = self.a2 * 0.7567958730994166;
         let t_6 = t_3 * (t_3 + t_2 * 2.0);
         let t_7 = t_4 * t_4 + t_5 * t_5 + t_2 * t_2;
-        let r0 = ::dh_robot::ik::solve_quadratic(
+        let r0 = ::dh_robot::runtime::solve_quadratic(
             0.0,
             1.0,
             -(t[2][3] - (t_2 + t_3)),
@@ -261,7 +261,7 @@ impl ScaraRrrp {
             let t_8 = t[0][3] - t[0][2] * q4;
             let t_9 = t[1][3] - t[1][2] * q4;
             let t_10 = t[2][3] - t[2][2] * q4;
-            let r1 = ::dh_robot::ik::solve_pair(
+            let r1 = ::dh_robot::runtime::solve_pair(
                 1.0,
                 0.0,
                 t[0][0],
@@ -280,8 +280,8 @@ impl ScaraRrrp {
                 free
             };
             for (i1, &[c123, s123]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::math::atan2(s123, c123);
-                let r2 = ::dh_robot::ik::solve_sincos(
+                let a1 = ::dh_robot::runtime::atan2(s123, c123);
+                let r2 = ::dh_robot::runtime::solve_sincos(
                     2.0 * t_4 * t_5,
                     0.0,
                     -(t_6 - (t_8 * t_8 + t_9 * t_9 + t_10 * t_10 - t_7)),
@@ -309,10 +309,10 @@ impl ScaraRrrp {
                     free
                 };
                 for (i2, &[c2, s2]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::math::atan2(s2, c2);
+                    let a2 = ::dh_robot::runtime::atan2(s2, c2);
                     let t_11 = t_4 + t_5 * c2;
                     let t_12 = t_5 * s2;
-                    let r3 = ::dh_robot::ik::solve_pair(
+                    let r3 = ::dh_robot::runtime::solve_pair(
                         t_11,
                         -t_12,
                         t_8,
@@ -335,7 +335,7 @@ impl ScaraRrrp {
                         .iter()
                         .enumerate()
                     {
-                        let a3 = ::dh_robot::math::atan2(s1, c1);
+                        let a3 = ::dh_robot::runtime::atan2(s1, c1);
                         let branch = ::dh_robot::Branch::ANY
                             .with_step(0, i2)
                             .with_elbow(
@@ -359,22 +359,22 @@ impl ScaraRrrp {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 4, 2> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 1.321360271039209) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 1.321360271039209) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
             }
         };
-        let setting = ::dh_robot::inverse::Setting {
+        let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
             reach: 1.321360271039209,
             few: true,
             given: ::core::option::Option::None,
         };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 1.321360271039209),
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 1.321360271039209),
         );
-        ::dh_robot::inverse::solve(
+        ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
@@ -400,7 +400,7 @@ impl ScaraRrrp {
     #[inline]
     fn lanes(
         &self,
-        t: &::dh_robot::ik::Pose,
+        t: &::dh_robot::runtime::Pose,
         q: &mut [[f64; 2]; 4],
         valid: &mut [f64; 2],
     ) -> bool {
@@ -413,24 +413,24 @@ impl ScaraRrrp {
         let t_8 = t_5 * t_5 + t_6 * t_6 + t_2 * t_2;
         let r0 = (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs()
             + (1.0 - t[2][2]).abs();
-        let (q4, m0) = ::dh_robot::lanes::linear(1.0, -(t[2][3] - t_4));
+        let (q4, m0) = ::dh_robot::runtime::lanes::linear(1.0, -(t[2][3] - t_4));
         let q4 = q4;
         let g0 = q4 * 1.321360271039209;
         let t_9 = t[0][3] - t[0][2] * q4;
         let t_10 = t[1][3] - t[1][2] * q4;
         let t_11 = t[2][3] - t[2][2] * q4;
         let r1 = (t_4 + q4 - t[2][3]).abs();
-        let [c123, s123] = ::dh_robot::lanes::unit(t[0][0], -t[0][1]);
-        let g1 = ::dh_robot::lanes::angle(s123, c123);
+        let [c123, s123] = ::dh_robot::runtime::lanes::unit(t[0][0], -t[0][1]);
+        let g1 = ::dh_robot::runtime::lanes::angle(s123, c123);
         let r2 = (-s123 - t[0][1]).abs() + (c123 - t[1][1]).abs();
-        let ([x2, y2, z2, w2], e2, m2) = ::dh_robot::lanes::sincos(
+        let ([x2, y2, z2, w2], e2, m2) = ::dh_robot::runtime::lanes::sincos(
             2.0 * t_5 * t_6,
             0.0,
             -(t_7 - (t_9 * t_9 + t_10 * t_10 + t_11 * t_11 - t_8)),
         );
         let c2_ = [x2, z2];
         let s2_ = [y2, w2];
-        let g2_ = ::dh_robot::lanes::angles(&[y2, w2], &[x2, z2]);
+        let g2_ = ::dh_robot::runtime::lanes::angles(&[y2, w2], &[x2, z2]);
         let g2_: [f64; 2] = ::core::array::from_fn(|l| g2_[l / 1 % 2]);
         let mut margin_ = [0.0; 2];
         let mut valid_ = [0.0; 2];
@@ -440,7 +440,7 @@ impl ScaraRrrp {
             let s2 = s2_[l];
             let t_12 = t_5 + t_6 * c2;
             let t_13 = t_6 * s2;
-            let ([c1, s1], m3) = ::dh_robot::lanes::pair(
+            let ([c1, s1], m3) = ::dh_robot::runtime::lanes::pair(
                 t_12,
                 -t_13,
                 t_9,
@@ -448,31 +448,31 @@ impl ScaraRrrp {
                 t_12,
                 t_10,
             );
-            let g3 = ::dh_robot::lanes::angle(s1, c1);
+            let g3 = ::dh_robot::runtime::lanes::angle(s1, c1);
             let r4 = (t_6 * (c2 * c1 - s2 * s1) + t_5 * c1 - t[0][3]).abs()
                 + (t_6 * (c2 * s1 + s2 * c1) + t_5 * s1 - t[1][3]).abs();
             let g2 = g2_[l];
-            margin_[l] = ::dh_robot::lanes::lesser(
-                ::dh_robot::lanes::lesser(m0, m2),
+            margin_[l] = ::dh_robot::runtime::lanes::lesser(
+                ::dh_robot::runtime::lanes::lesser(m0, m2),
                 m3,
             );
             valid_[l] = e2;
             error_[l] = r0 + r1 + r2 + r4;
             q[0][l] = g3;
             q[1][l] = g2;
-            q[2][l] = ::dh_robot::lanes::wrap(g1 - g2 - g3);
+            q[2][l] = ::dh_robot::runtime::lanes::wrap(g1 - g2 - g3);
             q[3][l] = g0;
         }
         *valid = valid_;
-        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
+        ::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
-impl ::dh_robot::ik::Kinematics<4> for ScaraRrrp {
+impl ::dh_robot::runtime::Kinematics<4> for ScaraRrrp {
     #[inline]
-    fn forward(&self, q: &[f64; 4]) -> ::dh_robot::ik::Pose {
+    fn forward(&self, q: &[f64; 4]) -> ::dh_robot::runtime::Pose {
         let angles = [q[0] + q[1] + q[2], q[0] + q[1], q[0]];
-        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::sincos::sincos_batch(
+        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         [
@@ -484,9 +484,9 @@ impl ::dh_robot::ik::Kinematics<4> for ScaraRrrp {
     fn forward_and_jacobian(
         &self,
         q: &[f64; 4],
-    ) -> (::dh_robot::ik::Pose, [[f64; 4]; 6]) {
+    ) -> (::dh_robot::runtime::Pose, [[f64; 4]; 6]) {
         let angles = [q[0] + q[1] + q[2], q[0] + q[1], q[0]];
-        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::sincos::sincos_batch(
+        let ([s123, s12, s1], [c123, c12, c1]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = self.a2 * c12;

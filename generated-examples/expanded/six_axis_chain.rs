@@ -70,7 +70,7 @@ impl SixAxisChain {
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[5], q[4], q[1] + q[2] + q[3], q[0], q[1] + q[2], q[1]];
-        let ([s6, s5, s234, s1, s23, s2], [c6, c5, c234, c1, c23, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s6, s5, s234, s1, s23, s2], [c6, c5, c234, c1, c23, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c6c5 = c6 * c5;
@@ -102,7 +102,7 @@ impl SixAxisChain {
         q: &[f64; 6],
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 6] {
         let angles = [q[0], q[1], q[1] + q[2], q[1] + q[2] + q[3], q[4], q[5]];
-        let ([s1, s2, s23, s234, s5, s6], [c1, c2, c23, c234, c5, c6]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s2, s23, s234, s5, s6], [c1, c2, c23, c234, c5, c6]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = self.a2 * c2;
@@ -166,7 +166,7 @@ impl SixAxisChain {
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         let angles = [q[4], q[1] + q[2] + q[3], q[0], q[1] + q[2], q[1]];
-        let ([s5, s234, s1, s23, s2], [c5, c234, c1, c23, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s5, s234, s1, s23, s2], [c5, c234, c1, c23, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let s5c234 = s5 * c234;
@@ -200,7 +200,7 @@ impl SixAxisChain {
         ::dh_robot::nalgebra::SMatrix<f64, 6, 6>,
     ) {
         let angles = [q[5], q[4], q[1] + q[2] + q[3], q[0], q[1] + q[2], q[1]];
-        let ([s6, s5, s234, s1, s23, s2], [c6, c5, c234, c1, c23, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s6, s5, s234, s1, s23, s2], [c6, c5, c234, c1, c23, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c6c5 = c6 * c5;
@@ -285,7 +285,7 @@ impl SixAxisChain {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 1.1159566801270322) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 1.1159566801270322) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -297,7 +297,7 @@ impl SixAxisChain {
             return self.robust(target);
         }
         if valid == [1.0; 8] {
-            let at = |l: usize| ::dh_robot::lanes::solution(
+            let at = |l: usize| ::dh_robot::runtime::lanes::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -308,22 +308,22 @@ impl SixAxisChain {
                 [at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)],
             );
         }
-        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
-        t: &::dh_robot::ik::Pose,
-        pick: ::dh_robot::inverse::Pick,
+        t: &::dh_robot::runtime::Pose,
+        pick: ::dh_robot::runtime::Pick,
         found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
-    ) -> ::dh_robot::inverse::Attempt {
-        let mut attempt = ::dh_robot::inverse::Attempt::new();
+    ) -> ::dh_robot::runtime::Attempt {
+        let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
         let t_2 = self.a4 * 0.896092131359586;
         let t_3 = self.a2 * 0.896092131359586;
         let t_4 = self.a3 * 0.896092131359586;
         let t_5 = t_3 * t_3 + t_4 * t_4;
-        let r0 = ::dh_robot::ik::solve_sincos(-t[1][3], t[0][3], 0.0, 1e-11);
+        let r0 = ::dh_robot::runtime::solve_sincos(-t[1][3], t[0][3], 0.0, 1e-11);
         if !r0.is_regular() {
             attempt.note(r0.outcome, free, "shoulder q1", 1.1159566801270322, "m");
         }
@@ -334,12 +334,12 @@ impl SixAxisChain {
             free
         };
         for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
-            let a0 = ::dh_robot::math::atan2(s1, c1);
+            let a0 = ::dh_robot::runtime::atan2(s1, c1);
             let t_6 = t[0][3] * c1 + t[1][3] * s1;
             let t_7 = t[0][0] * c1 + t[1][0] * s1;
             let t_8 = t[0][1] * c1 + t[1][1] * s1;
             let t_9 = t[0][2] * c1 + t[1][2] * s1;
-            let r1 = ::dh_robot::ik::solve_sincos(-t[2][2], t_9, 0.0, 1e-11);
+            let r1 = ::dh_robot::runtime::solve_sincos(-t[2][2], t_9, 0.0, 1e-11);
             if !r1.is_regular() {
                 attempt.note(r1.outcome, free, "wrist q2 + q3 + q4", 1.0, "");
             }
@@ -350,8 +350,8 @@ impl SixAxisChain {
                 free
             };
             for (i1, &[c234, s234]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::math::atan2(s234, c234);
-                let r2 = ::dh_robot::ik::solve_pair(
+                let a1 = ::dh_robot::runtime::atan2(s234, c234);
+                let r2 = ::dh_robot::runtime::solve_pair(
                     -1.0,
                     0.0,
                     -(t[0][2] * s1 - t[1][2] * c1),
@@ -370,13 +370,13 @@ impl SixAxisChain {
                     free
                 };
                 for (i2, &[c5, s5]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::math::atan2(s5, c5);
+                    let a2 = ::dh_robot::runtime::atan2(s5, c5);
                     let c234c5 = c234 * c5;
                     let t_10 = t[0][2] * s5;
                     let t_11 = t[1][2] * s5;
                     let t_12 = t[2][2] * s5;
                     let t_13 = t_9 * s5;
-                    let r3 = ::dh_robot::ik::solve_pair(
+                    let r3 = ::dh_robot::runtime::solve_pair(
                         c234c5,
                         -s234,
                         t_7,
@@ -399,14 +399,14 @@ impl SixAxisChain {
                         .iter()
                         .enumerate()
                     {
-                        let a3 = ::dh_robot::math::atan2(s6, c6);
+                        let a3 = ::dh_robot::runtime::atan2(s6, c6);
                         let t_14 = t[0][3]
                             - (c5 * (t[0][0] * c6 - t[0][1] * s6) + t_10) * t_2;
                         let t_15 = t[1][3]
                             - (c5 * (t[1][0] * c6 - t[1][1] * s6) + t_11) * t_2;
                         let t_16 = t[2][3]
                             - (c5 * (t[2][0] * c6 - t[2][1] * s6) + t_12) * t_2;
-                        let r4 = ::dh_robot::ik::solve_sincos(
+                        let r4 = ::dh_robot::runtime::solve_sincos(
                             2.0 * t_3 * t_4,
                             0.0,
                             t_14 * t_14 + t_15 * t_15 + t_16 * t_16 - t_5,
@@ -435,10 +435,10 @@ impl SixAxisChain {
                             .iter()
                             .enumerate()
                         {
-                            let a4 = ::dh_robot::math::atan2(s3, c3);
+                            let a4 = ::dh_robot::runtime::atan2(s3, c3);
                             let t_17 = t_3 + t_4 * c3;
                             let t_18 = t_4 * s3;
-                            let r5 = ::dh_robot::ik::solve_pair(
+                            let r5 = ::dh_robot::runtime::solve_pair(
                                 t_17,
                                 -t_18,
                                 t_6 - t_2 * (c5 * (t_7 * c6 - t_8 * s6) + t_13),
@@ -461,7 +461,7 @@ impl SixAxisChain {
                                 .iter()
                                 .enumerate()
                             {
-                                let a5 = ::dh_robot::math::atan2(s2, c2);
+                                let a5 = ::dh_robot::runtime::atan2(s2, c2);
                                 let branch = ::dh_robot::Branch::ANY
                                     .with_step(0, i0)
                                     .with_shoulder(
@@ -503,22 +503,22 @@ impl SixAxisChain {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 1.1159566801270322) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 1.1159566801270322) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
             }
         };
-        let setting = ::dh_robot::inverse::Setting {
+        let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
             reach: 1.1159566801270322,
             few: false,
             given: ::core::option::Option::None,
         };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 1.1159566801270322),
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 1.1159566801270322),
         );
-        ::dh_robot::inverse::solve(
+        ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
@@ -566,7 +566,7 @@ impl SixAxisChain {
     #[inline]
     fn lanes(
         &self,
-        t: &::dh_robot::ik::Pose,
+        t: &::dh_robot::runtime::Pose,
         q: &mut [[f64; 8]; 6],
         valid: &mut [f64; 8],
     ) -> bool {
@@ -574,10 +574,12 @@ impl SixAxisChain {
         let t_3 = self.a2 * 0.896092131359586;
         let t_4 = self.a3 * 0.896092131359586;
         let t_5 = t_3 * t_3 + t_4 * t_4;
-        let ([x0, y0], m0) = ::dh_robot::lanes::half_turn([[-t[1][3], t[0][3]]]);
+        let ([x0, y0], m0) = ::dh_robot::runtime::lanes::half_turn([
+            [-t[1][3], t[0][3]],
+        ]);
         let c1_ = [x0, -x0];
         let s1_ = [y0, -y0];
-        let g0_ = ::dh_robot::lanes::angles(&[y0, -y0], &[x0, -x0]);
+        let g0_ = ::dh_robot::runtime::lanes::angles(&[y0, -y0], &[x0, -x0]);
         let mut v38_ = [0.0; 2];
         let mut v44_ = [0.0; 2];
         let mut v50_ = [0.0; 2];
@@ -597,14 +599,16 @@ impl SixAxisChain {
             v50_[l] = t_8;
             v56_[l] = t_9;
             v59_[l] = t[0][2] * s1 - t[1][2] * c1;
-            let ([x1, y1], m1) = ::dh_robot::lanes::half_turn([[-t[2][2], t_9]]);
+            let ([x1, y1], m1) = ::dh_robot::runtime::lanes::half_turn([
+                [-t[2][2], t_9],
+            ]);
             f1[0][l] = x1;
             f1[1][l] = y1;
             f1[0][l + 2] = -x1;
             f1[1][l + 2] = -y1;
             margin1_[l] = m1;
         }
-        let g1_ = ::dh_robot::lanes::angles(&f1[1], &f1[0]);
+        let g1_ = ::dh_robot::runtime::lanes::angles(&f1[1], &f1[0]);
         let c234_ = f1[0];
         let s234_ = f1[1];
         let v56_: [f64; 4] = ::core::array::from_fn(|l| v56_[l % 2]);
@@ -634,8 +638,11 @@ impl SixAxisChain {
             v238_[l] = t_10;
             v239_[l] = t_11;
             let v59 = v59_[l];
-            let [c5, s5] = ::dh_robot::lanes::unit(v59, v56 * c234 + t[2][2] * s234);
-            let g2 = ::dh_robot::lanes::angle(s5, c5);
+            let [c5, s5] = ::dh_robot::runtime::lanes::unit(
+                v59,
+                v56 * c234 + t[2][2] * s234,
+            );
+            let g2 = ::dh_robot::runtime::lanes::angle(s5, c5);
             g2_[l] = g2;
             let j4a = g2;
             q[4][l] = j4a;
@@ -652,7 +659,7 @@ impl SixAxisChain {
                 + (s1 * c234s5 - c1 * c5 - t[1][2]).abs() + (s234 * s5 - t[2][2]).abs();
             let v44 = v44_[l];
             let v50 = v50_[l];
-            let ([c6, s6], m3) = ::dh_robot::lanes::pair(
+            let ([c6, s6], m3) = ::dh_robot::runtime::lanes::pair(
                 c234c5,
                 -s234,
                 v44,
@@ -660,7 +667,7 @@ impl SixAxisChain {
                 -c234c5,
                 v50,
             );
-            let g3 = ::dh_robot::lanes::angle(s6, c6);
+            let g3 = ::dh_robot::runtime::lanes::angle(s6, c6);
             g3_[l] = g3;
             let j5a = g3;
             q[5][l] = j5a;
@@ -677,7 +684,7 @@ impl SixAxisChain {
             let r4 = (c1 * t_19 - s1 * c6s5 - t[0][0]).abs()
                 + (s1 * t_19 + c1 * c6s5 - t[1][0]).abs()
                 + (s234 * c5c6 + c234 * s6 - t[2][0]).abs();
-            let ([x4, y4, z4, w4], e4, m4) = ::dh_robot::lanes::sincos(
+            let ([x4, y4, z4, w4], e4, m4) = ::dh_robot::runtime::lanes::sincos(
                 2.0 * t_3 * t_4,
                 0.0,
                 t_16 * t_16 + t_17 * t_17 + t_18 * t_18 - t_5,
@@ -686,15 +693,15 @@ impl SixAxisChain {
             f4[1][l] = y4;
             f4[0][l + 4] = z4;
             f4[1][l + 4] = w4;
-            let g4 = ::dh_robot::lanes::angle(y4, x4);
+            let g4 = ::dh_robot::runtime::lanes::angle(y4, x4);
             g4_[l] = g4;
-            let h4 = ::dh_robot::lanes::angle(w4, z4);
+            let h4 = ::dh_robot::runtime::lanes::angle(w4, z4);
             g4_[l + 4] = h4;
             let j2a = g4;
             q[2][l] = j2a;
             let j2b = h4;
             q[2][l + 4] = j2b;
-            margin2_[l] = ::dh_robot::lanes::lesser(m3, m4);
+            margin2_[l] = ::dh_robot::runtime::lanes::lesser(m3, m4);
             valid2_[l] = e4;
             error2_[l] = r3 + r4;
         }
@@ -723,7 +730,7 @@ impl SixAxisChain {
             let t_21 = t_4 * s3;
             let v128 = v128_[l];
             let v184 = v184_[l];
-            let ([c2, s2], m5) = ::dh_robot::lanes::pair(
+            let ([c2, s2], m5) = ::dh_robot::runtime::lanes::pair(
                 t_20,
                 -t_21,
                 v184,
@@ -731,7 +738,7 @@ impl SixAxisChain {
                 t_20,
                 v128,
             );
-            let g5 = ::dh_robot::lanes::angle(s2, c2);
+            let g5 = ::dh_robot::runtime::lanes::angle(s2, c2);
             let c1 = c1_[l];
             let s1 = s1_[l];
             let v238 = v238_[l];
@@ -746,9 +753,9 @@ impl SixAxisChain {
             let margin2 = margin2_[l];
             let valid2 = valid2_[l];
             let error2 = error2_[l];
-            margin_[l] = ::dh_robot::lanes::lesser(
-                ::dh_robot::lanes::lesser(
-                    ::dh_robot::lanes::lesser(m0, margin1),
+            margin_[l] = ::dh_robot::runtime::lanes::lesser(
+                ::dh_robot::runtime::lanes::lesser(
+                    ::dh_robot::runtime::lanes::lesser(m0, margin1),
                     margin2,
                 ),
                 m5,
@@ -757,18 +764,18 @@ impl SixAxisChain {
             error_[l] = error2 + r6;
             q[0][l] = g0;
             q[1][l] = g5;
-            q[3][l] = ::dh_robot::lanes::wrap(g1 - g4 - g5);
+            q[3][l] = ::dh_robot::runtime::lanes::wrap(g1 - g4 - g5);
         }
         *valid = valid_;
-        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
+        ::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
-impl ::dh_robot::ik::Kinematics<6> for SixAxisChain {
+impl ::dh_robot::runtime::Kinematics<6> for SixAxisChain {
     #[inline]
-    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {
+    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::runtime::Pose {
         let angles = [q[5], q[4], q[1] + q[2] + q[3], q[0], q[1] + q[2], q[1]];
-        let ([s6, s5, s234, s1, s23, s2], [c6, c5, c234, c1, c23, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s6, s5, s234, s1, s23, s2], [c6, c5, c234, c1, c23, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c6c5 = c6 * c5;
@@ -796,9 +803,9 @@ impl ::dh_robot::ik::Kinematics<6> for SixAxisChain {
     fn forward_and_jacobian(
         &self,
         q: &[f64; 6],
-    ) -> (::dh_robot::ik::Pose, [[f64; 6]; 6]) {
+    ) -> (::dh_robot::runtime::Pose, [[f64; 6]; 6]) {
         let angles = [q[5], q[4], q[1] + q[2] + q[3], q[0], q[1] + q[2], q[1]];
-        let ([s6, s5, s234, s1, s23, s2], [c6, c5, c234, c1, c23, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s6, s5, s234, s1, s23, s2], [c6, c5, c234, c1, c23, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c6c5 = c6 * c5;

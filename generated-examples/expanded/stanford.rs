@@ -63,7 +63,7 @@ impl Stanford {
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[5], q[4], q[3], q[1], q[0]];
-        let ([s6, s5, s4, s2, s1], [c6, c5, c4, c2, c1]) = ::dh_robot::sincos::sincos_batch(
+        let ([s6, s5, s4, s2, s1], [c6, c5, c4, c2, c1]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c6c5 = c6 * c5;
@@ -103,7 +103,7 @@ impl Stanford {
         q: &[f64; 6],
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 6] {
         let angles = [q[0], q[1], q[3], q[4], q[5]];
-        let ([s1, s2, s4, s5, s6], [c1, c2, c4, c5, c6]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s2, s4, s5, s6], [c1, c2, c4, c5, c6]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = s1 * 0.154;
@@ -166,7 +166,7 @@ impl Stanford {
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         let angles = [q[0], q[1], q[3], q[4]];
-        let ([s1, s2, s4, s5], [c1, c2, c4, c5]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s2, s4, s5], [c1, c2, c4, c5]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c1s2 = c1 * s2;
@@ -215,7 +215,7 @@ impl Stanford {
         ::dh_robot::nalgebra::SMatrix<f64, 6, 6>,
     ) {
         let angles = [q[0], q[1], q[3], q[4], q[5]];
-        let ([s1, s2, s4, s5, s6], [c1, c2, c4, c5, c6]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s2, s4, s5, s6], [c1, c2, c4, c5, c6]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c1s2 = c1 * s2;
@@ -301,7 +301,7 @@ impl Stanford {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 0.5862999999999999) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 0.5862999999999999) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -313,7 +313,7 @@ impl Stanford {
             return self.robust(target);
         }
         if valid == [1.0; 8] {
-            let at = |l: usize| ::dh_robot::lanes::solution(
+            let at = |l: usize| ::dh_robot::runtime::lanes::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -324,19 +324,19 @@ impl Stanford {
                 [at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)],
             );
         }
-        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
-        t: &::dh_robot::ik::Pose,
-        pick: ::dh_robot::inverse::Pick,
+        t: &::dh_robot::runtime::Pose,
+        pick: ::dh_robot::runtime::Pick,
         found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
-    ) -> ::dh_robot::inverse::Attempt {
-        let mut attempt = ::dh_robot::inverse::Attempt::new();
+    ) -> ::dh_robot::runtime::Attempt {
+        let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
         let t_2 = t[2][3] - 0.7027119222241174;
-        let r0 = ::dh_robot::ik::solve_sincos(
+        let r0 = ::dh_robot::runtime::solve_sincos(
             -t[1][3],
             t[0][3],
             -0.22804025243049636,
@@ -352,7 +352,7 @@ impl Stanford {
             free
         };
         for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
-            let a0 = ::dh_robot::math::atan2(s1, c1);
+            let a0 = ::dh_robot::runtime::atan2(s1, c1);
             let t_3 = t[0][3] * c1 + t[1][3] * s1;
             let t_4 = t[0][0] * c1 + t[1][0] * s1;
             let t_5 = t[0][0] * s1 - t[1][0] * c1;
@@ -360,7 +360,7 @@ impl Stanford {
             let t_7 = t[0][1] * s1 - t[1][1] * c1;
             let t_8 = t[0][2] * c1 + t[1][2] * s1;
             let t_9 = t[0][2] * s1 - t[1][2] * c1;
-            let r1 = ::dh_robot::ik::solve_sincos(-t_3, t_2, 0.0, 1e-11);
+            let r1 = ::dh_robot::runtime::solve_sincos(-t_3, t_2, 0.0, 1e-11);
             if !r1.is_regular() {
                 attempt.note(r1.outcome, free, "elbow q2", 0.5862999999999999, "m");
             }
@@ -371,11 +371,11 @@ impl Stanford {
                 free
             };
             for (i1, &[c2, s2]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::math::atan2(s2, c2);
+                let a1 = ::dh_robot::runtime::atan2(s2, c2);
                 let t_10 = t_4 * c2 - t[2][0] * s2;
                 let t_11 = t_6 * c2 - t[2][1] * s2;
                 let t_12 = t_8 * c2 - t[2][2] * s2;
-                let r2 = ::dh_robot::ik::solve_quadratic(
+                let r2 = ::dh_robot::runtime::solve_quadratic(
                     0.0,
                     -1.0,
                     t_3 * s2 + t_2 * c2,
@@ -392,7 +392,7 @@ impl Stanford {
                 };
                 for (i2, &q3) in r2.or_if_free(pick.length(2)).iter().enumerate() {
                     let a2 = q3 * 0.5862999999999999;
-                    let r3 = ::dh_robot::ik::solve_sincos(
+                    let r3 = ::dh_robot::runtime::solve_sincos(
                         t_6 * s2 + t[2][1] * c2,
                         t_4 * s2 + t[2][0] * c2,
                         0.0,
@@ -412,8 +412,8 @@ impl Stanford {
                         .iter()
                         .enumerate()
                     {
-                        let a3 = ::dh_robot::math::atan2(s6, c6);
-                        let r4 = ::dh_robot::ik::solve_pair(
+                        let a3 = ::dh_robot::runtime::atan2(s6, c6);
+                        let r4 = ::dh_robot::runtime::solve_pair(
                             0.0,
                             -1.0,
                             t_5 * s6 + t_7 * c6,
@@ -436,10 +436,10 @@ impl Stanford {
                             .iter()
                             .enumerate()
                         {
-                            let a4 = ::dh_robot::math::atan2(s4, c4);
+                            let a4 = ::dh_robot::runtime::atan2(s4, c4);
                             let t_13 = c6 * (t_5 * c4 + t_10 * s4)
                                 - s6 * (t_7 * c4 + t_11 * s4);
-                            let r5 = ::dh_robot::ik::solve_pair(
+                            let r5 = ::dh_robot::runtime::solve_pair(
                                 1.0,
                                 0.0,
                                 t_13,
@@ -462,7 +462,7 @@ impl Stanford {
                                 .iter()
                                 .enumerate()
                             {
-                                let a5 = ::dh_robot::math::atan2(s5, c5);
+                                let a5 = ::dh_robot::runtime::atan2(s5, c5);
                                 let branch = ::dh_robot::Branch::ANY
                                     .with_step(0, i0)
                                     .with_shoulder(
@@ -504,22 +504,22 @@ impl Stanford {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 0.5862999999999999) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 0.5862999999999999) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
             }
         };
-        let setting = ::dh_robot::inverse::Setting {
+        let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
             reach: 0.5862999999999999,
             few: false,
             given: ::core::option::Option::None,
         };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 0.5862999999999999),
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 0.5862999999999999),
         );
-        ::dh_robot::inverse::solve(
+        ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
@@ -563,19 +563,19 @@ impl Stanford {
     #[inline]
     fn lanes(
         &self,
-        t: &::dh_robot::ik::Pose,
+        t: &::dh_robot::runtime::Pose,
         q: &mut [[f64; 8]; 6],
         valid: &mut [f64; 8],
     ) -> bool {
         let t_2 = t[2][3] - 0.7027119222241174;
-        let ([x0, y0, z0, w0], e0, m0) = ::dh_robot::lanes::sincos(
+        let ([x0, y0, z0, w0], e0, m0) = ::dh_robot::runtime::lanes::sincos(
             -t[1][3],
             t[0][3],
             -0.22804025243049636,
         );
         let c1_ = [x0, z0];
         let s1_ = [y0, w0];
-        let g0_ = ::dh_robot::lanes::angles(&[y0, w0], &[x0, z0]);
+        let g0_ = ::dh_robot::runtime::lanes::angles(&[y0, w0], &[x0, z0]);
         let mut v39_ = [0.0; 2];
         let mut v47_ = [0.0; 2];
         let mut v50_ = [0.0; 2];
@@ -608,14 +608,14 @@ impl Stanford {
             v62_[l] = t_9;
             v272_[l] = t_10;
             v275_[l] = t_11;
-            let ([x1, y1], m1) = ::dh_robot::lanes::half_turn([[-t_3, t_2]]);
+            let ([x1, y1], m1) = ::dh_robot::runtime::lanes::half_turn([[-t_3, t_2]]);
             f1[0][l] = x1;
             f1[1][l] = y1;
             f1[0][l + 2] = -x1;
             f1[1][l + 2] = -y1;
             margin1_[l] = m1;
         }
-        let g1_ = ::dh_robot::lanes::angles(&f1[1], &f1[0]);
+        let g1_ = ::dh_robot::runtime::lanes::angles(&f1[1], &f1[0]);
         q[1] = ::core::array::from_fn(|l| g1_[l / 2 % 2 * 2 + l % 2]);
         let c2_ = f1[0];
         let s2_ = f1[1];
@@ -645,7 +645,7 @@ impl Stanford {
             let t_12 = v47 * c2 - t[2][0] * s2;
             let t_13 = v53 * c2 - t[2][1] * s2;
             let t_14 = v59 * c2 - t[2][2] * s2;
-            let (q3, m2) = ::dh_robot::lanes::linear(-1.0, v39 * s2 + t_2 * c2);
+            let (q3, m2) = ::dh_robot::runtime::lanes::linear(-1.0, v39 * s2 + t_2 * c2);
             let q3 = q3;
             let g2 = q3 * 0.5862999999999999;
             let c1 = c1_[l];
@@ -656,23 +656,23 @@ impl Stanford {
             let r3 = (c1 * t_15 - v272 - t[0][3]).abs()
                 + (s1 * t_15 + v275 - t[1][3]).abs()
                 + (0.7027119222241174 + c2 * q3 - t[2][3]).abs();
-            let ([c6, s6], m3) = ::dh_robot::lanes::half_turn([
+            let ([c6, s6], m3) = ::dh_robot::runtime::lanes::half_turn([
                 [v53 * s2 + t[2][1] * c2, v47 * s2 + t[2][0] * c2],
             ]);
-            let g3 = ::dh_robot::lanes::angle(s6, c6);
+            let g3 = ::dh_robot::runtime::lanes::angle(s6, c6);
             let v50 = v50_[l];
             let v56 = v56_[l];
-            let [c4, s4] = ::dh_robot::lanes::unit(
+            let [c4, s4] = ::dh_robot::runtime::lanes::unit(
                 t_12 * s6 + t_13 * c6,
                 -(v50 * s6 + v56 * c6),
             );
-            let g4 = ::dh_robot::lanes::angle(s4, c4);
+            let g4 = ::dh_robot::runtime::lanes::angle(s4, c4);
             let v62 = v62_[l];
             let t_16 = c6 * (v50 * c4 + t_12 * s4) - s6 * (v56 * c4 + t_13 * s4);
             let s6c4 = s6 * c4;
             let s6s4 = s6 * s4;
-            let [c5, s5] = ::dh_robot::lanes::unit(t_16, v62 * c4 + t_14 * s4);
-            let g5 = ::dh_robot::lanes::angle(s5, c5);
+            let [c5, s5] = ::dh_robot::runtime::lanes::unit(t_16, v62 * c4 + t_14 * s4);
+            let g5 = ::dh_robot::runtime::lanes::angle(s5, c5);
             let c6c5 = c6 * c5;
             let c6s5 = c6 * s5;
             let t_17 = s4 * c6c5 + s6c4;
@@ -689,15 +689,18 @@ impl Stanford {
                 + (-(s2 * s4s5 - c2 * c5) - t[2][2]).abs();
             let g0 = g0_[l];
             let margin1 = margin1_[l];
-            margin_[l] = ::dh_robot::lanes::lesser(
-                ::dh_robot::lanes::lesser(::dh_robot::lanes::lesser(m0, margin1), m2),
+            margin_[l] = ::dh_robot::runtime::lanes::lesser(
+                ::dh_robot::runtime::lanes::lesser(
+                    ::dh_robot::runtime::lanes::lesser(m0, margin1),
+                    m2,
+                ),
                 m3,
             );
             valid_[l] = e0;
             error_[l] = r3 + r6;
-            let h3 = ::dh_robot::lanes::opposite(g3);
-            let h4 = ::dh_robot::lanes::opposite(g4);
-            let h5 = ::dh_robot::lanes::negative(g5);
+            let h3 = ::dh_robot::runtime::lanes::opposite(g3);
+            let h4 = ::dh_robot::runtime::lanes::opposite(g4);
+            let h5 = ::dh_robot::runtime::lanes::negative(g5);
             q[0][l] = g0;
             q[2][l] = g2;
             q[3][l] = g4;
@@ -710,15 +713,15 @@ impl Stanford {
             q[5][l + 4] = h3;
         }
         *valid = ::core::array::from_fn(|l| valid_[l % 4]);
-        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
+        ::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
-impl ::dh_robot::ik::Kinematics<6> for Stanford {
+impl ::dh_robot::runtime::Kinematics<6> for Stanford {
     #[inline]
-    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {
+    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::runtime::Pose {
         let angles = [q[5], q[4], q[3], q[1], q[0]];
-        let ([s6, s5, s4, s2, s1], [c6, c5, c4, c2, c1]) = ::dh_robot::sincos::sincos_batch(
+        let ([s6, s5, s4, s2, s1], [c6, c5, c4, c2, c1]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c6c5 = c6 * c5;
@@ -745,9 +748,9 @@ impl ::dh_robot::ik::Kinematics<6> for Stanford {
     fn forward_and_jacobian(
         &self,
         q: &[f64; 6],
-    ) -> (::dh_robot::ik::Pose, [[f64; 6]; 6]) {
+    ) -> (::dh_robot::runtime::Pose, [[f64; 6]; 6]) {
         let angles = [q[0], q[1], q[3], q[4], q[5]];
-        let ([s1, s2, s4, s5, s6], [c1, c2, c4, c5, c6]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s2, s4, s5, s6], [c1, c2, c4, c5, c6]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c1s2 = c1 * s2;

@@ -66,7 +66,7 @@ impl Ur5 {
     #[must_use]
     pub fn forward(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[5], q[4], q[1] + q[2] + q[3], q[0], q[1] + q[2], q[1]];
-        let ([s6, s5, s234, s1, s23, s2], [c6, c5, c234, c1, c23, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s6, s5, s234, s1, s23, s2], [c6, c5, c234, c1, c23, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c6c5 = c6 * c5;
@@ -104,7 +104,7 @@ impl Ur5 {
         q: &[f64; 6],
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 6] {
         let angles = [q[0], q[1], q[1] + q[2], q[1] + q[2] + q[3], q[4], q[5]];
-        let ([s1, s2, s23, s234, s5, s6], [c1, c2, c23, c234, c5, c6]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s2, s23, s234, s5, s6], [c1, c2, c23, c234, c5, c6]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = 0.425 * c2;
@@ -173,7 +173,7 @@ impl Ur5 {
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         let angles = [q[0], q[1] + q[2] + q[3], q[4], q[1] + q[2], q[1]];
-        let ([s1, s234, s5, s23, s2], [c1, c234, c5, c23, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s234, s5, s23, s2], [c1, c234, c5, c23, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c1c234 = c1 * c234;
@@ -224,7 +224,7 @@ impl Ur5 {
         ::dh_robot::nalgebra::SMatrix<f64, 6, 6>,
     ) {
         let angles = [q[0], q[1] + q[2] + q[3], q[4], q[5], q[1] + q[2], q[1]];
-        let ([s1, s234, s5, s6, s23, s2], [c1, c234, c5, c6, c23, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s234, s5, s6, s23, s2], [c1, c234, c5, c6, c23, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c1c234 = c1 * c234;
@@ -318,7 +318,7 @@ impl Ur5 {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 1.192809) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 1.192809) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -330,7 +330,7 @@ impl Ur5 {
             return self.robust(target);
         }
         if valid == [1.0; 8] {
-            let at = |l: usize| ::dh_robot::lanes::solution(
+            let at = |l: usize| ::dh_robot::runtime::lanes::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -341,22 +341,27 @@ impl Ur5 {
                 [at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)],
             );
         }
-        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
-        t: &::dh_robot::ik::Pose,
-        pick: ::dh_robot::inverse::Pick,
+        t: &::dh_robot::runtime::Pose,
+        pick: ::dh_robot::runtime::Pick,
         found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
-    ) -> ::dh_robot::inverse::Attempt {
-        let mut attempt = ::dh_robot::inverse::Attempt::new();
+    ) -> ::dh_robot::runtime::Attempt {
+        let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
         let t_2 = t[0][3] - t[0][2] * 0.06899679663718164;
         let t_3 = t[1][3] - t[1][2] * 0.06899679663718164;
         let t_4 = t[2][3] - t[2][2] * 0.06899679663718164;
         let t_5 = t_4 - 0.07499859575170878;
-        let r0 = ::dh_robot::ik::solve_sincos(-t_3, t_2, 0.09150668715611636, 1e-11);
+        let r0 = ::dh_robot::runtime::solve_sincos(
+            -t_3,
+            t_2,
+            0.09150668715611636,
+            1e-11,
+        );
         if !r0.is_regular() {
             attempt.note(r0.outcome, free, "shoulder q1", 1.192809, "m");
         }
@@ -367,7 +372,7 @@ impl Ur5 {
             free
         };
         for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
-            let a0 = ::dh_robot::math::atan2(s1, c1);
+            let a0 = ::dh_robot::runtime::atan2(s1, c1);
             let t_6 = t_2 * c1 + t_3 * s1;
             let t_7 = t_2 * s1 - t_3 * c1;
             let t_8 = t[0][0] * c1 + t[1][0] * s1;
@@ -375,7 +380,7 @@ impl Ur5 {
             let t_10 = t[0][1] * c1 + t[1][1] * s1;
             let t_11 = t[0][1] * s1 - t[1][1] * c1;
             let t_12 = t[0][2] * c1 + t[1][2] * s1;
-            let r1 = ::dh_robot::ik::solve_sincos(-t[2][2], t_12, 0.0, 1e-11);
+            let r1 = ::dh_robot::runtime::solve_sincos(-t[2][2], t_12, 0.0, 1e-11);
             if !r1.is_regular() {
                 attempt.note(r1.outcome, free, "wrist q2 + q3 + q4", 1.0, "");
             }
@@ -386,8 +391,8 @@ impl Ur5 {
                 free
             };
             for (i1, &[c234, s234]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::math::atan2(s234, c234);
-                let r2 = ::dh_robot::ik::solve_many(
+                let a1 = ::dh_robot::runtime::atan2(s234, c234);
+                let r2 = ::dh_robot::runtime::solve_many(
                     &[
                         [-1.0, 0.0, -(t[0][2] * s1 - t[1][2] * c1)],
                         [0.0, -s234, t[2][2]],
@@ -405,11 +410,11 @@ impl Ur5 {
                     free
                 };
                 for (i2, &[c5, s5]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::math::atan2(s5, c5);
+                    let a2 = ::dh_robot::runtime::atan2(s5, c5);
                     let c234c5 = c234 * c5;
                     let t_13 = t_12 * c5;
                     let t_14 = t[2][2] * c5;
-                    let r3 = ::dh_robot::ik::solve_pair(
+                    let r3 = ::dh_robot::runtime::solve_pair(
                         c234c5,
                         -s234,
                         t_8,
@@ -432,7 +437,7 @@ impl Ur5 {
                         .iter()
                         .enumerate()
                     {
-                        let a3 = ::dh_robot::math::atan2(s6, c6);
+                        let a3 = ::dh_robot::runtime::atan2(s6, c6);
                         let t_15 = (t[2][0] * s6 + t[2][1] * c6) * 0.07935050791870282;
                         let t_16 = t_6 + (t_8 * s6 + t_10 * c6) * 0.07935050791870282;
                         let t_17 = t_7 + (t_9 * s6 + t_11 * c6) * 0.07935050791870282;
@@ -443,7 +448,7 @@ impl Ur5 {
                             * ((t_8 * c6 - t_10 * s6) * s5 + t_13);
                         let t_21 = 0.09150668715611636
                             * ((t[2][0] * c6 - t[2][1] * s6) * s5 + t_14);
-                        let r4 = ::dh_robot::ik::solve_sincos(
+                        let r4 = ::dh_robot::runtime::solve_sincos(
                             0.23433656705012487,
                             0.0,
                             t_19,
@@ -472,10 +477,10 @@ impl Ur5 {
                             .iter()
                             .enumerate()
                         {
-                            let a4 = ::dh_robot::math::atan2(s3, c3);
+                            let a4 = ::dh_robot::runtime::atan2(s3, c3);
                             let t_22 = 0.3563018052345346 + 0.32884560730175577 * c3;
                             let t_23 = 0.32884560730175577 * s3;
-                            let r5 = ::dh_robot::ik::solve_many(
+                            let r5 = ::dh_robot::runtime::solve_many(
                                 &[
                                     [-t_22, t_23, t_16 - t_20],
                                     [-t_23, -t_22, t_18 - t_21],
@@ -497,7 +502,7 @@ impl Ur5 {
                                 .iter()
                                 .enumerate()
                             {
-                                let a5 = ::dh_robot::math::atan2(s2, c2);
+                                let a5 = ::dh_robot::runtime::atan2(s2, c2);
                                 let branch = ::dh_robot::Branch::ANY
                                     .with_step(0, i0)
                                     .with_shoulder(
@@ -539,22 +544,22 @@ impl Ur5 {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 1.192809) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 1.192809) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
             }
         };
-        let setting = ::dh_robot::inverse::Setting {
+        let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
             reach: 1.192809,
             few: false,
             given: ::core::option::Option::None,
         };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 1.192809),
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 1.192809),
         );
-        ::dh_robot::inverse::solve(
+        ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
@@ -602,7 +607,7 @@ impl Ur5 {
     #[inline]
     fn lanes(
         &self,
-        t: &::dh_robot::ik::Pose,
+        t: &::dh_robot::runtime::Pose,
         q: &mut [[f64; 8]; 6],
         valid: &mut [f64; 8],
     ) -> bool {
@@ -610,14 +615,14 @@ impl Ur5 {
         let t_3 = t[1][3] - t[1][2] * 0.06899679663718164;
         let t_4 = t[2][3] - t[2][2] * 0.06899679663718164;
         let t_5 = t_4 - 0.07499859575170878;
-        let ([x0, y0, z0, w0], e0, m0) = ::dh_robot::lanes::sincos(
+        let ([x0, y0, z0, w0], e0, m0) = ::dh_robot::runtime::lanes::sincos(
             -t_3,
             t_2,
             0.09150668715611636,
         );
         let c1_ = [x0, z0];
         let s1_ = [y0, w0];
-        let g0_ = ::dh_robot::lanes::angles(&[y0, w0], &[x0, z0]);
+        let g0_ = ::dh_robot::runtime::lanes::angles(&[y0, w0], &[x0, z0]);
         let mut v46_ = [0.0; 2];
         let mut v49_ = [0.0; 2];
         let mut v54_ = [0.0; 2];
@@ -652,14 +657,16 @@ impl Ur5 {
             v69_[l] = t[0][2] * s1 - t[1][2] * c1;
             v262_[l] = t_13;
             v265_[l] = t_14;
-            let ([x1, y1], m1) = ::dh_robot::lanes::half_turn([[-t[2][2], t_12]]);
+            let ([x1, y1], m1) = ::dh_robot::runtime::lanes::half_turn([
+                [-t[2][2], t_12],
+            ]);
             f1[0][l] = x1;
             f1[1][l] = y1;
             f1[0][l + 2] = -x1;
             f1[1][l + 2] = -y1;
             margin1_[l] = m1;
         }
-        let g1_ = ::dh_robot::lanes::angles(&f1[1], &f1[0]);
+        let g1_ = ::dh_robot::runtime::lanes::angles(&f1[1], &f1[0]);
         let c234_ = f1[0];
         let s234_ = f1[1];
         let mut v242_ = [0.0; 4];
@@ -696,7 +703,7 @@ impl Ur5 {
             v243_[l] = t_16;
             let v66 = v66_[l];
             let v69 = v69_[l];
-            let ([c5, s5], m2) = ::dh_robot::lanes::pair(
+            let ([c5, s5], m2) = ::dh_robot::runtime::lanes::pair(
                 -1.0,
                 0.0,
                 -v69,
@@ -704,7 +711,7 @@ impl Ur5 {
                 -s234,
                 t[2][2],
             );
-            let g2 = ::dh_robot::lanes::angle(s5, c5);
+            let g2 = ::dh_robot::runtime::lanes::angle(s5, c5);
             g2_[l] = g2;
             let j4a = g2;
             q[4][l] = j4a;
@@ -728,7 +735,7 @@ impl Ur5 {
                 + (-s234s5 - t[2][2]).abs();
             let v54 = v54_[l];
             let v60 = v60_[l];
-            let ([c6, s6], m3) = ::dh_robot::lanes::pair(
+            let ([c6, s6], m3) = ::dh_robot::runtime::lanes::pair(
                 c234c5,
                 -s234,
                 v54,
@@ -736,7 +743,7 @@ impl Ur5 {
                 -c234c5,
                 v60,
             );
-            let g3 = ::dh_robot::lanes::angle(s6, c6);
+            let g3 = ::dh_robot::runtime::lanes::angle(s6, c6);
             g3_[l] = g3;
             let j5a = g3;
             q[5][l] = j5a;
@@ -761,7 +768,7 @@ impl Ur5 {
             let r4 = (c1 * t_31 + s1 * c6s5 - t[0][0]).abs()
                 + (s1 * t_31 - c1 * c6s5 - t[1][0]).abs()
                 + (s234 * c5c6 + c234 * s6 - t[2][0]).abs();
-            let ([x4, y4, z4, w4], e4, m4) = ::dh_robot::lanes::sincos(
+            let ([x4, y4, z4, w4], e4, m4) = ::dh_robot::runtime::lanes::sincos(
                 0.23433656705012487,
                 0.0,
                 t_28,
@@ -770,16 +777,16 @@ impl Ur5 {
             f4[1][l] = y4;
             f4[0][l + 4] = z4;
             f4[1][l + 4] = w4;
-            let g4 = ::dh_robot::lanes::angle(y4, x4);
+            let g4 = ::dh_robot::runtime::lanes::angle(y4, x4);
             g4_[l] = g4;
-            let h4 = ::dh_robot::lanes::angle(w4, z4);
+            let h4 = ::dh_robot::runtime::lanes::angle(w4, z4);
             g4_[l + 4] = h4;
             let j2a = g4;
             q[2][l] = j2a;
             let j2b = h4;
             q[2][l + 4] = j2b;
-            margin2_[l] = ::dh_robot::lanes::lesser(
-                ::dh_robot::lanes::lesser(m2, m3),
+            margin2_[l] = ::dh_robot::runtime::lanes::lesser(
+                ::dh_robot::runtime::lanes::lesser(m2, m3),
                 m4,
             );
             valid2_[l] = e4;
@@ -817,7 +824,7 @@ impl Ur5 {
             let v170 = v170_[l];
             let v172 = v172_[l];
             let v210 = v210_[l];
-            let ([c2, s2], m5) = ::dh_robot::lanes::pair(
+            let ([c2, s2], m5) = ::dh_robot::runtime::lanes::pair(
                 -t_32,
                 t_33,
                 v170,
@@ -825,7 +832,7 @@ impl Ur5 {
                 -t_32,
                 v172,
             );
-            let g5 = ::dh_robot::lanes::angle(s2, c2);
+            let g5 = ::dh_robot::runtime::lanes::angle(s2, c2);
             let c1 = c1_[l];
             let s1 = s1_[l];
             let v242 = v242_[l];
@@ -849,9 +856,9 @@ impl Ur5 {
             let margin2 = margin2_[l];
             let valid2 = valid2_[l];
             let error2 = error2_[l];
-            margin_[l] = ::dh_robot::lanes::lesser(
-                ::dh_robot::lanes::lesser(
-                    ::dh_robot::lanes::lesser(m0, margin1),
+            margin_[l] = ::dh_robot::runtime::lanes::lesser(
+                ::dh_robot::runtime::lanes::lesser(
+                    ::dh_robot::runtime::lanes::lesser(m0, margin1),
                     margin2,
                 ),
                 m5,
@@ -860,18 +867,18 @@ impl Ur5 {
             error_[l] = error2 + r6;
             q[0][l] = g0;
             q[1][l] = g5;
-            q[3][l] = ::dh_robot::lanes::wrap(g1 - g4 - g5);
+            q[3][l] = ::dh_robot::runtime::lanes::wrap(g1 - g4 - g5);
         }
         *valid = valid_;
-        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
+        ::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
-impl ::dh_robot::ik::Kinematics<6> for Ur5 {
+impl ::dh_robot::runtime::Kinematics<6> for Ur5 {
     #[inline]
-    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::ik::Pose {
+    fn forward(&self, q: &[f64; 6]) -> ::dh_robot::runtime::Pose {
         let angles = [q[5], q[4], q[1] + q[2] + q[3], q[0], q[1] + q[2], q[1]];
-        let ([s6, s5, s234, s1, s23, s2], [c6, c5, c234, c1, c23, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s6, s5, s234, s1, s23, s2], [c6, c5, c234, c1, c23, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c6c5 = c6 * c5;
@@ -906,9 +913,9 @@ impl ::dh_robot::ik::Kinematics<6> for Ur5 {
     fn forward_and_jacobian(
         &self,
         q: &[f64; 6],
-    ) -> (::dh_robot::ik::Pose, [[f64; 6]; 6]) {
+    ) -> (::dh_robot::runtime::Pose, [[f64; 6]; 6]) {
         let angles = [q[0], q[1] + q[2] + q[3], q[4], q[5], q[1] + q[2], q[1]];
-        let ([s1, s234, s5, s6, s23, s2], [c1, c234, c5, c6, c23, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s234, s5, s6, s23, s2], [c1, c234, c5, c6, c23, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c1c234 = c1 * c234;

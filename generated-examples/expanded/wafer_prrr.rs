@@ -66,7 +66,7 @@ impl WaferPrrr {
     #[must_use]
     pub fn forward(&self, q: &[f64; 4]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[1] + q[2] + q[3], q[1] + q[2], q[1]];
-        let ([s234, s23, s2], [c234, c23, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s234, s23, s2], [c234, c23, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         ::dh_robot::pose::from_entries(
@@ -87,7 +87,7 @@ impl WaferPrrr {
         q: &[f64; 4],
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 4] {
         let angles = [q[1], q[1] + q[2], q[1] + q[2] + q[3]];
-        let ([s2, s23, s234], [c2, c23, c234]) = ::dh_robot::sincos::sincos_batch(
+        let ([s2, s23, s234], [c2, c23, c234]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = q[0] + self.d2;
@@ -121,7 +121,7 @@ impl WaferPrrr {
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 4]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 4> {
         let angles = [q[1] + q[2], q[1]];
-        let ([s23, s2], [c23, c2]) = ::dh_robot::sincos::sincos_batch(&angles);
+        let ([s23, s2], [c23, c2]) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = self.a3 * c23;
         let t_3 = self.a3 * s23;
         ::dh_robot::nalgebra::SMatrix::from_data(
@@ -146,7 +146,7 @@ impl WaferPrrr {
         ::dh_robot::nalgebra::SMatrix<f64, 6, 4>,
     ) {
         let angles = [q[1] + q[2] + q[3], q[1] + q[2], q[1]];
-        let ([s234, s23, s2], [c234, c23, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s234, s23, s2], [c234, c23, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = self.a3 * c23;
@@ -209,7 +209,7 @@ impl WaferPrrr {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 4, 2> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 0.6091883671078886) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 0.6091883671078886) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -221,7 +221,7 @@ impl WaferPrrr {
             return self.robust(target);
         }
         if valid == [1.0; 2] {
-            let at = |l: usize| ::dh_robot::lanes::solution(
+            let at = |l: usize| ::dh_robot::runtime::lanes::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -229,16 +229,16 @@ impl WaferPrrr {
             );
             return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0), at(1)]);
         }
-        ::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
-        t: &::dh_robot::ik::Pose,
-        pick: ::dh_robot::inverse::Pick,
+        t: &::dh_robot::runtime::Pose,
+        pick: ::dh_robot::runtime::Pick,
         found: &mut dyn FnMut([f64; 4], ::dh_robot::Branch, ::dh_robot::FreeJoints),
-    ) -> ::dh_robot::inverse::Attempt {
-        let mut attempt = ::dh_robot::inverse::Attempt::new();
+    ) -> ::dh_robot::runtime::Attempt {
+        let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
         let t_2 = self.d4 * 1.6415283908776575;
         let t_3 = t[0][3] - t[0][2] * t_2;
@@ -251,7 +251,12 @@ impl WaferPrrr {
         let t_10 = self.a3 * 1.6415283908776575;
         let t_11 = t_8 * (t_8 + t_7 * 2.0);
         let t_12 = t_9 * t_9 + t_10 * t_10 + t_7 * t_7;
-        let r0 = ::dh_robot::ik::solve_quadratic(0.0, 1.0, -(t_5 - (t_7 + t_8)), 1e-11);
+        let r0 = ::dh_robot::runtime::solve_quadratic(
+            0.0,
+            1.0,
+            -(t_5 - (t_7 + t_8)),
+            1e-11,
+        );
         if !r0.is_regular() {
             attempt.note(r0.outcome, free, "q1", 0.6091883671078886, "m");
         }
@@ -264,7 +269,7 @@ impl WaferPrrr {
         for (i0, &q1) in r0.or_if_free(pick.length(0)).iter().enumerate() {
             let a0 = q1 * 0.6091883671078886;
             let t_13 = t_5 - q1;
-            let r1 = ::dh_robot::ik::solve_pair(
+            let r1 = ::dh_robot::runtime::solve_pair(
                 1.0,
                 0.0,
                 t[0][0],
@@ -283,8 +288,8 @@ impl WaferPrrr {
                 free
             };
             for (i1, &[c234, s234]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::math::atan2(s234, c234);
-                let r2 = ::dh_robot::ik::solve_sincos(
+                let a1 = ::dh_robot::runtime::atan2(s234, c234);
+                let r2 = ::dh_robot::runtime::solve_sincos(
                     2.0 * t_9 * t_10,
                     0.0,
                     -(t_11 - (t_6 + t_13 * t_13 - t_12)),
@@ -309,10 +314,10 @@ impl WaferPrrr {
                     free
                 };
                 for (i2, &[c3, s3]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::math::atan2(s3, c3);
+                    let a2 = ::dh_robot::runtime::atan2(s3, c3);
                     let t_14 = t_9 + t_10 * c3;
                     let t_15 = t_10 * s3;
-                    let r3 = ::dh_robot::ik::solve_pair(
+                    let r3 = ::dh_robot::runtime::solve_pair(
                         t_14,
                         -t_15,
                         t_3,
@@ -335,7 +340,7 @@ impl WaferPrrr {
                         .iter()
                         .enumerate()
                     {
-                        let a3 = ::dh_robot::math::atan2(s2, c2);
+                        let a3 = ::dh_robot::runtime::atan2(s2, c2);
                         let branch = ::dh_robot::Branch::ANY
                             .with_step(0, i2)
                             .with_elbow(
@@ -359,22 +364,22 @@ impl WaferPrrr {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 4, 2> {
-        let frame = match ::dh_robot::inverse::frame_of(target, 0.6091883671078886) {
+        let frame = match ::dh_robot::runtime::frame_of(target, 0.6091883671078886) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
             }
         };
-        let setting = ::dh_robot::inverse::Setting {
+        let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
             reach: 0.6091883671078886,
             few: true,
             given: ::core::option::Option::None,
         };
-        let task = ::dh_robot::ik::Task::Pose(
-            ::dh_robot::inverse::in_units(&frame, 0.6091883671078886),
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 0.6091883671078886),
         );
-        ::dh_robot::inverse::solve(
+        ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
@@ -400,7 +405,7 @@ impl WaferPrrr {
     #[inline]
     fn lanes(
         &self,
-        t: &::dh_robot::ik::Pose,
+        t: &::dh_robot::runtime::Pose,
         q: &mut [[f64; 2]; 4],
         valid: &mut [f64; 2],
     ) -> bool {
@@ -419,22 +424,22 @@ impl WaferPrrr {
         let t_14 = t_2 + t_9;
         let r0 = (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs()
             + (1.0 - t[2][2]).abs();
-        let (q1, m0) = ::dh_robot::lanes::linear(1.0, -(t_5 - t_9));
+        let (q1, m0) = ::dh_robot::runtime::lanes::linear(1.0, -(t_5 - t_9));
         let q1 = q1;
         let g0 = q1 * 0.6091883671078886;
         let t_15 = t_5 - q1;
         let r1 = (q1 + t_14 - t[2][3]).abs();
-        let [c234, s234] = ::dh_robot::lanes::unit(t[0][0], -t[0][1]);
-        let g1 = ::dh_robot::lanes::angle(s234, c234);
+        let [c234, s234] = ::dh_robot::runtime::lanes::unit(t[0][0], -t[0][1]);
+        let g1 = ::dh_robot::runtime::lanes::angle(s234, c234);
         let r2 = (-s234 - t[0][1]).abs() + (c234 - t[1][1]).abs();
-        let ([x2, y2, z2, w2], e2, m2) = ::dh_robot::lanes::sincos(
+        let ([x2, y2, z2, w2], e2, m2) = ::dh_robot::runtime::lanes::sincos(
             2.0 * t_10 * t_11,
             0.0,
             -(t_12 - (t_6 + t_15 * t_15 - t_13)),
         );
         let c3_ = [x2, z2];
         let s3_ = [y2, w2];
-        let g2_ = ::dh_robot::lanes::angles(&[y2, w2], &[x2, z2]);
+        let g2_ = ::dh_robot::runtime::lanes::angles(&[y2, w2], &[x2, z2]);
         let g2_: [f64; 2] = ::core::array::from_fn(|l| g2_[l / 1 % 2]);
         let mut margin_ = [0.0; 2];
         let mut valid_ = [0.0; 2];
@@ -444,7 +449,7 @@ impl WaferPrrr {
             let s3 = s3_[l];
             let t_16 = t_10 + t_11 * c3;
             let t_17 = t_11 * s3;
-            let ([c2, s2], m3) = ::dh_robot::lanes::pair(
+            let ([c2, s2], m3) = ::dh_robot::runtime::lanes::pair(
                 t_16,
                 -t_17,
                 t_3,
@@ -452,12 +457,12 @@ impl WaferPrrr {
                 t_16,
                 t_4,
             );
-            let g3 = ::dh_robot::lanes::angle(s2, c2);
+            let g3 = ::dh_robot::runtime::lanes::angle(s2, c2);
             let r4 = (t_11 * (c3 * c2 - s3 * s2) + t_10 * c2 - t[0][3]).abs()
                 + (t_11 * (c3 * s2 + s3 * c2) + t_10 * s2 - t[1][3]).abs();
             let g2 = g2_[l];
-            margin_[l] = ::dh_robot::lanes::lesser(
-                ::dh_robot::lanes::lesser(m0, m2),
+            margin_[l] = ::dh_robot::runtime::lanes::lesser(
+                ::dh_robot::runtime::lanes::lesser(m0, m2),
                 m3,
             );
             valid_[l] = e2;
@@ -465,18 +470,18 @@ impl WaferPrrr {
             q[0][l] = g0;
             q[1][l] = g3;
             q[2][l] = g2;
-            q[3][l] = ::dh_robot::lanes::wrap(g1 - g2 - g3);
+            q[3][l] = ::dh_robot::runtime::lanes::wrap(g1 - g2 - g3);
         }
         *valid = valid_;
-        ::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)
+        ::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
-impl ::dh_robot::ik::Kinematics<4> for WaferPrrr {
+impl ::dh_robot::runtime::Kinematics<4> for WaferPrrr {
     #[inline]
-    fn forward(&self, q: &[f64; 4]) -> ::dh_robot::ik::Pose {
+    fn forward(&self, q: &[f64; 4]) -> ::dh_robot::runtime::Pose {
         let angles = [q[1] + q[2] + q[3], q[1] + q[2], q[1]];
-        let ([s234, s23, s2], [c234, c23, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s234, s23, s2], [c234, c23, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         [
@@ -488,9 +493,9 @@ impl ::dh_robot::ik::Kinematics<4> for WaferPrrr {
     fn forward_and_jacobian(
         &self,
         q: &[f64; 4],
-    ) -> (::dh_robot::ik::Pose, [[f64; 4]; 6]) {
+    ) -> (::dh_robot::runtime::Pose, [[f64; 4]; 6]) {
         let angles = [q[1] + q[2] + q[3], q[1] + q[2], q[1]];
-        let ([s234, s23, s2], [c234, c23, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s234, s23, s2], [c234, c23, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = self.a3 * c23;

@@ -54,7 +54,7 @@ impl Youbot {
     #[must_use]
     pub fn forward(&self, q: &[f64; 5]) -> ::dh_robot::nalgebra::IsometryMatrix3<f64> {
         let angles = [q[4], q[1] + q[2] + q[3], q[0], q[1] + q[2], q[1]];
-        let ([s5, s234, s1, s23, s2], [c5, c234, c1, c23, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s5, s234, s1, s23, s2], [c5, c234, c1, c23, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c5c234 = c5 * c234;
@@ -78,7 +78,7 @@ impl Youbot {
         q: &[f64; 5],
     ) -> [::dh_robot::nalgebra::IsometryMatrix3<f64>; 5] {
         let angles = [q[0], q[1], q[1] + q[2], q[1] + q[2] + q[3], q[4]];
-        let ([s1, s2, s23, s234, s5], [c1, c2, c23, c234, c5]) = ::dh_robot::sincos::sincos_batch(
+        let ([s1, s2, s23, s234, s5], [c1, c2, c23, c234, c5]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = c1 * 0.033;
@@ -134,7 +134,7 @@ impl Youbot {
     #[must_use]
     pub fn jacobian(&self, q: &[f64; 5]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 5> {
         let angles = [q[1] + q[2] + q[3], q[0], q[1] + q[2], q[1]];
-        let ([s234, s1, s23, s2], [c234, c1, c23, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s234, s1, s23, s2], [c234, c1, c23, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let t_2 = s234 * 0.2175;
@@ -167,7 +167,7 @@ impl Youbot {
         ::dh_robot::nalgebra::SMatrix<f64, 6, 5>,
     ) {
         let angles = [q[4], q[1] + q[2] + q[3], q[0], q[1] + q[2], q[1]];
-        let ([s5, s234, s1, s23, s2], [c5, c234, c1, c23, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s5, s234, s1, s23, s2], [c5, c234, c1, c23, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c5c234 = c5 * c234;
@@ -252,7 +252,7 @@ impl Youbot {
                 ::dh_robot::Why::NotFinite,
             );
         }
-        let z = match ::dh_robot::inverse::direction([
+        let z = match ::dh_robot::runtime::direction([
             target.1.x.into(),
             target.1.y.into(),
             target.1.z.into(),
@@ -262,15 +262,15 @@ impl Youbot {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
             }
         };
-        let frame = ::dh_robot::inverse::frame_of_axis(p.map(|x| x / 0.6875), z);
-        let setting = ::dh_robot::inverse::Setting {
+        let frame = ::dh_robot::runtime::frame_of_axis(p.map(|x| x / 0.6875), z);
+        let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
             reach: 0.6875,
             few: true,
             given: ::core::option::Option::None,
         };
-        let task = ::dh_robot::ik::Task::Axis(p, z);
-        ::dh_robot::inverse::solve(
+        let task = ::dh_robot::runtime::Task::Axis(p, z);
+        ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
@@ -281,16 +281,16 @@ impl Youbot {
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
-        t: &::dh_robot::ik::Pose,
-        pick: ::dh_robot::inverse::Pick,
+        t: &::dh_robot::runtime::Pose,
+        pick: ::dh_robot::runtime::Pick,
         found: &mut dyn FnMut([f64; 5], ::dh_robot::Branch, ::dh_robot::FreeJoints),
-    ) -> ::dh_robot::inverse::Attempt {
-        let mut attempt = ::dh_robot::inverse::Attempt::new();
+    ) -> ::dh_robot::runtime::Attempt {
+        let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
         let t_2 = t[2][3] - 0.21381818181818182;
         let t_3 = t_2 * t_2;
         let t_4 = t_2 * t[2][2] * 2.0;
-        let r0 = ::dh_robot::ik::solve_half_turn(
+        let r0 = ::dh_robot::runtime::solve_half_turn(
             [-t[1][2], t[0][2]],
             [-t[1][3], t[0][3]],
             1e-11,
@@ -305,7 +305,7 @@ impl Youbot {
             free
         };
         for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
-            let a0 = ::dh_robot::math::atan2(s1, c1);
+            let a0 = ::dh_robot::runtime::atan2(s1, c1);
             let t_5 = t[0][3] * c1 + t[1][3] * s1;
             let t_6 = t[0][3] * s1 - t[1][3] * c1;
             let t_7 = t[0][2] * c1 + t[1][2] * s1;
@@ -315,7 +315,7 @@ impl Youbot {
                 - (t_5 * t_5 + t_6 * t_6 + t_3 - 0.08938842975206612);
             let t_11 = 0.31636363636363635 * (t_7 * (0.096 - t_8) + t_9 - t_4) - t_10;
             let t_12 = t_5 - 0.048;
-            let r1 = ::dh_robot::ik::solve_pair(
+            let r1 = ::dh_robot::runtime::solve_pair(
                 0.0,
                 -1.0,
                 t_7,
@@ -334,9 +334,9 @@ impl Youbot {
                 free
             };
             for (i1, &[c234, s234]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::math::atan2(s234, c234);
+                let a1 = ::dh_robot::runtime::atan2(s234, c234);
                 let t_13 = t_2 - 0.31636363636363635 * c234;
-                let r2 = ::dh_robot::ik::solve_sincos(
+                let r2 = ::dh_robot::runtime::solve_sincos(
                     0.08854214876033059,
                     0.0,
                     t_11,
@@ -361,10 +361,10 @@ impl Youbot {
                     free
                 };
                 for (i2, &[c3, s3]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::math::atan2(s3, c3);
+                    let a2 = ::dh_robot::runtime::atan2(s3, c3);
                     let t_14 = 0.19636363636363638 * s3;
                     let t_15 = 0.22545454545454546 + 0.19636363636363638 * c3;
-                    let r3 = ::dh_robot::ik::solve_many(
+                    let r3 = ::dh_robot::runtime::solve_many(
                         &[
                             [-t_14, -t_15, t_12 + 0.31636363636363635 * s234],
                             [t_15, -t_14, t_13],
@@ -386,8 +386,8 @@ impl Youbot {
                         .iter()
                         .enumerate()
                     {
-                        let a3 = ::dh_robot::math::atan2(s2, c2);
-                        let r4 = ::dh_robot::ik::solve_sincos(0.0, 0.0, 0.0, 1e-11);
+                        let a3 = ::dh_robot::runtime::atan2(s2, c2);
+                        let r4 = ::dh_robot::runtime::solve_sincos(0.0, 0.0, 0.0, 1e-11);
                         if !r4.is_regular() {
                             attempt.note(r4.outcome, free, "q5", 1.0, "");
                         }
@@ -402,7 +402,7 @@ impl Youbot {
                             .iter()
                             .enumerate()
                         {
-                            let a4 = ::dh_robot::math::atan2(s5, c5);
+                            let a4 = ::dh_robot::runtime::atan2(s5, c5);
                             let branch = ::dh_robot::Branch::ANY
                                 .with_step(0, i0)
                                 .with_shoulder(
@@ -430,11 +430,11 @@ impl Youbot {
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
-impl ::dh_robot::ik::Kinematics<5> for Youbot {
+impl ::dh_robot::runtime::Kinematics<5> for Youbot {
     #[inline]
-    fn forward(&self, q: &[f64; 5]) -> ::dh_robot::ik::Pose {
+    fn forward(&self, q: &[f64; 5]) -> ::dh_robot::runtime::Pose {
         let angles = [q[4], q[1] + q[2] + q[3], q[0], q[1] + q[2], q[1]];
-        let ([s5, s234, s1, s23, s2], [c5, c234, c1, c23, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s5, s234, s1, s23, s2], [c5, c234, c1, c23, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c5c234 = c5 * c234;
@@ -454,9 +454,9 @@ impl ::dh_robot::ik::Kinematics<5> for Youbot {
     fn forward_and_jacobian(
         &self,
         q: &[f64; 5],
-    ) -> (::dh_robot::ik::Pose, [[f64; 5]; 6]) {
+    ) -> (::dh_robot::runtime::Pose, [[f64; 5]; 6]) {
         let angles = [q[4], q[1] + q[2] + q[3], q[0], q[1] + q[2], q[1]];
-        let ([s5, s234, s1, s23, s2], [c5, c234, c1, c23, c2]) = ::dh_robot::sincos::sincos_batch(
+        let ([s5, s234, s1, s23, s2], [c5, c234, c1, c23, c2]) = ::dh_robot::runtime::sincos_batch(
             &angles,
         );
         let c5c234 = c5 * c234;

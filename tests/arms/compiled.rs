@@ -1,7 +1,7 @@
 //! A table's inverse without compiling it: the plan in the interpreter, the candidates through the driver of generated code.
 
-use dh_robot::ik::{Drive, Kinematics, Pose, Task as Goal};
-use dh_robot::inverse::{Attempt, Setting, frame_of_axis, frame_of_plane, in_units, solve};
+use dh_robot::runtime::{Attempt, Setting, frame_of_axis, frame_of_plane, in_units, solve};
+use dh_robot::runtime::{Drive, Kinematics, Pose, Task as Goal};
 use dh_robot::{Branch, FreeJoints, Joint, Solutions};
 use dh_symbolic::algebra::Rational;
 use dh_symbolic::chain::{AngleCell, Chain, ChainSpec, Handle, Role, Task, Value};
@@ -195,7 +195,7 @@ impl Compiled {
         let scaled = |k: usize, x: f64| if self.slides[k] { x / reach } else { x + self.shifts[k] };
         let given: Vec<f64> = given.iter().map(|(k, x)| scaled(*k, *x)).collect();
         let candidates = |frame: &Pose,
-                          pick: dh_robot::inverse::Pick,
+                          pick: dh_robot::runtime::Pick,
                           take: &mut dyn FnMut([f64; N], Branch, FreeJoints)| {
             let run = self.inverse.attempt(&self.valued, frame, &given, &|i| (pick.angle(i), pick.length(i)));
             for c in &run.candidates {

@@ -1,7 +1,7 @@
 //! What generated code and the driver tell each other: which value a free unknown takes, and how a run of the plan ended.
 
-use crate::ik::Outcome;
 use crate::{FreeJoints, Why};
+use dh_kernels::Outcome;
 
 /// Which values the unknowns take that their equations leave free: one choice for a whole run of the plan.
 ///
@@ -169,7 +169,8 @@ mod tests {
     #[test]
     fn choices_are_all_different_for_every_step_and_lie_on_the_circle() {
         for step in 0..5 {
-            let all: Vec<[f64; 2]> = core::iter::once(Pick::FIRST).chain(Pick::others()).map(|p| p.angle(step)).collect();
+            let all: Vec<[f64; 2]> =
+                core::iter::once(Pick::FIRST).chain(Pick::others()).map(|p| p.angle(step)).collect();
             assert_eq!(all.len(), 48);
             assert_eq!((all[0], Pick::FIRST.length(step)), ([1.0, 0.0], 0.0));
             for (i, a) in all.iter().enumerate() {

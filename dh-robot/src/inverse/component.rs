@@ -1,8 +1,8 @@
 //! Do two solutions belong to one continuum: does a motion of the arm lead from one to the other while the target stays reached?
 
 use super::verifier::{SAME, Verifier};
-use crate::ik::Kinematics;
 use crate::{Real, math};
+use dh_kernels::Kinematics;
 
 /// Most steps along a continuum.
 const WALK: usize = 40;
@@ -128,8 +128,8 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
 mod tests {
     use super::*;
     use crate::Joint;
-    use crate::ik::{Chain, Task, pose};
     use crate::inverse::Setting;
+    use dh_kernels::{Chain, Task, pose};
 
     static JOINTS: [Joint; 2] = [Joint::revolute("q1"), Joint::revolute("q2")];
 

@@ -5,8 +5,8 @@
 //! curve is followed, and where one more motion opens, a step is taken along it.
 
 use super::verifier::Verifier;
-use crate::ik::Kinematics;
 use crate::{Branch, Real};
+use dh_kernels::Kinematics;
 
 /// Length of the steps along a curve (rad, or reach), and their number: a whole turn and a little more.
 const STRIDE: f64 = 0.3;

@@ -1,7 +1,7 @@
 //! Targets as the plan wants them: a frame in `f64` with lengths over the reach.
 
-use crate::ik::{Pose, pose};
 use crate::{Real, Why};
+use dh_kernels::{Pose, pose};
 
 /// A target pose in `f64` with lengths over the reach; orthonormal, if it was rounded.
 ///
@@ -34,9 +34,7 @@ fn is_exact<T: Real>(target: &nalgebra::IsometryMatrix3<T>) -> bool {
 #[inline(always)]
 fn over_reach<T: Real>(target: &nalgebra::IsometryMatrix3<T>, reach: f64) -> Pose {
     let (r, p) = (target.rotation.matrix(), &target.translation.vector);
-    core::array::from_fn(|i| {
-        core::array::from_fn(|j| if j < 3 { r[(i, j)].to_f64() } else { p[i].to_f64() / reach })
-    })
+    core::array::from_fn(|i| core::array::from_fn(|j| if j < 3 { r[(i, j)].to_f64() } else { p[i].to_f64() / reach }))
 }
 
 /// A target that has to be looked at.

@@ -19,8 +19,8 @@ mod verifier;
 pub use attempt::{Attempt, Pick};
 pub use frame::{direction, frame_of, frame_of_axis, frame_of_plane, in_units, to_pose};
 
-use crate::ik::{Kinematics, Pose, Task};
 use crate::{Branch, FreeJoints, Joint, Real, Solutions, Why};
+use dh_kernels::{Kinematics, Pose, Task};
 use verifier::Verifier;
 
 /// What a generated inverse knows of its arm.

@@ -1,8 +1,8 @@
 //! Which joints are free at a solution: the motions of the arm that leave the target reached.
 
 use super::verifier::Verifier;
-use crate::ik::Kinematics;
 use crate::{FreeJoints, Real};
+use dh_kernels::Kinematics;
 
 /// A pivot below this (position over reach, rotation in rad, per rad or reach) counts as zero: a singular pose.
 const SINGULAR: f64 = 1e-7;

@@ -1,8 +1,8 @@
 //! How far a pose is from what an arm of few joints can do: the reason that is given for refusing it.
 
 use super::verifier::Verifier;
-use crate::ik::{Kinematics, polish};
 use crate::{Real, Why, math};
+use dh_kernels::{Kinematics, polish};
 
 /// Starts of the search for the nearest pose, where the plan led to none.
 const STARTS: usize = 12;

@@ -2,7 +2,7 @@
 
 use super::verifier::Verifier;
 use crate::Real;
-use crate::ik::Kinematics;
+use dh_kernels::Kinematics;
 
 /// Steps along a continuum (rad, or reach), and how many on each side: a whole turn.
 const STEP: f64 = 0.02;

@@ -2,8 +2,8 @@
 
 use super::verifier::Verifier;
 use super::{Attempt, Pick};
-use crate::ik::{Kinematics, Pose, pose};
 use crate::{Branch, FreeJoints, Real};
+use dh_kernels::{Kinematics, Pose, pose};
 
 /// Most damped Newton steps that bring a rough candidate onto the target.
 const STEPS: usize = 60;

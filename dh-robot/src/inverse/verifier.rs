@@ -1,8 +1,8 @@
 //! Takes candidates, keeps what reaches the target, each solution and each continuum once.
 
 use super::Setting;
-use crate::ik::{Drive, Kinematics, Task, polish, polish_to, same_solution};
 use crate::{Branch, FreeJoints, Real, Solution, Solutions};
+use dh_kernels::{Drive, Kinematics, Task, polish, polish_to, same_solution};
 
 /// Residual (position over reach, rotation in rad) up to which a candidate is taken as it is: rounding of a chain of seven links.
 const EXACT: f64 = 1e-13;

@@ -6,10 +6,10 @@
 
 use std::sync::OnceLock;
 
-use super::kernels::pose::{self, Pose};
 use super::plane;
 use crate::algebra::{Angle, AngleVar, LinearAngle, Poly, Rational, Ring, Transform, dot};
 use crate::chain::{Chain, Coordinate, Elementary, Handle, Task};
+use dh_kernels::pose::{self, Pose};
 
 /// One hop from a frame to the next: a constant transform, then perhaps a joint.
 #[derive(Clone, Debug)]

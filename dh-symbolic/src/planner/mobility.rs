@@ -1,11 +1,11 @@
 //! How many dimensions of its task an arm moves through, and how many it could with more joints like its own.
 
 use super::axes::Axes;
-use super::kernels::pose::{self, Pose};
 use super::pool::rates;
 use super::sample::joint_vectors;
 use super::span::Span;
 use crate::chain::{Chain, Task};
+use dh_kernels::pose::{self, Pose};
 
 /// Ranks at a generic configuration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

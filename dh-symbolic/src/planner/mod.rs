@@ -12,8 +12,6 @@
 mod axes;
 mod bound;
 mod equation;
-#[path = "kernels/mod.rs"]
-pub mod kernels;
 mod known;
 mod mobility;
 mod plane;

@@ -9,11 +9,11 @@
 //! is derived exactly.
 
 use super::axes::Axes;
-use super::kernels::pose::{self, Pose};
 use super::random::Random;
 use super::scalar::{Equation, Scalar};
 use super::slides;
 use super::span::Span;
+use dh_kernels::pose::{self, Pose};
 
 /// Equations that depend on the same joint combinations.
 #[derive(Clone, Debug)]

@@ -1,10 +1,10 @@
 //! Numbers for everything a plan knows, at a joint vector that solves it: for choosing well-conditioned equations and for checks.
 
 use super::axes::{Axes, generic_parameter};
-use super::kernels::pose;
 use super::known::Knowledge;
 use crate::algebra::{AngleVar, Point, Poly, Symbol};
 use crate::chain::{Chain, Coordinate, Handle};
+use dh_kernels::pose;
 
 /// Values at one joint vector; lengths over the reach.
 pub(super) struct Sample<'a> {

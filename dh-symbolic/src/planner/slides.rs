@@ -15,11 +15,11 @@
 //! cosine of each: [`Scalar::Bridge`]. With the angle between x and y, seen from the same side, these are two equations in two angles.
 
 use super::axes::Axes;
-use super::kernels::pose::{self, Pose};
 use super::known::Knowledge;
 use super::scalar::{Equation, Scalar, fold};
 use super::span::Span;
 use crate::algebra::Poly;
+use dh_kernels::pose::{self, Pose};
 
 /// What the formulas are made of: numbers to measure with, polynomials for the plan.
 trait Number: Clone + Default {

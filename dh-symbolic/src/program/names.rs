@@ -7,8 +7,8 @@
 use super::Inverse;
 use crate::algebra::Transform;
 use crate::chain::Chain;
-use crate::planner::kernels::pose::{cross, dot};
 use crate::planner::{joint_vectors, numeric};
+use dh_kernels::pose::{cross, dot};
 
 /// Parts of an arm with names for their two sides, in this order.
 const PARTS: usize = 3;
@@ -89,7 +89,7 @@ impl Inverse {
         for x in joint_vectors(axes, POSES, 0) {
             let constant = |t| numeric(chain, t, axes.reach);
             let Some(last) = axes.frames_number(&x).pop() else { continue };
-            let compose = crate::planner::kernels::pose::compose;
+            let compose = dh_kernels::pose::compose;
             let target = compose(&compose(&constant(&axes.start), &last), &constant(&axes.end));
             let given: Vec<f64> = self.plan.knowledge.known[..self.plan.given].iter().map(|k| k.at(&x)).collect();
             for candidate in self.solve(chain, &target, &given) {

@@ -5,7 +5,7 @@ use super::{Inverse, Node, Solver};
 use crate::algebra::{Point, Symbol};
 use crate::chain::{Chain, Handle};
 use crate::planner::StepKind;
-use crate::planner::kernels as ik;
+use dh_kernels as ik;
 use ik::Pose;
 
 /// One candidate of the inverse.

@@ -4,9 +4,9 @@
 //! equations with the same unknowns often two are different.
 
 use super::super::axes::Axes;
-use super::super::kernels::pose::{self, Pose};
 use super::super::random::Random;
 use super::super::scalar::{Equation, Scalar};
+use dh_kernels::pose::{self, Pose};
 
 /// Equations whose values (lengths over the reach) differ by less at joint vectors and targets of no special kind are one.
 const EQUAL: f64 = 1e-10;

@@ -55,7 +55,7 @@ pub struct Inverse {
     pub confirmation: Vec<Value>,
     /// For the general elimination: which of its joints slide.
     pub slides: [bool; 6],
-    /// For the general elimination: the best ways to cut the loop of joints (`ik::general::Choice`).
+    /// For the general elimination: the best ways to cut the loop of joints (`dh_kernels::general::Choice`).
     pub choices: [u8; 3],
     /// How the roots of shoulder, elbow and wrist are named.
     pub names: [Names; 3],

@@ -4,7 +4,7 @@ use super::camera::{V3, distance, dot, plus};
 use crate::algebra::{Point, Transform};
 use crate::chain::{Chain, Convention, Coordinate, Handle, Role};
 use crate::kinematics::Kinematics;
-use crate::planner::kernels::pose::{Pose, compose};
+use dh_kernels::pose::{Pose, compose};
 
 /// The frames of an arm at some joint values.
 #[derive(Clone, Debug)]
@@ -78,10 +78,10 @@ impl Posture {
         };
         let mut frames = vec![number(kinematics.base())];
         for link in (1..=kinematics.len()).filter_map(|i| kinematics.link(i)) {
-            let last = frames.last().copied().unwrap_or(crate::planner::kernels::pose::IDENTITY);
+            let last = frames.last().copied().unwrap_or(dh_kernels::pose::IDENTITY);
             frames.push(compose(&last, &number(link)));
         }
-        let last = frames.last().copied().unwrap_or(crate::planner::kernels::pose::IDENTITY);
+        let last = frames.last().copied().unwrap_or(dh_kernels::pose::IDENTITY);
         let slides = |k: usize| chain.joints.get(k).is_some_and(|j| matches!(j.coordinate, Coordinate::Length(_)));
         Posture {
             frames,

@@ -4,9 +4,9 @@ use super::given;
 use crate::algebra::{Point, Poly, Rational, Transform};
 use crate::chain::{AngleCell, Chain, Coordinate, Handle, Quantity, Role, Task, Value};
 use crate::kinematics::Kinematics;
-use crate::planner::kernels::pose::Pose;
 use crate::planner::{self, Plan};
 use crate::program::Inverse;
+use dh_kernels::pose::Pose;
 use std::f64::consts::TAU;
 
 /// Degrees of the example's joints, one after the other; awkward enough to be in general position.

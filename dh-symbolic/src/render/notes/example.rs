@@ -7,8 +7,8 @@ use super::{Block, Math, Phrase, Sign, Span, Text, Writer};
 use crate::algebra::Transform;
 use crate::chain::{Chain, Handle, MotionSpec, Role, Task};
 use crate::kinematics::Kinematics;
-use crate::planner::kernels::pose::{self, Pose};
 use crate::render::frames::{Frame, decimal};
+use dh_kernels::pose::{self, Pose};
 
 /// What the example starts from.
 #[derive(Clone, Debug)]

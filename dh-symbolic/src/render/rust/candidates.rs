@@ -20,9 +20,9 @@ pub(super) fn candidates(chain: &Chain, inverse: &Inverse) -> String {
     let attempt = if chain.scalar == Scalar::F32 { "single" } else { "new" };
     let mut out = format!(
         "/// Runs the plan: calls `found` with every candidate.\n\
-         fn candidates(&self, t: &::dh_robot::ik::Pose, {given}pick: ::dh_robot::inverse::Pick, found: &mut dyn FnMut([f64; {n}], ::dh_robot::Branch, ::dh_robot::FreeJoints)) \
-         -> ::dh_robot::inverse::Attempt {{\n\
-         let mut attempt = ::dh_robot::inverse::Attempt::{attempt}();\nlet free = ::dh_robot::FreeJoints::NONE;\n"
+         fn candidates(&self, t: &::dh_robot::runtime::Pose, {given}pick: ::dh_robot::runtime::Pick, found: &mut dyn FnMut([f64; {n}], ::dh_robot::Branch, ::dh_robot::FreeJoints)) \
+         -> ::dh_robot::runtime::Attempt {{\n\
+         let mut attempt = ::dh_robot::runtime::Attempt::{attempt}();\nlet free = ::dh_robot::FreeJoints::NONE;\n"
     );
     let mut angles: Vec<String> = Vec::new();
     let emit = |body: &mut Body<'_>, depth: usize, out: &mut String| {
@@ -64,7 +64,7 @@ pub(super) fn candidates(chain: &Chain, inverse: &Inverse) -> String {
         for (k, [c, s]) in solver.finds.iter().zip(&symbols) {
             let form = &plan.knowledge.known[*k];
             if form.turns {
-                out.push_str(&format!("let a{k} = ::dh_robot::math::atan2({s}, {c});\n"));
+                out.push_str(&format!("let a{k} = ::dh_robot::runtime::atan2({s}, {c});\n"));
             } else {
                 out.push_str(&format!("let a{k} = {c} * {reach};\n"));
             }
@@ -113,27 +113,31 @@ fn call((step, turns, solver): (usize, bool, &Solver), body: &Body<'_>, inverse:
     let picked = format!("pick.angle({step})");
     let picked_length = format!("pick.length({step})");
     let (text, representative, pattern) = match solver.kind {
-        StepKind::Linear => {
-            (format!("::dh_robot::ik::solve_quadratic(0.0, {}, {}, {noise})", v(0, 0), v(0, 1)), picked_length, length)
-        }
+        StepKind::Linear => (
+            format!("::dh_robot::runtime::solve_quadratic(0.0, {}, {}, {noise})", v(0, 0), v(0, 1)),
+            picked_length,
+            length,
+        ),
         StepKind::Quadratic => (
-            format!("::dh_robot::ik::solve_quadratic({}, {}, {}, {noise})", v(0, 0), v(0, 1), v(0, 2)),
+            format!("::dh_robot::runtime::solve_quadratic({}, {}, {}, {noise})", v(0, 0), v(0, 1), v(0, 2)),
             picked_length,
             length,
         ),
         StepKind::HalfTurn if solver.rows.len() == 2 => {
             let row = |r: usize| format!("[{}, {}]", v(r, 0), v(r, 1));
-            (format!("::dh_robot::ik::solve_half_turn({}, {}, {noise})", row(0), row(1)), picked, angle)
+            (format!("::dh_robot::runtime::solve_half_turn({}, {}, {noise})", row(0), row(1)), picked, angle)
         }
         StepKind::HalfTurn => {
-            (format!("::dh_robot::ik::solve_sincos({}, {}, 0.0, {noise})", v(0, 0), v(0, 1)), picked, angle)
+            (format!("::dh_robot::runtime::solve_sincos({}, {}, 0.0, {noise})", v(0, 0), v(0, 1)), picked, angle)
         }
-        StepKind::SinCos => {
-            (format!("::dh_robot::ik::solve_sincos({}, {}, {}, {noise})", v(0, 0), v(0, 1), minus(0, 2)), picked, angle)
-        }
+        StepKind::SinCos => (
+            format!("::dh_robot::runtime::solve_sincos({}, {}, {}, {noise})", v(0, 0), v(0, 1), minus(0, 2)),
+            picked,
+            angle,
+        ),
         StepKind::AtanPair if solver.rows.len() == 2 => (
             format!(
-                "::dh_robot::ik::solve_pair({}, {}, {}, {}, {}, {}, {noise})",
+                "::dh_robot::runtime::solve_pair({}, {}, {}, {}, {}, {}, {noise})",
                 v(0, 0),
                 v(0, 1),
                 minus(0, 2),
@@ -147,11 +151,11 @@ fn call((step, turns, solver): (usize, bool, &Solver), body: &Body<'_>, inverse:
         StepKind::AtanPair => {
             let rows: Vec<String> =
                 (0..solver.rows.len()).map(|r| format!("[{}, {}, {}]", v(r, 0), v(r, 1), minus(r, 2))).collect();
-            (format!("::dh_robot::ik::solve_many(&[{}], {noise})", rows.join(", ")), picked, angle)
+            (format!("::dh_robot::runtime::solve_many(&[{}], {noise})", rows.join(", ")), picked, angle)
         }
         StepKind::SecondHarmonic => (
             format!(
-                "::dh_robot::ik::TrigPoly::<2> {{ constant: {}, cos: [{}, {}], sin: [{}, {}] }}.roots::<4>({noise})",
+                "::dh_robot::runtime::TrigPoly::<2> {{ constant: {}, cos: [{}, {}], sin: [{}, {}] }}.roots::<4>({noise})",
                 v(0, 0),
                 v(0, 1),
                 v(0, 3),
@@ -163,7 +167,7 @@ fn call((step, turns, solver): (usize, bool, &Solver), body: &Body<'_>, inverse:
         ),
         StepKind::Bilinear => (
             format!(
-                "::dh_robot::ik::solve_bilinear_choosing(&[{}], &[{}], [{picked}, pick.angle({})], {noise})",
+                "::dh_robot::runtime::solve_bilinear_choosing(&[{}], &[{}], [{picked}, pick.angle({})], {noise})",
                 list(0, 9),
                 list(1, 9),
                 step + 1
@@ -173,7 +177,7 @@ fn call((step, turns, solver): (usize, bool, &Solver), body: &Body<'_>, inverse:
         ),
         StepKind::SlideAndTurn => (
             format!(
-                "::dh_robot::ik::solve_length_squared_and_angle_choosing(&[{}], &[{}], ({picked_length}, pick.angle({})), {noise})",
+                "::dh_robot::runtime::solve_length_squared_and_angle_choosing(&[{}], &[{}], ({picked_length}, pick.angle({})), {noise})",
                 list(0, 9),
                 list(1, 9),
                 step + 1
@@ -182,9 +186,9 @@ fn call((step, turns, solver): (usize, bool, &Solver), body: &Body<'_>, inverse:
             (|s| format!("({}, [{}, {}])", s[0][0], s[1][0], s[1][1])) as fn(&[[String; 2]]) -> String,
         ),
         StepKind::Choose if !turns => {
-            (format!("::dh_robot::ik::solve_quadratic(0.0, 0.0, 0.0, {noise})"), picked_length, length)
+            (format!("::dh_robot::runtime::solve_quadratic(0.0, 0.0, 0.0, {noise})"), picked_length, length)
         }
-        StepKind::Choose => (format!("::dh_robot::ik::solve_sincos(0.0, 0.0, 0.0, {noise})"), picked, angle),
+        StepKind::Choose => (format!("::dh_robot::runtime::solve_sincos(0.0, 0.0, 0.0, {noise})"), picked, angle),
         StepKind::General => {
             let poses: Vec<String> = (0..7)
                 .map(|r| {
@@ -192,10 +196,10 @@ fn call((step, turns, solver): (usize, bool, &Solver), body: &Body<'_>, inverse:
                     format!("[{}, {}, {}]", row(0), row(1), row(2))
                 })
                 .collect();
-            let cuts = inverse.choices.map(|c| format!("::dh_robot::ik::general::Choice::new({c})")).join(", ");
+            let cuts = inverse.choices.map(|c| format!("::dh_robot::runtime::Choice::new({c})")).join(", ");
             (
                 format!(
-                    "::dh_robot::ik::general::General6R::with_slides(&[{}], &{:?}, [{cuts}]).find(&{})",
+                    "::dh_robot::runtime::General6R::with_slides(&[{}], &{:?}, [{cuts}]).find(&{})",
                     poses[..6].join(", "),
                     inverse.slides,
                     poses[6]

@@ -87,7 +87,7 @@ pub(super) fn drive(chain: &Chain) -> String {
     let Some(Matrices { det, rows, motors, turns }) = matrices(chain) else { return String::new() };
     let n = chain.dof();
     format!(
-        "fn drive(&self) -> ::core::option::Option<::dh_robot::ik::Drive<{n}>> {{\nlet det = {det};\n\
-         ::core::option::Option::Some(::dh_robot::ik::Drive {{ rows: {rows}, motors: {motors}, turns: {turns} }})\n}}\n"
+        "fn drive(&self) -> ::core::option::Option<::dh_robot::runtime::Drive<{n}>> {{\nlet det = {det};\n\
+         ::core::option::Option::Some(::dh_robot::runtime::Drive {{ rows: {rows}, motors: {motors}, turns: {turns} }})\n}}\n"
     )
 }

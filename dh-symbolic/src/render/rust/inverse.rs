@@ -23,9 +23,9 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
     });
     let few = inverse.plan.few;
     let robust = format!(
-        "{frame}\nlet setting = ::dh_robot::inverse::Setting {{ joints: &Self::JOINTS, reach: {reach}, few: {few}, given: {fixed} }};\n\
+        "{frame}\nlet setting = ::dh_robot::runtime::Setting {{ joints: &Self::JOINTS, reach: {reach}, few: {few}, given: {fixed} }};\n\
          let task = {task};\n\
-         ::dh_robot::inverse::solve(self, setting, &task, &frame, |frame, pick, found| self.candidates(frame{pass}, pick, found))\n"
+         ::dh_robot::runtime::solve(self, setting, &task, &frame, |frame, pick, found| self.candidates(frame{pass}, pick, found))\n"
     );
     let rest = if fits { format!("{frame}\n{}", lanes::call(chain, inverse)) } else { robust.clone() };
     let mut out = format!(

@@ -31,7 +31,7 @@ pub(super) fn known_beforehand(chain: &Chain, inverse: &Inverse) -> String {
         let value = chosen(chain);
         out.push_str(&format!("let a{i} = {value};\n"));
         out.push_str(&if k.turns {
-            format!("let ({s}, {c}) = ::dh_robot::math::sin_cos(a{i});\n")
+            format!("let ({s}, {c}) = ::dh_robot::runtime::sin_cos(a{i});\n")
         } else {
             format!("let {c} = a{i} / {};\n", literal(plan.axes.reach, Scalar::F64))
         });

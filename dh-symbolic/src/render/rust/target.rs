@@ -30,30 +30,30 @@ impl Target {
             Task::Pose => Target {
                 parameter: format!("target: &::dh_robot::nalgebra::IsometryMatrix3<{f}>"),
                 frame: format!(
-                    "let frame = match ::dh_robot::inverse::frame_of(target, {reach}) {{ ::core::result::Result::Ok(frame) => frame, ::core::result::Result::Err(why) => {refuse} }};"
+                    "let frame = match ::dh_robot::runtime::frame_of(target, {reach}) {{ ::core::result::Result::Ok(frame) => frame, ::core::result::Result::Err(why) => {refuse} }};"
                 ),
-                task: format!("::dh_robot::ik::Task::Pose(::dh_robot::inverse::in_units(&frame, {reach}))"),
+                task: format!("::dh_robot::runtime::Task::Pose(::dh_robot::runtime::in_units(&frame, {reach}))"),
                 kind: format!("::dh_robot::nalgebra::IsometryMatrix3<{f}>"),
             },
             Task::Position => Target {
                 parameter: format!("target: &::dh_robot::nalgebra::Point3<{f}>"),
                 frame: format!(
                     "let p: [f64; 3] = [target.x.into(), target.y.into(), target.z.into()];\n{}\n\
-                     let frame = ::dh_robot::inverse::frame_of_axis(p.map(|x| x / {reach}), [0.0, 0.0, 1.0]);",
+                     let frame = ::dh_robot::runtime::frame_of_axis(p.map(|x| x / {reach}), [0.0, 0.0, 1.0]);",
                     finite("p")
                 ),
-                task: "::dh_robot::ik::Task::Position(p)".into(),
+                task: "::dh_robot::runtime::Task::Position(p)".into(),
                 kind: format!("::dh_robot::nalgebra::Point3<{f}>"),
             },
             Task::Planar => Target {
                 parameter: format!("target: ({f}, {f}, {f})"),
                 frame: format!(
                     "let (x, y, phi): (f64, f64, f64) = (target.0.into(), target.1.into(), target.2.into());\n{}\n\
-                     let frame = ::dh_robot::inverse::frame_of_plane([x / {reach}, y / {reach}], phi, {});",
+                     let frame = ::dh_robot::runtime::frame_of_plane([x / {reach}, y / {reach}], phi, {});",
                     finite("[x, y, phi]"),
                     plane(chain)
                 ),
-                task: "::dh_robot::ik::Task::Planar(x, y, phi)".into(),
+                task: "::dh_robot::runtime::Task::Planar(x, y, phi)".into(),
                 kind: format!("({f}, {f}, {f})"),
             },
             Task::Axis => Target {
@@ -63,11 +63,11 @@ impl Target {
                 frame: format!(
                     "let p: [f64; 3] = [target.0.x.into(), target.0.y.into(), target.0.z.into()];\n\
                      {}\n\
-                     let z = match ::dh_robot::inverse::direction([target.1.x.into(), target.1.y.into(), target.1.z.into()]) {{ ::core::result::Result::Ok(z) => z, ::core::result::Result::Err(why) => {refuse} }};\n\
-                     let frame = ::dh_robot::inverse::frame_of_axis(p.map(|x| x / {reach}), z);",
+                     let z = match ::dh_robot::runtime::direction([target.1.x.into(), target.1.y.into(), target.1.z.into()]) {{ ::core::result::Result::Ok(z) => z, ::core::result::Result::Err(why) => {refuse} }};\n\
+                     let frame = ::dh_robot::runtime::frame_of_axis(p.map(|x| x / {reach}), z);",
                     finite("p")
                 ),
-                task: "::dh_robot::ik::Task::Axis(p, z)".into(),
+                task: "::dh_robot::runtime::Task::Axis(p, z)".into(),
                 kind: format!("(::dh_robot::nalgebra::Point3<{f}>, ::dh_robot::nalgebra::UnitVector3<{f}>)"),
             },
         }
@@ -83,7 +83,7 @@ fn plane(chain: &Chain) -> String {
     };
     if pose.r.iter().flatten().any(|entry| entry.angles().iter().any(is_field)) {
         let zeros = format!("&[0.0; {}]", chain.dof());
-        return format!("::dh_robot::ik::Kinematics::forward(self, {zeros}).map(|[x, y, z, _]| [x, y, z])");
+        return format!("::dh_robot::runtime::Kinematics::forward(self, {zeros}).map(|[x, y, z, _]| [x, y, z])");
     }
     let at_zero = |p: &Poly| {
         let value = p.evaluate(&crate::algebra::Point {

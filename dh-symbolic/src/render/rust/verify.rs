@@ -30,9 +30,9 @@ pub(super) fn kinematics(chain: &Chain, name: &str, forward: &Forward, few: bool
     let unit =
         if few { format!("fn unit(&self) -> &'static str {{ \"{}\" }}\n", chain.unit.name) } else { String::new() };
     format!(
-        "#[allow(unused, clippy::all, clippy::pedantic)]\nimpl ::dh_robot::ik::Kinematics<{n}> for {name} {{\n\
-         #[inline]\nfn forward(&self, q: &[f64; {n}]) -> ::dh_robot::ik::Pose {{\n{}\n{}\n}}\n\
-         fn forward_and_jacobian(&self, q: &[f64; {n}]) -> (::dh_robot::ik::Pose, [[f64; {n}]; 6]) {{\n{}\n({}, [{}])\n}}\n{unit}{}}}\n",
+        "#[allow(unused, clippy::all, clippy::pedantic)]\nimpl ::dh_robot::runtime::Kinematics<{n}> for {name} {{\n\
+         #[inline]\nfn forward(&self, q: &[f64; {n}]) -> ::dh_robot::runtime::Pose {{\n{}\n{}\n}}\n\
+         fn forward_and_jacobian(&self, q: &[f64; {n}]) -> (::dh_robot::runtime::Pose, [[f64; {n}]; 6]) {{\n{}\n({}, [{}])\n}}\n{unit}{}}}\n",
         pose.lines.join("\n"),
         entry(&pose, 0),
         both.lines.join("\n"),

@@ -120,7 +120,7 @@ impl Body<'_> {
         }
         self.lines.push(format!("let angles = [{}];", angles.join(", ")));
         self.lines.push(format!(
-            "let ([{}], [{}]) = ::dh_robot::sincos::sincos_batch(&angles);",
+            "let ([{}], [{}]) = ::dh_robot::runtime::sincos_batch(&angles);",
             sines.join(", "),
             cosines.join(", ")
         ));

@@ -1,4 +1,4 @@
-//! The fast way of `inverse`: every step for all branches side by side, in loops over lanes (see `dh_robot::lanes`).
+//! The fast way of `inverse`: every step for all branches side by side, in loops over lanes (see `dh_robot::runtime::lanes`).
 //!
 //! Steps and values with the same number of lanes share one loop. Long loops are what compilers turn into vector instructions well;
 //! short ones they unroll first, and find less in what they then see.
@@ -56,12 +56,12 @@ pub(super) fn call(chain: &Chain, inverse: &Inverse) -> String {
         let list: Vec<String> = (0..total).map(|l| format!("at({l})")).collect();
         out.push_str(&format!(
             "if valid == [1.0; {total}] {{\n\
-             let at = |l: usize| ::dh_robot::lanes::solution(&Self::JOINTS, &q, &Self::BRANCHES, l);\n\
+             let at = |l: usize| ::dh_robot::runtime::lanes::solution(&Self::JOINTS, &q, &Self::BRANCHES, l);\n\
              return ::dh_robot::Solutions::full(&Self::JOINTS, [{}]);\n}}\n",
             list.join(", ")
         ));
     }
-    out.push_str("::dh_robot::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)\n");
+    out.push_str("::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)\n");
     out
 }
 
@@ -79,7 +79,7 @@ pub(super) fn lanes(chain: &Chain, inverse: &Inverse) -> String {
     w.loops.out = constant(inverse, total);
     w.loops.out.push_str(&format!(
         "/// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.\n\
-         #[inline]\nfn lanes(&self, t: &::dh_robot::ik::Pose{given}, q: &mut [[f64; {total}]; {n}], valid: &mut [f64; {total}]) -> bool {{\n"
+         #[inline]\nfn lanes(&self, t: &::dh_robot::runtime::Pose{given}, q: &mut [[f64; {total}]; {n}], valid: &mut [f64; {total}]) -> bool {{\n"
     ));
     if let Some(k) = chain.redundant {
         // A narrower scalar is brought into its range with the others, once it is rounded.
@@ -112,7 +112,9 @@ pub(super) fn lanes(chain: &Chain, inverse: &Inverse) -> String {
     } else {
         format!("::core::array::from_fn(|l| valid_[l % {}])", w.loops.lanes)
     };
-    w.loops.out.push_str(&format!("*valid = {valid};\n::dh_robot::lanes::confirmed(&valid_, &margin_, &error_)\n}}\n"));
+    w.loops.out.push_str(&format!(
+        "*valid = {valid};\n::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)\n}}\n"
+    ));
     w.loops.out
 }
 

@@ -41,11 +41,19 @@ impl Roots {
 
     /// Expression of the joint value of the second root; that of the first has the name g.
     fn second_angle(&self) -> String {
-        if self.opposite { format!("::dh_robot::lanes::opposite(g{})", self.step) } else { self.angle(&self.second) }
+        if self.opposite {
+            format!("::dh_robot::runtime::lanes::opposite(g{})", self.step)
+        } else {
+            self.angle(&self.second)
+        }
     }
 
     fn angle(&self, [x, y]: &[String; 2]) -> String {
-        if self.turns { format!("::dh_robot::lanes::angle({y}, {x})") } else { format!("{x} * {}", self.reach) }
+        if self.turns {
+            format!("::dh_robot::runtime::lanes::angle({y}, {x})")
+        } else {
+            format!("{x} * {}", self.reach)
+        }
     }
 }
 
@@ -89,19 +97,25 @@ impl Writer<'_> {
         let text = match (solver.kind, &unit) {
             (StepKind::HalfTurn, _) => {
                 let rows: Vec<String> = (0..solver.rows.len()).map(|r| format!("[{}, {}]", v(r, 0), v(r, 1))).collect();
-                format!("let ([{x}, {y}], m{i}) = ::dh_robot::lanes::half_turn([{}]);\n", rows.join(", "))
+                format!("let ([{x}, {y}], m{i}) = ::dh_robot::runtime::lanes::half_turn([{}]);\n", rows.join(", "))
             }
             (StepKind::SinCos, _) => {
                 let (a, b, c) = (v(0, 0), v(0, 1), minus(0, 2));
                 let kernel = if chain.scalar == Scalar::F32 { "sincos_single" } else { "sincos" };
-                format!("let ([{x}, {y}, {z}, {w}], e{i}, m{i}) = ::dh_robot::lanes::{kernel}({a}, {b}, {c});\n")
+                format!(
+                    "let ([{x}, {y}, {z}, {w}], e{i}, m{i}) = ::dh_robot::runtime::lanes::{kernel}({a}, {b}, {c});\n"
+                )
             }
-            (_, Some((a, b))) => format!("let [{x}, {y}] = ::dh_robot::lanes::unit({a}, {b});\n"),
+            (_, Some((a, b))) => format!("let [{x}, {y}] = ::dh_robot::runtime::lanes::unit({a}, {b});\n"),
             (StepKind::AtanPair, None) => {
                 let all: Vec<String> = (0..2).flat_map(|r| [v(r, 0), v(r, 1), minus(r, 2)]).collect();
-                format!("let ([{x}, {y}], m{i}) = ::dh_robot::lanes::pair({});\n", all.join(", "))
+                format!("let ([{x}, {y}], m{i}) = ::dh_robot::runtime::lanes::pair({});\n", all.join(", "))
             }
-            _ => format!("let ({x}, m{i}) = ::dh_robot::lanes::linear({}, {});\nlet {y} = {x};\n", v(0, 0), v(0, 1)),
+            _ => format!(
+                "let ({x}, m{i}) = ::dh_robot::runtime::lanes::linear({}, {});\nlet {y} = {x};\n",
+                v(0, 0),
+                v(0, 1)
+            ),
         };
         self.loops.inner.push_str(&text);
         if unit.is_none() {
@@ -164,7 +178,7 @@ impl Writer<'_> {
             return;
         }
         let angles = if roots.turns {
-            format!("::dh_robot::lanes::angles(&[{y}, {w}], &[{x}, {z}])")
+            format!("::dh_robot::runtime::lanes::angles(&[{y}, {w}], &[{x}, {z}])")
         } else {
             format!("[{}, {}]", roots.first_angle(), roots.second_angle())
         };
@@ -183,7 +197,9 @@ impl Writer<'_> {
         }
         if roots.turns && p < 4 {
             // Such a short loop is unrolled: the angles are better taken together.
-            self.loops.after.push_str(&format!("let g{i}_ = ::dh_robot::lanes::angles(&f{i}[1], &f{i}[0]);\n"));
+            self.loops
+                .after
+                .push_str(&format!("let g{i}_ = ::dh_robot::runtime::lanes::angles(&f{i}[1], &f{i}[0]);\n"));
             if let Some(k) = self.alone(i) {
                 let value = self.joint_value(chain, k, &self.only(i, format!("g{i}_[{}]", roots.layout.index())));
                 self.loops.after.push_str(&format!("q[{k}] = ::core::array::from_fn(|l| {value});\n"));

@@ -61,9 +61,9 @@ impl Twin {
         match (self.flips[step], turns) {
             ([false, false], _) => first.to_string(),
             ([true, _], false) => format!("-{first}"),
-            ([true, true], _) => format!("::dh_robot::lanes::opposite({first})"),
-            ([false, true], _) => format!("::dh_robot::lanes::negative({first})"),
-            ([true, false], _) => format!("::dh_robot::lanes::supplement({first})"),
+            ([true, true], _) => format!("::dh_robot::runtime::lanes::opposite({first})"),
+            ([false, true], _) => format!("::dh_robot::runtime::lanes::negative({first})"),
+            ([true, false], _) => format!("::dh_robot::runtime::lanes::supplement({first})"),
         }
     }
 }

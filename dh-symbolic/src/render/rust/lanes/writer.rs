@@ -159,8 +159,8 @@ impl<'a> Writer<'a> {
         let value = match motor.half_turns {
             // Sums of three angles at most, then of five; a field can be any angle.
             Some(1) => value,
-            Some(2 | 3) => format!("::dh_robot::lanes::wrap({value})"),
-            Some(4 | 5) => format!("::dh_robot::lanes::wrap(::dh_robot::lanes::wrap({value}))"),
+            Some(2 | 3) => format!("::dh_robot::runtime::lanes::wrap({value})"),
+            Some(4 | 5) => format!("::dh_robot::runtime::lanes::wrap(::dh_robot::runtime::lanes::wrap({value}))"),
             _ => format!("::dh_robot::Joint::revolute(\"\").normalize({value})"),
         };
         into_range(chain, k, value)

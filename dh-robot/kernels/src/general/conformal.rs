@@ -122,8 +122,8 @@ fn rotated([x, y, z]: &Pose, v: &[f64; 3]) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ik::pose::{IDENTITY, compose, slide, turn};
-    use crate::ik::testing::{Rng, random_pose};
+    use crate::pose::{IDENTITY, compose, slide, turn};
+    use crate::testing::{Rng, random_pose};
 
     /// The fourteen expressions from their definition.
     fn expressions_of(frame: &Pose) -> [f64; 14] {

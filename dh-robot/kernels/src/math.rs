@@ -38,6 +38,27 @@ mod backend {
     }
 }
 
+/// Without elementary functions there is one error, and it says what to do.
+#[cfg(not(any(feature = "std", feature = "libm")))]
+mod backend {
+    compile_error!(
+        "dh-robot needs elementary functions: turn on its feature `std` (on by default), \
+         or for `no_std` its feature `libm`: dh-robot = { version = \"0.1\", default-features = false, features = [\"libm\"] }"
+    );
+    pub(in super::super) fn sqrt(_: f64) -> f64 {
+        f64::NAN
+    }
+    pub(in super::super) fn sin_cos(_: f64) -> (f64, f64) {
+        (f64::NAN, f64::NAN)
+    }
+    pub(in super::super) fn floor(_: f64) -> f64 {
+        f64::NAN
+    }
+    pub(in super::super) fn atan2(_: f64, _: f64) -> f64 {
+        f64::NAN
+    }
+}
+
 pub(super) use backend::{atan2, floor, sin_cos, sqrt};
 
 /// The angle in (-pi, pi] that differs by whole turns.

@@ -112,7 +112,7 @@ pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ik::testing::{Rng, random_pose};
+    use crate::testing::{Rng, random_pose};
 
     #[test]
     fn inverse_undoes() {

@@ -199,7 +199,7 @@ impl<const D: usize> TrigPoly<D> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ik::testing::{Rng, random_trig_poly};
+    use crate::testing::{Rng, random_trig_poly};
     use core::f64::consts::PI;
 
     /// The polynomial with the given roots: a product of `sin((t - a)/2) sin((t - b)/2)`.

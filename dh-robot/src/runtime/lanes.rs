@@ -34,7 +34,7 @@ pub fn half_turn<const R: usize>(rows: [[f64; 2]; R]) -> ([f64; 2], f64) {
         (a, b, h2) = (if larger { x } else { a }, if larger { y } else { b }, if larger { size } else { h2 });
     }
     let h = 1.0 / crate::math::sqrt(h2);
-    // The same order as `ik::solve_sincos`: (-b, a) first.
+    // The same order as `dh_kernels::solve_sincos`: (-b, a) first.
     ([-b * h, a * h], h2 - FIRM * FIRM)
 }
 
@@ -207,7 +207,9 @@ mod tests {
 
     #[test]
     fn angles_go_into_the_range_as_joints_bring_them() {
-        for (least, greatest) in [(-2.5, 2.5), (-4.0, 0.8), (-0.8, 4.0), (-5.0, 5.0), (PI, 6.0), (-7.0, -PI), (-0.5, 9.0)] {
+        for (least, greatest) in
+            [(-2.5, 2.5), (-4.0, 0.8), (-0.8, 4.0), (-5.0, 5.0), (PI, 6.0), (-7.0, -PI), (-0.5, 9.0)]
+        {
             let joint = Joint::revolute("q1").with_range(least, greatest);
             for k in -999..=1000 {
                 let x = f64::from(k) * 1e-3 * PI;
@@ -239,7 +241,8 @@ mod tests {
     #[test]
     fn changes_of_an_angle_stay_between_half_turns() {
         for x in [-3.0, -1.5, -0.0, 0.0, 1e-17, f64::EPSILON, f64::EPSILON.next_up(), 1.5, 3.0, PI] {
-            for (got, cosine, sine) in [(opposite(x), -1.0, -1.0), (negative(x), 1.0, -1.0), (supplement(x), -1.0, 1.0)] {
+            for (got, cosine, sine) in [(opposite(x), -1.0, -1.0), (negative(x), 1.0, -1.0), (supplement(x), -1.0, 1.0)]
+            {
                 assert!(got > -PI && got <= PI, "{x}: {got}");
                 assert!((got.cos() - cosine * x.cos()).abs() < 1e-15 && (got.sin() - sine * x.sin()).abs() < 1e-15);
             }

@@ -66,7 +66,7 @@ pub fn solve_half_turn(p: [f64; 2], q: [f64; 2], tol: f64) -> Angles<2> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ik::testing::Rng;
+    use crate::testing::Rng;
 
     fn residual(a: f64, b: f64, c: f64, root: [f64; 2]) -> f64 {
         (a * root[0] + b * root[1] - c).abs() / (a.abs() + b.abs() + c.abs())

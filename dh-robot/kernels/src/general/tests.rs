@@ -2,10 +2,10 @@
 
 use super::attempt::Account;
 use super::*;
-use crate::ik::pose::{IDENTITY, Pose, compose, turn};
-use crate::ik::testing::{Rng, general_6r, link};
-use crate::ik::tolerance::REACHED;
-use crate::ik::{Chain, Kinematics, List, Task, polish};
+use crate::pose::{IDENTITY, Pose, compose, turn};
+use crate::testing::{Rng, general_6r, link};
+use crate::tolerance::REACHED;
+use crate::{Chain, Kinematics, List, Task, polish};
 
 mod locked;
 

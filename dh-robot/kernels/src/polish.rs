@@ -346,8 +346,8 @@ fn solve_damped<const N: usize, const M: usize>(j: &[[f64; N]; M], e: &[f64; M],
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ik::Chain;
-    use crate::ik::testing::{Rng, general_6r, random_pose};
+    use crate::Chain;
+    use crate::testing::{Rng, general_6r, random_pose};
 
     #[test]
     fn nearby_start_converges_to_the_generating_joints() {
@@ -374,7 +374,7 @@ mod tests {
     #[test]
     fn singular_start_still_converges() {
         // Stretched out planar arm (two of three joints suffice): J has rank one less at the start.
-        let mut link = crate::ik::pose::IDENTITY;
+        let mut link = crate::pose::IDENTITY;
         link[0][3] = 1.0;
         let arm = Chain { links: [link; 3], slides: [false; 3] };
         let mut q = [0.0; 3];
@@ -400,7 +400,7 @@ mod tests {
 
     #[test]
     fn planar_task_wraps_its_angle() {
-        let mut link = crate::ik::pose::IDENTITY;
+        let mut link = crate::pose::IDENTITY;
         link[0][3] = 1.0;
         let arm = Chain { links: [link; 3], slides: [false; 3] };
         let truth = [1.0, 1.0, 1.1];

@@ -121,7 +121,7 @@ impl TrigPoly<1> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ik::testing::{Rng, random_trig_poly};
+    use crate::testing::{Rng, random_trig_poly};
 
     #[test]
     fn value_and_slope_agree_with_the_sum_of_cosines_and_sines() {

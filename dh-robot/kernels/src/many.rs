@@ -89,7 +89,7 @@ pub fn solve_many<const M: usize>(rows: &[[f64; 3]; M], tol: f64) -> Angles<2> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ik::testing::Rng;
+    use crate::testing::Rng;
 
     #[test]
     fn six_consistent_rows_give_back_the_angle() {

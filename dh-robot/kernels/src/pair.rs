@@ -52,7 +52,7 @@ pub fn solve_turn(p: f64, q: f64, x: f64, y: f64, tol: f64) -> Angles<2> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ik::testing::Rng;
+    use crate::testing::Rng;
 
     #[test]
     fn random_pairs_give_back_the_angle() {

@@ -231,7 +231,7 @@ fn add(roots: &mut List<LengthAngle, 8>, e1: &[f64; 9], e2: &[f64; 9], mut d: f6
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ik::testing::Rng;
+    use crate::testing::Rng;
 
     #[test]
     fn quadratics_keep_their_digits() {

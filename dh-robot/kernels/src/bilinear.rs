@@ -243,7 +243,7 @@ fn value_and_slopes(e: &[f64; 9], u: [f64; 2], v: [f64; 2]) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ik::testing::Rng;
+    use crate::testing::Rng;
 
     fn circle(t: f64) -> [f64; 2] {
         [t.cos(), t.sin()]

@@ -5,11 +5,14 @@
 //! `[cos, sin]` on the way; they become numbers only at the end of a solution.
 //!
 //! Never here: heap, recursion, panics, `nalgebra`, knowledge of a particular robot.
-//! These files depend on each other and on the elementary functions in `math.rs` alone, so that the compiler
-//! can run the very same kernels while it checks a plan.
+//! These files depend on each other and on the elementary functions in `math.rs` alone, so that the compiler (`dh-symbolic`)
+//! runs the very same kernels while it checks a plan.
+//!
+//! Programs use the crate `dh-robot`, which calls these kernels; they are no stable interface.
 //!
 //! All tolerances have names and stand in [`tolerance`].
 
+#![cfg_attr(not(any(test, feature = "std")), no_std)]
 #![allow(clippy::neg_cmp_op_on_partial_ord)] // `!(x <= y)` is how NaN ends on the safe side
 
 mod arcs;

@@ -71,8 +71,8 @@ impl<const N: usize> Kinematics<N> for Chain<N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ik::pose::rotation_between;
-    use crate::ik::testing::{Rng, random_pose};
+    use crate::pose::rotation_between;
+    use crate::testing::{Rng, random_pose};
 
     #[test]
     fn jacobian_of_a_chain_is_its_derivative() {

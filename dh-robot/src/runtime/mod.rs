@@ -1,0 +1,14 @@
+//! What generated code calls, and nobody else: not a stable interface, it changes with the macro from version to version.
+
+pub mod lanes;
+
+pub use crate::inverse::{
+    Attempt, Pick, Setting, direction, frame_of, frame_of_axis, frame_of_plane, in_units, solve, to_pose,
+};
+pub use crate::math::{atan2, sin_cos};
+pub use crate::sincos::sincos_batch;
+pub use dh_kernels::general::{Choice, General6R};
+pub use dh_kernels::{
+    Drive, Kinematics, Pose, Task, TrigPoly, solve_bilinear_choosing, solve_half_turn,
+    solve_length_squared_and_angle_choosing, solve_many, solve_pair, solve_quadratic, solve_sincos,
+};
