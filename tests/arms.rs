@@ -117,7 +117,7 @@ fn classes(part: usize, of: usize) {
             let mut random = Random::new(1000 * (index as u64 + 1) + seed);
             (0..20).for_each(|_| _ = random.signed());
             let text = table(class, &mut || random.signed());
-            let arm = Compiled::new(&text).unwrap_or_else(|r| panic!("{class}: stuck after {:?}\n{text}", r.solved));
+            let arm = Compiled::new(&text).unwrap_or_else(|r| panic!("{class}: refused: {r:?}\n{text}"));
             let general = arm.inverse.plan.steps.iter().any(|s| s.kind == StepKind::General);
             let reach = arm.inverse.plan.axes.reach;
             // The general elimination takes its time in a build for tests.

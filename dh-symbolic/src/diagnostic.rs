@@ -166,6 +166,12 @@ pub struct Errors {
     untold: usize,
 }
 
+impl From<Error> for Errors {
+    fn from(error: Error) -> Errors {
+        Errors { list: vec![error], untold: 0 }
+    }
+}
+
 impl Errors {
     /// No errors yet.
     pub fn new() -> Errors {

@@ -4,8 +4,10 @@ use crate::chain::table::{Claims, Parsed, Sketch, parse};
 use crate::chain::{Chain, Scalar, Task};
 use crate::diagnostic::{Error, Errors, Place};
 use crate::kinematics::{Kinematics, claims};
-use crate::planner;
-use crate::program::{Forward, Inverse};
+use crate::planner::Refusal;
+use crate::program::{Disproof, Forward, Inverse};
+use crate::render::Language;
+use crate::render::refusal::{Subject, remarks};
 use crate::render::rust::{self, Head};
 use crate::render::rustdoc;
 use crate::render::verdict::complaints;
@@ -21,37 +23,61 @@ pub fn expand(input: TokenStream) -> TokenStream {
 
 /// The items of a table, and what is wrong with it: then the items are a stub of the type.
 pub fn compile(input: TokenStream) -> (TokenStream, Errors) {
-    let mut parsed = parse(input);
-    let head = head(&parsed);
-    let items =
-        parsed.spec.take().filter(|_| parsed.errors.is_empty()).map(|spec| items(&head, Chain::new(spec), &mut parsed));
-    let items = match items {
-        Some(items) if parsed.errors.is_empty() => items,
-        _ => stub(&head, &parsed.sketch),
-    };
-    (items, parsed.errors)
+    compile_table(&parse(input))
 }
 
-/// The items of a robot whose table is in order.
-fn items(head: &Head, chain: Chain, parsed: &mut Parsed) -> TokenStream {
-    check_derivation(&chain, parsed);
-    match Forward::derive(&chain) {
-        Ok(forward) => {
-            let inverse = if chain.ik { inverse(head, &chain, &forward, parsed) } else { String::new() };
-            rust::robot(head, &chain, &forward, &inverse, &rustdoc(&chain, &Kinematics::new(&chain)))
-        }
-        Err(difference) => {
-            let text = format!("{difference}; this is a defect of dh-symbolic");
-            parsed.errors.push(Error::new(Place::at(head.ident.span()), text));
-            TokenStream::new()
-        }
+/// The same for a table that has been read.
+pub fn compile_table(parsed: &Parsed) -> (TokenStream, Errors) {
+    let head = head(parsed);
+    match derive(parsed) {
+        Ok((chain, programs)) => (items(&head, &chain, &programs), Errors::new()),
+        Err(errors) => (stub(&head, &parsed.sketch), errors),
     }
 }
 
-/// Checks the lines of `prove` blocks: a wrong one is an error where it is wrong.
-fn check_derivation(chain: &Chain, parsed: &mut Parsed) {
+/// What is printed: programs that are proven, and an inverse that was tried.
+#[derive(Debug)]
+pub struct Programs {
+    /// Pose, frames, Jacobian.
+    pub forward: Forward,
+    /// `None` where the table asks for none.
+    pub inverse: Option<Inverse>,
+}
+
+/// The programs of a table that has been read.
+///
+/// # Errors
+/// All that is wrong: with the table, with the claims of its `prove` blocks, with the task it sets.
+pub fn derive(parsed: &Parsed) -> Result<(Chain, Programs), Errors> {
+    let Some(spec) = parsed.spec.as_ref().filter(|_| parsed.errors.is_empty()) else {
+        return Err(parsed.errors.clone());
+    };
+    let chain = Chain::new(spec.clone());
+    let mut errors = wrong_claims(&chain, parsed);
+    match programs(&chain, parsed) {
+        Ok(programs) if errors.is_empty() => return Ok((chain, programs)),
+        Ok(_) => {}
+        Err(more) => errors.extend(more),
+    }
+    Err(errors)
+}
+
+/// The programs of a chain whose table is in order, whatever its `prove` blocks say.
+///
+/// # Errors
+/// Why there is no inverse, at the places of the table.
+pub fn programs(chain: &Chain, parsed: &Parsed) -> Result<Programs, Errors> {
+    let forward = Forward::derive(chain).map_err(|difference| Errors::from(defect(parsed, &difference)));
+    let inverse = chain.ik.then(|| Inverse::of(chain)).transpose();
+    let inverse = inverse.map_err(|refusal| refused(chain, &refusal, parsed));
+    Ok(Programs { forward: forward?, inverse: inverse? })
+}
+
+/// The lines of `prove` blocks that are wrong or not understood.
+fn wrong_claims(chain: &Chain, parsed: &Parsed) -> Errors {
+    let mut errors = Errors::new();
     if parsed.claims.is_empty() {
-        return;
+        return errors;
     }
     let claims = Claims::read(&parsed.claims);
     let report = claims::check(chain, &claims.derivation);
@@ -59,65 +85,37 @@ fn check_derivation(chain: &Chain, parsed: &mut Parsed) {
         for (place, message, help) in complaints(&report, &claims.derivation, verdict) {
             let mut error = Error::new(claims.place(&place).unwrap_or_else(Place::call_site), message);
             error.help = help;
-            parsed.errors.push(error);
+            errors.push(error);
         }
     }
+    errors
 }
 
-/// The text of everything inverse; errors at the cells where the planner got stuck.
-fn inverse(head: &Head, chain: &Chain, forward: &Forward, parsed: &mut Parsed) -> String {
-    // Never more than six joints at once: a plan that leaves one to chance would be found, and fail.
-    let free = chain.dof() - usize::from(chain.redundant.is_some());
-    if free > 6 {
-        let text = format!(
-            "{free} joints leave the inverse open: say which one the caller chooses, `redundant = q3;`, or `ik = none;`"
-        );
-        parsed.errors.push(Error::new(parsed.origins.name, text));
-        return String::new();
-    }
-    let tilting = if chain.task == Task::Planar { planner::tilting_joints(chain) } else { Vec::new() };
-    if !tilting.is_empty() {
-        for joint in tilting {
-            let name = chain.joints.get(joint).map_or("", |j| j.name.as_str());
-            let text = format!("`{name}` tilts the tool, and `task = planar` asks for x, y and the angle about z only");
-            let help = "turning axes must be parallel to z of the base (`base = rx(90deg);` and the like turn the arm), or take another task";
-            parsed.errors.push(Error::new(parsed.origins.joint(joint), text).help(help));
-        }
-        return String::new();
-    }
-    if chain.task == Task::Planar && planner::is_upright(chain) {
-        let text = "`task = planar` asks for the angle of the tool's x axis about z, and this axis points along z";
-        let help = "turn the tool, `tool = ry(90deg);` for example, so that its x axis lies in the plane; or take another task";
-        parsed.errors.push(Error::new(parsed.origins.setting("task"), text).help(help));
-        return String::new();
-    }
-    let plan = match planner::search(chain) {
-        Ok(plan) => plan,
-        Err(refusal) => {
-            refuse(chain, &refusal, parsed);
-            return String::new();
-        }
-    };
-    let inverse = Inverse::derive(chain, plan);
-    if let Err((missed, of)) = inverse.check(chain, SAMPLES) {
-        let text = format!(
-            "the plan for the inverse missed {missed} of {of} sample poses, so it is not emitted; `ik = none;` asks for no inverse"
-        );
-        parsed.errors.push(Error::new(Place::at(head.ident.span()), text));
-    }
-    rust::inverse(chain, &head.ident.to_string(), forward, &inverse)
+/// A program that differs from what it was made of.
+fn defect(parsed: &Parsed, difference: &Disproof) -> Error {
+    Error::new(parsed.origins.name, format!("{difference}; this is a defect of dh-symbolic"))
 }
 
-/// Sample poses that every plan must solve before it is emitted.
-const SAMPLES: usize = 6;
-
-fn refuse(chain: &Chain, refusal: &planner::Refusal, parsed: &mut Parsed) {
-    let solved = if refusal.solved.is_empty() { "nothing".into() } else { refusal.solved.join(", ") };
-    for joint in &refusal.open {
-        let name = chain.joints.get(*joint).map_or("", |j| j.name.as_str());
-        let text = format!("no closed form was found for `{name}` (found: {solved}); `ik = none;` asks for no inverse");
-        parsed.errors.push(Error::new(parsed.origins.joint(*joint), text));
+/// The reasons why there is no inverse, each at the place of the table that it concerns.
+pub fn refused(chain: &Chain, refusal: &Refusal, parsed: &Parsed) -> Errors {
+    let mut errors = Errors::new();
+    for remark in remarks(chain, refusal, Language::English) {
+        let place = match remark.subject {
+            Subject::Robot => parsed.origins.name,
+            Subject::Joint(joint) => parsed.origins.joint(joint),
+            Subject::Task => parsed.origins.setting("task"),
+        };
+        errors.push(Error::new(place, remark.message).help(remark.help));
     }
+    errors
+}
+
+/// The code of a robot.
+fn items(head: &Head, chain: &Chain, programs: &Programs) -> TokenStream {
+    let forward = &programs.forward;
+    let inverse = programs.inverse.as_ref();
+    let inverse = inverse.map_or_else(String::new, |i| rust::inverse(chain, &head.ident.to_string(), forward, i));
+    rust::robot(head, chain, forward, &inverse, &rustdoc(chain, &Kinematics::new(chain)))
 }
 
 fn head(parsed: &Parsed) -> Head {
@@ -157,9 +155,9 @@ mod tests {
         let table = "struct A; convention = standard; | alpha | a | d | theta | | 0 | 1 | 0 | q1 | | 0 | 1 | q2 | 0 |";
         let mut parsed = parse(table.parse().unwrap());
         let chain = Chain::new(parsed.spec.take().unwrap());
-        refuse(&chain, &planner::Refusal { solved: vec!["q1".into()], open: vec![1] }, &mut parsed);
-        let drawn = parsed.errors.draw(table, "a.dh");
-        let message = "error: no closed form was found for `q2` (found: q1); `ik = none;` asks for no inverse";
+        let stuck = Refusal::Stuck { solved: vec!["q1".into()], open: vec![1] };
+        let drawn = refused(&chain, &stuck, &parsed).draw(table, "a.dh");
+        let message = "error: no closed form was found for `q2` (found: q1)";
         assert!(drawn.starts_with(message), "{drawn}");
         let carets = drawn.lines().find(|l| l.contains("^^")).unwrap();
         let line = drawn.lines().find(|l| l.contains("struct A")).unwrap();

@@ -93,6 +93,37 @@ fn a_bad_table_and_bad_usage_are_code_2() {
     assert_eq!(dh(&["--help"], "").0, 0);
 }
 
+/// What the macro refuses is refused by every command that rests on the inverse, at the same cells; notes say why.
+#[test]
+fn every_command_refuses_what_the_macro_refuses() {
+    let rows = |n: usize| -> String {
+        let row = |k| format!("| {} | 0 | 0.3 | q{k} |\n", ["90deg", "-90deg"][k % 2]);
+        (1..=n).map(row).collect()
+    };
+    let table = |setting: &str, rows: &str| {
+        format!("struct Arm; convention = modified; {setting}\n| alpha | a | d | theta |\n|--|--|--|--|\n{rows}")
+    };
+    let planar = "| 0 | 0 | 0 | q1 |\n| 0 | 0.3 | 0 | q2 |\n| 0 | 0.2 | 0 | q3 |\n";
+    for (table, what) in [
+        (table("task = planar;", &planar.replace("| 0 | 0.3", "| 90deg | 0.3")), "`q2` tilts the tool"),
+        (table("task = planar; tool = ry(90deg);", planar), "points along z"),
+        (table("", &rows(7)), "say which one the caller chooses"),
+        (table("redundant = q3;", &rows(8)), "write numbers instead"),
+    ] {
+        let expanded = dh(&["expand"], &table);
+        assert!(expanded.0 == 2 && expanded.2.contains(what), "{}", expanded.2);
+        for command in ["check", "plan"] {
+            assert_eq!(dh(&[command], &table), expanded, "{command}");
+        }
+        let (code, out, err) = dh(&["notes", "--parts", "inverse"], &table);
+        assert!(code == 0 && err.is_empty() && out.contains(&what.replace('`', "")), "{out}{err}");
+        let page = dh(&["page"], &table).1;
+        assert!(["tilts the tool", "points along z", "leave the inverse open"].iter().any(|part| page.contains(part)));
+        let unasked = table.replace("convention", "ik = none; convention").replacen("redundant = q3;", "", 1);
+        assert_eq!(dh(&["check"], &unasked).0, 0, "{unasked}");
+    }
+}
+
 #[test]
 fn expanded_code_is_rust() {
     let (code, out, err) = dh(&["expand"], &PLANAR.replace("convention", "task = position; convention"));

@@ -7,7 +7,8 @@ use dh_symbolic::chain::paper::Paper;
 use dh_symbolic::chain::table::{Claims, Parsed, parse};
 use dh_symbolic::diagnostic::lex;
 use dh_symbolic::kinematics::claims;
-use dh_symbolic::pipeline::compile;
+use dh_symbolic::pipeline::{compile_table, programs, refused};
+use dh_symbolic::planner::Refusal;
 use dh_symbolic::render::notes::{Options, notes};
 use dh_symbolic::render::{Document, Format, javascript, mdbook, page, plan, rust::pretty, verdict};
 use std::io::{Read, Write};
@@ -143,9 +144,12 @@ fn run(arguments: &[String]) -> Answer {
                     Err(message) => return Answer::bad(format!("error: {message}\n")),
                 }
             }
-            with_chain(&source, name, |parsed, chain| check(parsed, &chain, &papers))
+            with_chain(&source, name, |parsed, chain| check((&source, name), parsed, &chain, &papers))
         }
-        "plan" => with_chain(&source, name, |_, chain| Answer::good(show_plan(&request, &chain))),
+        "plan" => with_chain(&source, name, |parsed, chain| match show_plan(&request, &chain) {
+            Ok(text) => Answer::good(text),
+            Err(refusal) => Answer::bad(refused(&chain, &refusal, parsed).draw(&source, name)),
+        }),
         _ => expand(&source, name),
     };
     answer.to = request.out;
@@ -280,8 +284,8 @@ fn with_chain(source: &str, name: &str, go: impl FnOnce(&Parsed, Chain) -> Answe
         Ok(tokens) => tokens,
         Err(errors) => return Answer::bad(errors.draw(source, name)),
     };
-    let mut parsed = parse(tokens);
-    match parsed.spec.take().filter(|_| parsed.errors.is_empty()) {
+    let parsed = parse(tokens);
+    match parsed.spec.clone().filter(|_| parsed.errors.is_empty()) {
         Some(spec) => go(&parsed, Chain::new(spec)),
         None => Answer::bad(parsed.errors.draw(source, name)),
     }
@@ -295,7 +299,10 @@ fn derivation(parsed: &Parsed, chain: &Chain) -> (Claims, claims::Report) {
 }
 
 /// The claims of the table's file, and those of documents.
-fn check(parsed: &Parsed, chain: &Chain, papers: &[(&str, String)]) -> Answer {
+fn check((source, name): (&str, &str), parsed: &Parsed, chain: &Chain, papers: &[(&str, String)]) -> Answer {
+    if let Err(errors) = programs(chain, parsed) {
+        return Answer::bad(errors.draw(source, name));
+    }
     let mut out = format!("{}: {} rows, {} joints, in order\n", chain.name, chain.links.len(), chain.dof());
     let mut fine = true;
     if !parsed.claims.is_empty() {
@@ -313,20 +320,16 @@ fn check(parsed: &Parsed, chain: &Chain, papers: &[(&str, String)]) -> Answer {
 }
 
 /// The plan, or why there is none.
-fn show_plan(request: &Request, chain: &Chain) -> String {
+fn show_plan(request: &Request, chain: &Chain) -> Result<String, Refusal> {
     match request.format {
-        Some(format) => plan(chain, request.options.language).print(format),
+        Some(format) => Ok(plan(chain, request.options.language)?.print(format)),
         None => plan::mermaid(chain, request.options.language),
     }
 }
 
 fn expand(source: &str, name: &str) -> Answer {
     with_chain(source, name, |parsed, chain| {
-        let tokens = match lex(source) {
-            Ok(tokens) => tokens,
-            Err(errors) => return Answer::bad(errors.draw(source, name)),
-        };
-        let (items, errors) = compile(tokens);
+        let (items, errors) = compile_table(parsed);
         if !errors.is_empty() {
             let wrong = !derivation(parsed, &chain).1.is_fine();
             let err = errors.draw(source, name);

@@ -1,6 +1,6 @@
 //! What `task = planar` asks of an arm: that its tool turns about the base's z axis only.
 
-use crate::algebra::Poly;
+use crate::algebra::{Poly, Transform};
 use crate::chain::{Chain, Coordinate};
 use crate::kinematics::Kinematics;
 
@@ -11,17 +11,29 @@ pub(crate) fn constant_height(chain: &Chain) -> Option<Poly> {
     (!chain.joints.iter().any(|j| moves(height, &j.coordinate))).then(|| height.clone())
 }
 
-/// The joints that tilt the tool.
-pub fn tilting_joints(chain: &Chain) -> Vec<usize> {
-    let pose = Kinematics::new(chain).pose();
-    let tilts = |c: &Coordinate| pose.r[2].iter().any(|entry| moves(entry, c));
-    (0..chain.dof()).filter(|k| chain.joints.get(*k).is_some_and(|j| tilts(&j.coordinate))).collect()
+/// An arm with the pose of its tool, seen by a task in the plane.
+pub(super) struct Plane<'a> {
+    chain: &'a Chain,
+    pose: Transform,
 }
 
-/// Does the tool's x axis always stand along z, so that it has no angle about z?
-pub fn is_upright(chain: &Chain) -> bool {
-    let pose = Kinematics::new(chain).pose();
-    pose.r[0][0].is_zero() && pose.r[1][0].is_zero()
+impl Plane<'_> {
+    /// Forms the pose.
+    pub(super) fn new(chain: &Chain) -> Plane<'_> {
+        Plane { chain, pose: Kinematics::new(chain).pose() }
+    }
+
+    /// The joints that tilt the tool.
+    pub(super) fn tilting_joints(&self) -> Vec<usize> {
+        let tilts = |c: &Coordinate| self.pose.r[2].iter().any(|entry| moves(entry, c));
+        let joints = self.chain.joints.iter().enumerate();
+        joints.filter(|(_, j)| tilts(&j.coordinate)).map(|(k, _)| k).collect()
+    }
+
+    /// Does the tool's x axis always stand along z, so that it has no angle about z?
+    pub(super) fn is_upright(&self) -> bool {
+        self.pose.r[0][0].is_zero() && self.pose.r[1][0].is_zero()
+    }
 }
 
 fn moves(entry: &Poly, coordinate: &Coordinate) -> bool {

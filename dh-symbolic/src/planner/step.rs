@@ -63,12 +63,3 @@ pub struct Plan {
     /// Has the task directions in which the arm cannot move the tool at all? Then its targets lie on what it reaches up to rounding only.
     pub few: bool,
 }
-
-/// Why no plan was found.
-#[derive(Clone, Debug)]
-pub struct Refusal {
-    /// Joint combinations that were found before the search got stuck.
-    pub solved: Vec<String>,
-    /// Coordinates that remain.
-    pub open: Vec<usize>,
-}

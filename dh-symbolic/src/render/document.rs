@@ -104,6 +104,16 @@ impl Text {
         Text(out)
     }
 
+    /// A sentence whose names stand between backticks.
+    pub fn with_code(sentence: &str) -> Text {
+        let pieces = sentence.split('`').enumerate().filter(|(_, piece)| !piece.is_empty());
+        let span = |(i, piece): (usize, &str)| match i % 2 {
+            0 => Span::Plain(piece.to_string()),
+            _ => Span::Code(piece.to_string()),
+        };
+        Text(pieces.map(span).collect())
+    }
+
     /// Pieces with something between them.
     pub fn join(pieces: impl IntoIterator<Item = Text>, between: &str) -> Text {
         let mut out: Vec<Span> = Vec::new();

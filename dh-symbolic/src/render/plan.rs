@@ -1,39 +1,34 @@
 //! The plan of the inverse kinematics at a glance: a table of steps, and the flow from the pose to the joints.
 
+use super::Language;
 use super::document::{Block, Document, Span, Text};
 use super::math::Math;
 use super::notation::Notation;
+use super::notes::method;
 use super::notes::words::Phrase;
-use super::notes::{Language, method};
 use super::quantities::named_offsets;
 use super::story::{StepStory, Story};
 use super::text;
 use crate::chain::Chain;
-use crate::planner::{self, Axes, Pair, Structure};
+use crate::planner::{Axes, Pair, Refusal, Structure};
+use crate::program::Inverse;
 use std::fmt::Write;
 
 /// What the axes have in common, the steps of the plan (what each finds, how, from which earlier steps, how many solutions,
-/// where it fails), its equations, the flow chart; or at which joints the search got stuck.
-pub fn plan(chain: &Chain, language: Language) -> Document {
+/// where it fails), its equations, the flow chart.
+///
+/// # Errors
+/// Why the arm has no inverse.
+pub fn plan(chain: &Chain, language: Language) -> Result<Document, Refusal> {
     let named = named_offsets(chain);
     let chain = named.as_ref().unwrap_or(chain);
     let title = Phrase::PlanTitle.in_language(language).replace("{}", &chain.name);
     let mut blocks = structure(chain, language);
-    match planner::search(chain) {
-        Ok(plan) => {
-            let story = Story::new(chain, &plan, &Notation::textbook(chain));
-            blocks.extend(steps(&story, language));
-            blocks.push(Block::Code("mermaid", chart(&story, language)));
-        }
-        Err(refusal) => {
-            let names: Vec<&str> =
-                refusal.open.iter().filter_map(|k| chain.joints.get(*k)).map(|j| j.name.as_str()).collect();
-            let solved = if refusal.solved.is_empty() { "-".to_string() } else { refusal.solved.join(", ") };
-            let pieces = vec![Span::Code(names.join(", ")), Span::Code(solved)];
-            blocks.push(Block::Paragraph(Text::fill(Phrase::PlanOpen.in_language(language), pieces)));
-        }
-    }
-    Document { title, language: language.tag(), blocks }
+    let inverse = Inverse::of(chain)?;
+    let story = Story::new(chain, &inverse.plan, &Notation::textbook(chain));
+    blocks.extend(steps(&story, language));
+    blocks.push(Block::Code("mermaid", chart(&story, language)));
+    Ok(Document { title, language: language.tag(), blocks })
 }
 
 /// Which neighbouring axes are parallel or meet, by which cells of the table.
@@ -127,12 +122,15 @@ fn steps(story: &Story<'_>, language: Language) -> Vec<Block> {
     blocks
 }
 
-/// The flow chart alone; empty where there is no plan.
-pub fn mermaid(chain: &Chain, language: Language) -> String {
+/// The flow chart alone.
+///
+/// # Errors
+/// Why the arm has no inverse.
+pub fn mermaid(chain: &Chain, language: Language) -> Result<String, Refusal> {
     let named = named_offsets(chain);
     let chain = named.as_ref().unwrap_or(chain);
-    let plan = planner::search(chain);
-    plan.map_or_else(|_| String::new(), |plan| chart(&Story::new(chain, &plan, &Notation::textbook(chain)), language))
+    let inverse = Inverse::of(chain)?;
+    Ok(chart(&Story::new(chain, &inverse.plan, &Notation::textbook(chain)), language))
 }
 
 fn chart(story: &Story<'_>, language: Language) -> String {

@@ -18,10 +18,11 @@ use super::equation::{exact, weight};
 use super::known::{Collected, Knowledge};
 use super::mobility::Mobility;
 use super::pool::{Family, families};
+use super::refusal::{self, Refusal};
 use super::sample::{Sample, joint_vectors};
 use super::scalar::{Equation, Scalar, fold};
 use super::span::{Form, Span, numbers};
-use super::step::{Plan, Refusal, Step};
+use super::step::{Plan, Step};
 use crate::algebra::Poly;
 use crate::chain::{Chain, Handle, Role};
 use same::{Probes, Values, same};
@@ -35,8 +36,10 @@ const HEAVY: usize = 4000;
 /// Finds a plan.
 ///
 /// # Errors
-/// Where the arm's equations never come down to one or two unknowns, and it is no six-axis arm with turning joints only.
+/// Where the task does not suit the arm, or the arm's equations never come down to one or two unknowns and the general elimination does not
+/// take what is left.
 pub fn search(chain: &Chain) -> Result<Plan, Refusal> {
+    refusal::check(chain)?;
     let axes = Axes::new(chain);
     let families = families(&axes);
     let (knowledge, probes) = (Knowledge::new(&axes), Probes::new(&axes));
@@ -109,7 +112,7 @@ impl Search<'_> {
     }
 
     fn refusal(&self) -> Refusal {
-        Refusal {
+        Refusal::Stuck {
             solved: self.knowledge.known.iter().map(|k| k.name.clone()).collect(),
             open: (0..self.axes.real).filter(|k| !self.knowledge.has(&self.axes, *k)).collect(),
         }

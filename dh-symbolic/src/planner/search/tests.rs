@@ -17,7 +17,7 @@ fn outline(chain: &Chain) -> String {
             })
             .collect::<Vec<_>>()
             .join("\n"),
-        Err(r) => format!("stuck after {:?}, open {:?}", r.solved, r.open),
+        Err(refusal) => format!("{refusal:?}"),
     }
 }
 

@@ -14,7 +14,7 @@ use super::graph::{Graph, Value, ZERO};
 use super::{Names, Node};
 use crate::algebra::{Poly, Symbol};
 use crate::chain::Chain;
-use crate::planner::{Collected, Form, Knowledge, KnownPose, Plan, StepKind, combination};
+use crate::planner::{self, Collected, Form, Knowledge, KnownPose, Plan, Refusal, StepKind, combination};
 use lower::{Lower, Pose};
 
 /// The equations of one step, ready to be solved.
@@ -61,7 +61,22 @@ pub struct Inverse {
     pub names: [Names; 3],
 }
 
+/// Sample poses whose joint vectors a plan must find again.
+const SAMPLES: usize = 6;
+
 impl Inverse {
+    /// Plans an arm, lowers the plan and tries it on sample poses: what the macro, plans, notes and pages rest on.
+    ///
+    /// # Errors
+    /// Why there is no inverse, a plan that missed samples among it.
+    pub fn of(chain: &Chain) -> Result<Inverse, Refusal> {
+        let inverse = Inverse::derive(chain, planner::search(chain)?);
+        match inverse.check(chain, SAMPLES) {
+            Ok(()) => Ok(inverse),
+            Err((missed, of)) => Err(Refusal::Unconfirmed { missed, of }),
+        }
+    }
+
     /// Lowers a plan. Rows are, with "sum = 0":
     ///
     /// * `Linear` a, b of a d + b; `Quadratic` a, b, c;

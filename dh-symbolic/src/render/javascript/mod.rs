@@ -11,7 +11,7 @@ pub use arm::class;
 pub(in crate::render) use text::string;
 
 use crate::chain::{Chain, Scalar};
-use crate::planner::{self, StepKind};
+use crate::planner::{Refusal, StepKind};
 use crate::program::{Disproof, Forward, Inverse};
 
 /// The kernels that every arm shares.
@@ -24,8 +24,8 @@ pub enum Solver {
     Closed(Box<Inverse>),
     /// The plan is the elimination of the general six-axis arm, which is not ported: by Newton's method from many starts.
     Numeric,
-    /// There is no plan: the same.
-    Unplanned,
+    /// There is no plan, for this reason: the same.
+    Refused(Refusal),
     /// The table asks for no inverse.
     Unwanted,
 }
@@ -36,20 +36,13 @@ impl Solver {
         if !chain.ik {
             return Solver::Unwanted;
         }
-        if chain.dof() > 6 + usize::from(chain.redundant.is_some()) {
-            return Solver::Unplanned;
+        match Inverse::of(chain) {
+            Ok(inverse) if inverse.plan.steps.iter().any(|s| s.kind == StepKind::General) => Solver::Numeric,
+            Ok(inverse) => Solver::Closed(Box::new(inverse)),
+            Err(refusal) => Solver::Refused(refusal),
         }
-        let Ok(plan) = planner::search(chain) else { return Solver::Unplanned };
-        if plan.steps.iter().any(|s| s.kind == StepKind::General) {
-            return Solver::Numeric;
-        }
-        let inverse = Inverse::derive(chain, plan);
-        if inverse.check(chain, SAMPLES).is_err() { Solver::Unplanned } else { Solver::Closed(Box::new(inverse)) }
     }
 }
-
-/// Sample poses that a plan must solve before it is printed.
-const SAMPLES: usize = 6;
 
 /// Kernels and class of a robot: a script that defines `Arm`.
 ///

@@ -4,7 +4,6 @@ use super::given;
 use crate::algebra::{Point, Poly, Rational, Transform};
 use crate::chain::{AngleCell, Chain, Coordinate, Handle, Quantity, Role, Task, Value};
 use crate::kinematics::Kinematics;
-use crate::planner::{self, Plan};
 use crate::program::Inverse;
 use dh_kernels::pose::Pose;
 use std::f64::consts::TAU;
@@ -20,7 +19,7 @@ pub(super) fn generic_degrees(k: usize) -> f64 {
 /// The arm in numbers.
 pub(super) struct Arm {
     pub(super) chain: Chain,
-    pub(super) plan: Plan,
+    pub(super) inverse: Inverse,
     pose: Transform,
 }
 
@@ -34,9 +33,9 @@ pub(super) struct Found {
 impl Arm {
     pub(super) fn new(chain: &Chain) -> Option<Arm> {
         let chain = concrete(chain);
-        let plan = planner::search(&chain).ok()?;
+        let inverse = Inverse::of(&chain).ok()?;
         let pose = Kinematics::new(&chain).pose();
-        Some(Arm { chain, plan, pose })
+        Some(Arm { chain, inverse, pose })
     }
 
     pub(super) fn dof(&self) -> usize {
@@ -67,7 +66,7 @@ impl Arm {
             let x = if self.turns(k) {
                 (DEGREES[k % DEGREES.len()] as f64).to_radians()
             } else {
-                slide(self.plan.axes.reach)
+                slide(self.inverse.plan.axes.reach)
             };
             match self.range(k).filter(|_| !self.contains(k, x)) {
                 Some((low, high)) => low + 0.4 * (high - low),
@@ -168,13 +167,13 @@ impl Arm {
 
     /// All solutions, greatest first value first, and the greatest error.
     pub(super) fn solve(&self, goal: &Pose, q: &[f64]) -> (Vec<Found>, f64) {
-        let reach = self.plan.axes.reach;
+        let reach = self.inverse.plan.axes.reach;
         let mut target = *goal;
         for row in &mut target {
             row[3] /= reach;
         }
         let x = self.coordinates(q);
-        let known = self.plan.knowledge.known.iter().take(self.plan.given);
+        let known = self.inverse.plan.knowledge.known.iter().take(self.inverse.plan.given);
         let given: Vec<f64> = known
             .map(|k| {
                 let value =
@@ -182,9 +181,8 @@ impl Arm {
                 k.form.iter().zip(x.iter().enumerate()).map(value).sum()
             })
             .collect();
-        let inverse = Inverse::derive(&self.chain, self.plan.clone());
         let (mut found, mut worst): (Vec<Found>, f64) = (Vec::new(), 0.0);
-        for candidate in inverse.solve(&self.chain, &target, &given) {
+        for candidate in self.inverse.solve(&self.chain, &target, &given) {
             let y: Vec<f64> = (0..self.dof())
                 .map(|k| {
                     let x = candidate.x.get(k).copied().unwrap_or(f64::NAN);

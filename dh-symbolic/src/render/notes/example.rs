@@ -132,7 +132,7 @@ impl Writer<'_> {
 
     /// Places of lengths, from the size of the arm.
     fn places(&self, arm: &Arm) -> usize {
-        (4.0 - arm.plan.axes.reach.log10().floor()).clamp(0.0, 6.0) as usize
+        (4.0 - arm.inverse.plan.axes.reach.log10().floor()).clamp(0.0, 6.0) as usize
     }
 
     /// The pose, as far as the task asks for it.

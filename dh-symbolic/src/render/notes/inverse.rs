@@ -3,9 +3,11 @@
 use super::{Block, Equation, Math, Phrase, Sign, Span, Text, Writer};
 use crate::algebra::Transform;
 use crate::chain::Task;
-use crate::planner::{self, StepKind};
+use crate::planner::StepKind;
+use crate::program::Inverse;
 use crate::render::frames::Frame;
 use crate::render::story::{Source, StepStory, Story};
+use crate::render::{Language, refusal};
 
 impl Writer<'_> {
     pub(super) fn inverse(&mut self) {
@@ -13,10 +15,12 @@ impl Writer<'_> {
             return;
         }
         self.heading(1, Phrase::Inverse);
-        let plan = match planner::search(self.chain) {
-            Ok(plan) => plan,
-            Err(_) => {
+        let plan = match Inverse::of(self.chain) {
+            Ok(inverse) => inverse.plan,
+            Err(refusal) => {
                 self.say(Phrase::NoInverse, vec![]);
+                let reasons = refusal::remarks(self.chain, &refusal, self.options.language);
+                self.blocks.push(Block::List(reasons.iter().map(|r| Text::with_code(&r.sentences())).collect()));
                 return;
             }
         };
@@ -110,7 +114,7 @@ impl Writer<'_> {
     fn step(&mut self, story: &Story<'_>, number: usize, step: &StepStory) {
         let mut title = Text::from(self.words(Phrase::StepTitle).replace("{}", &number.to_string()));
         title.0.extend(listed(&step.unknown));
-        let colon = if self.options.language == super::Language::Chinese { "，" } else { " from " };
+        let colon = if self.options.language == Language::Chinese { "，" } else { " from " };
         title.0.push(Span::Plain(format!("{colon}{}", self.words(method(step)))));
         self.blocks.push(Block::Heading(2, title));
         self.poses(story, step);
@@ -211,7 +215,7 @@ impl Writer<'_> {
             1 => Text::from(self.words(Phrase::OneSolution)),
             n => Text::fill(self.words(Phrase::Solutions), vec![Span::Plain(n.to_string())]),
         };
-        let space = if self.options.language == super::Language::Chinese { "" } else { " " };
+        let space = if self.options.language == Language::Chinese { "" } else { " " };
         let mut add = |more: Text| {
             text.0.push(Span::Plain(space.to_string()));
             text.0.extend(more.0);

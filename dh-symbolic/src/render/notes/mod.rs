@@ -23,7 +23,6 @@ mod workspace;
 pub(super) use inverse::method;
 pub use options::{Options, Part};
 pub(super) use steps::equation_numbers;
-pub use words::Language;
 
 use super::document::{Block, Document, Equation, Span, Text};
 use super::expression::{Expression, Wave};

@@ -1,6 +1,6 @@
 //! How notes are written: language, width, parts, notation, which products, which example; read from a command line.
 
-use super::Language;
+use crate::render::Language;
 use crate::render::style::{Style, Transforms};
 
 /// A part of a note.

@@ -4,6 +4,7 @@ use super::*;
 use crate::algebra::Poly;
 use crate::chain::samples::*;
 use crate::render::Format;
+use crate::render::Language;
 
 fn entries(t: &Transform) -> impl Iterator<Item = Poly> + '_ {
     (0..3).flat_map(|i| (0..4).map(move |j| (i, j))).map(|(i, j)| t.entry(i, j))
@@ -90,8 +91,8 @@ fn notes_in_other_formats_and_in_chinese() {
 fn plans_and_flow_charts() {
     for (name, table) in [("puma", PUMA), ("ur5", UR5), ("panda", PANDA)] {
         let chain = chain(table);
-        let text = crate::render::plan(&chain, Language::English).print(Format::Text);
-        let chart = crate::render::plan::mermaid(&chain, Language::Chinese);
+        let text = crate::render::plan(&chain, Language::English).unwrap().print(Format::Text);
+        let chart = crate::render::plan::mermaid(&chain, Language::Chinese).unwrap();
         let both = format!("{text}\n{chart}");
         insta::with_settings!({ omit_expression => true }, { insta::assert_snapshot!(format!("{name}_plan"), both) });
     }

@@ -11,13 +11,13 @@ const SAME: f64 = 1e-6;
 impl Writer<'_> {
     /// A table in the order of the steps; what equals the cell above, with all cells before it, is left empty.
     pub(super) fn tree(&mut self, arm: &Arm, found: &[Found]) {
-        let real = |f: &Form| f.iter().skip(arm.plan.axes.real).all(|k| *k == 0);
-        let forms: Vec<&Form> = arm.plan.steps.iter().flat_map(|s| &s.unknown).collect();
-        let several = arm.plan.steps.iter().any(|s| s.roots > 1);
+        let real = |f: &Form| f.iter().skip(arm.inverse.plan.axes.real).all(|k| *k == 0);
+        let forms: Vec<&Form> = arm.inverse.plan.steps.iter().flat_map(|s| &s.unknown).collect();
+        let several = arm.inverse.plan.steps.iter().any(|s| s.roots > 1);
         if found.len() < 3 || !several || forms.len() < 2 || !forms.iter().all(|f| real(f)) {
             return;
         }
-        let story = Story::new(&arm.chain, &arm.plan, &self.notation);
+        let story = Story::new(&arm.chain, &arm.inverse.plan, &self.notation);
         let names: Vec<Math> = story.steps.iter().flat_map(|s| s.unknown.iter().cloned()).collect();
         let value = |form: &Form, x: &[f64]| -> (f64, bool) {
             let sum: f64 = form.iter().zip(x).map(|(k, x)| f64::from(*k) * x).sum();

@@ -1,24 +1,6 @@
 //! All prose of the notes, in every language. `{}` takes a formula or name.
 
-/// Language of a note.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Language {
-    /// English.
-    #[default]
-    English,
-    /// Chinese, simplified.
-    Chinese,
-}
-
-impl Language {
-    /// Language tag.
-    pub fn tag(self) -> &'static str {
-        match self {
-            Language::English => "en",
-            Language::Chinese => "zh",
-        }
-    }
-}
+use crate::render::Language;
 
 macro_rules! phrases {
     ($($(#[$doc:meta])* $name:ident: $english:literal, $chinese:literal;)*) => {
@@ -150,13 +132,12 @@ phrases! {
     PlanPoses: "Capital letters are the given pose with known motions taken off; small letters are their elements:",
         "大写字母是去掉已知运动后的位姿，小写字母是其元素：";
     PlanTotal: "At most {} solutions ({}).", "最多 {} 个解（{}）。";
-    PlanOpen: "No closed form was found for {} (found: {}).", "没有找到 {} 的封闭解（已求得：{}）。";
     AxesParallel: "axes {} and {} are parallel", "轴 {} 与轴 {} 平行";
     AxesMeet: "axes {} and {} meet", "轴 {} 与轴 {} 相交";
     AxesSkew: "axes {} and {} are skew", "轴 {} 与轴 {} 异面";
     AxesPoint: "axes {}, {} and {} pass through one point", "轴 {}、{}、{} 交于一点";
     PlanPose: "the given pose", "已知位姿";
-    NoInverse: "No closed form of the inverse was found.", "没有找到逆解的封闭形式。";
+    NoInverse: "There is no inverse in closed form:", "没有封闭形式的逆解：";
     Eliminate: "The two equations are linear in sine and cosine of either angle. Eliminating {} leaves a polynomial of degree {} in {}; each of its real roots gives one {}.",
         "两个方程对每个角的正弦和余弦都是线性的。消去 {} 得到次数为 {} 的关于 {} 的多项式；每个实根给出一个 {}。";
     SecondHarmonic: "With {} this is a polynomial of degree 4, whose real roots are found.", "令 {}，得到 4 次多项式，求其实根。";

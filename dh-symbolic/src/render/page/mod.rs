@@ -8,6 +8,7 @@ use super::document::Block;
 use super::html;
 use super::javascript::{RUNTIME, Solver, class};
 use super::notes::{Options, matrices};
+use super::{Language, refusal};
 use crate::chain::{Chain, Scalar};
 use crate::program::{Disproof, Forward};
 use words::{object, words};
@@ -21,11 +22,19 @@ pub fn page(chain: &Chain, options: &Options) -> Result<String, Disproof> {
     let numbers = Chain { scalar: Scalar::F64, ..chain.clone() };
     let solver = Solver::of(&numbers);
     let arm = class(&numbers, &Forward::derive(&numbers)?, &solver);
-    let (how, wanted) = match solver {
+    let (how, wanted) = match &solver {
         Solver::Closed(_) => ("closed", true),
         Solver::Numeric => ("numeric", true),
-        Solver::Unplanned => ("unplanned", true),
+        Solver::Refused(_) => ("unplanned", true),
         Solver::Unwanted => ("unwanted", false),
+    };
+    let reason = match &solver {
+        Solver::Refused(refusal) => {
+            let remarks = refusal::remarks(chain, refusal, language);
+            let (space, stop) = if language == Language::Chinese { ("", "。") } else { (" ", ".") };
+            remarks.iter().map(|r| format!("{space}{}{stop}", r.message.replace('`', ""))).collect()
+        }
+        _ => String::new(),
     };
     let script = format!(
         "\"use strict\";\n(() => {{\nconst WANTED = {wanted};\n{}{}\n{arm}\n{}\n{}}})();\n",
@@ -81,7 +90,7 @@ pub fn page(chain: &Chain, options: &Options) -> Result<String, Disproof> {
         w("jacobian"),
         w("pose"),
         w("solutions"),
-        w(how),
+        w(how).to_string() + &html::escape(&reason),
         w("formulas"),
     ))
 }

@@ -1,6 +1,6 @@
 //! What the interactive page says, in every language.
 
-use super::super::notes::Language;
+use crate::render::Language;
 
 /// Key in the script (or in the page's template), English, Chinese.
 const WORDS: &[(&str, &str, &str)] = &[

@@ -1,0 +1,89 @@
+//! Why an arm gets no inverse for its task: reasons as data, and the limits that are checked before any search.
+
+use super::plane::Plane;
+use crate::chain::{Chain, Task};
+
+/// Joints that an inverse can leave to be solved for: a pose has six coordinates.
+pub const MOST_OPEN_JOINTS: usize = 6;
+
+/// Why there is no inverse. `render::refusal` puts it into words.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Refusal {
+    /// More joints are open than a pose has coordinates.
+    TooManyJoints {
+        /// Joints that have to be solved for.
+        open: usize,
+        /// Joints that the caller gives.
+        given: usize,
+    },
+    /// `task = planar` asks for an angle about z only, and these joints (from 0) tilt the tool.
+    Tilting(Vec<usize>),
+    /// `task = planar` asks for the angle of the tool's x axis about z, and this axis always points along z.
+    Upright,
+    /// The equations never come down to one or two unknowns.
+    Stuck {
+        /// Joint combinations that were found before the search got stuck.
+        solved: Vec<String>,
+        /// Joints (from 0) that remain.
+        open: Vec<usize>,
+    },
+    /// A plan was found, but it does not find the joint vectors of all sample poses.
+    Unconfirmed {
+        /// Samples that were not found.
+        missed: usize,
+        /// Of so many.
+        of: usize,
+    },
+}
+
+/// Does the task suit the arm at all?
+///
+/// # Errors
+/// The first reason why it does not.
+pub(super) fn check(chain: &Chain) -> Result<(), Refusal> {
+    let given = usize::from(chain.redundant.is_some());
+    let open = chain.dof().saturating_sub(given);
+    // A plan that leaves a joint to chance would be found, and fail.
+    if open > MOST_OPEN_JOINTS {
+        return Err(Refusal::TooManyJoints { open, given });
+    }
+    if chain.task == Task::Planar {
+        let plane = Plane::new(chain);
+        let tilting = plane.tilting_joints();
+        if !tilting.is_empty() {
+            return Err(Refusal::Tilting(tilting));
+        }
+        if plane.is_upright() {
+            return Err(Refusal::Upright);
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::chain::samples::chain;
+    use crate::planner::search;
+
+    fn refusal(settings: &str, rows: &str) -> Option<Refusal> {
+        let table = format!("struct A; convention = modified; {settings}\n| alpha | a | d | theta |\n{rows}");
+        search(&chain(&table)).err()
+    }
+
+    #[test]
+    fn tasks_that_do_not_suit_the_arm() {
+        let planar = "| 0 | 0 | 0 | q1 |\n| 0 | 0.3 | 0 | q2 |\n| 0 | 0.2 | 0 | q3 |\n";
+        assert_eq!(refusal("task = planar;", planar), None);
+        assert_eq!(refusal("task = planar; tool = ry(90deg);", planar), Some(Refusal::Upright));
+        let tilted = planar.replace("| 0 | 0.3", "| 90deg | 0.3");
+        assert_eq!(refusal("task = planar;", &tilted), Some(Refusal::Tilting(vec![1, 2])));
+        let rows = |n: usize| -> String {
+            let row = |k| format!("| {} | 0 | {} | q{k} |\n", ["90deg", "-90deg"][k % 2], ["0.3", "0"][k % 2]);
+            (1..=n).map(row).collect()
+        };
+        assert_eq!(refusal("", &rows(7)), Some(Refusal::TooManyJoints { open: 7, given: 0 }));
+        assert_eq!(refusal("redundant = q3;", &rows(8)), Some(Refusal::TooManyJoints { open: 7, given: 1 }));
+        assert_eq!(refusal("redundant = q3;", &rows(7)), None);
+    }
+}
