@@ -104,3 +104,31 @@ fn every_file_says_what_it_is() {
         .collect();
     assert!(silent.is_empty(), "files without `//!`: {silent:?}");
 }
+
+/// The packages that are published, by folder.
+const PUBLISHED: [&str; 4] = ["dh-macro", "dh-robot", "dh-robot/kernels", "dh-symbolic"];
+
+#[test]
+fn packages_carry_licences_a_readme_and_their_documentation() {
+    let text = |path: &str| fs::read_to_string(root().join(path)).unwrap_or_else(|e| panic!("{path}: {e}"));
+    let manifest = text("Cargo.toml");
+    for folder in PUBLISHED {
+        for licence in ["LICENSE-APACHE", "LICENSE-MIT"] {
+            assert_eq!(
+                text(&format!("{folder}/{licence}")),
+                text(licence),
+                "{folder}/{licence} is not the workspace's"
+            );
+        }
+        let package = text(&format!("{folder}/Cargo.toml"));
+        let name = package.split('"').nth(1).expect("a name");
+        assert!(package.contains(&format!("documentation = \"https://docs.rs/{name}\"")), "{name}: documentation");
+        assert!(text(&format!("{folder}/README.md")).starts_with(&format!("# {name}\n")), "{name}: README.md");
+        assert!(text(".ci/package").contains(name), "{name} is not packed by .ci/package");
+    }
+    let version = manifest.split("\nversion = \"").nth(1).expect("a version").split(['.', '"']).take(2);
+    let version = version.collect::<Vec<_>>().join(".");
+    for dependency in text("dh-robot/README.md").lines().filter(|line| line.starts_with("dh-robot = ")) {
+        assert!(dependency.contains(&format!("\"{version}\"")), "dh-robot/README.md: {dependency}");
+    }
+}

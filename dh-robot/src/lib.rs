@@ -5,7 +5,7 @@
 //! frames, the geometric Jacobian and *all* solutions of the inverse kinematics. No iteration from a guess, no heap, no
 //! `unsafe`, no standard library if you have none.
 //!
-//! ```ignore
+//! ```
 //! use dh_robot::dh_robot;
 //!
 //! dh_robot! {
@@ -273,3 +273,8 @@ pub use sincos::sincos_batch;
 pub use solution::Solution;
 pub use solutions::Solutions;
 pub use why::Why;
+
+/// The programs in the README are compiled and run with the tests of the documentation.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
