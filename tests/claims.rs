@@ -1,10 +1,11 @@
 //! The corpus of hand derivations: every printed line is checked by the algebra, and the verdicts stay what they are.
 
 use dh_symbolic::chain::Chain;
-use dh_symbolic::chain::claim::{Derivation, Token, line_text};
-use dh_symbolic::chain::table::{Claims, parse};
-use dh_symbolic::kinematics::claims::{Verdict, check};
-use dh_symbolic::render::verdict::{derivation_report, verdict_word};
+use dh_symbolic::chain::table::parse;
+use dh_symbolic::verify::Claims;
+use dh_symbolic::verify::check::{Verdict, check};
+use dh_symbolic::verify::language::{Derivation, Token, line_text};
+use dh_symbolic::verify::report::{derivation_report, verdict_word};
 use generated_examples::corpus::{self, Checked};
 use std::collections::BTreeMap;
 use std::fmt::Write;

@@ -1,6 +1,6 @@
 //! The committed expansions are what the macro makes today. (`cargo regen --check` looks at the notes as well.)
 
-use dh_symbolic::render::rust::pretty;
+use dh_symbolic::render::code::rust::pretty;
 use generated_examples::source;
 
 #[test]

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use std::io::Write;
 use std::process::{Command, Stdio};
 
-use dh_symbolic::render::javascript::script;
+use dh_symbolic::render::code::javascript::script;
 use dh_tests::engine::{Interpreter, spec};
 use dh_tests::naive::Matrix;
 use dh_tests::sample::{Random, joint_vectors};

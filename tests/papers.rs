@@ -1,12 +1,12 @@
 //! Whole documents against their tables: the slides as printed, hand-typed derivations, and our own notes read back.
 
 use dh_symbolic::chain::Chain;
-use dh_symbolic::chain::paper::Paper;
 use dh_symbolic::chain::table::parse;
-use dh_symbolic::kinematics::claims::{Report, Verdict, check};
-use dh_symbolic::render::notes::Part;
-use dh_symbolic::render::verdict::paper_text;
+use dh_symbolic::render::document::notes::Part;
 use dh_symbolic::render::{Format, Options, notes};
+use dh_symbolic::verify::check::{Report, Verdict, check};
+use dh_symbolic::verify::document::Paper;
+use dh_symbolic::verify::report::paper_text;
 use generated_examples::{corpus, source};
 use std::path::Path;
 

@@ -1,16 +1,17 @@
 //! The whole way, from tokens to output, in one screen.
 
-use crate::chain::table::{Claims, Parsed, Sketch, parse};
+use crate::chain::table::{Parsed, Sketch, parse};
 use crate::chain::{Chain, Scalar, Task};
 use crate::diagnostic::{Error, Errors, Place};
-use crate::kinematics::{Kinematics, claims};
+use crate::kinematics::Kinematics;
 use crate::planner::Refusal;
 use crate::program::{Disproof, Forward, Inverse};
 use crate::render::Language;
+use crate::render::code::rust::{self, Head};
 use crate::render::refusal::{Subject, remarks};
-use crate::render::rust::{self, Head};
 use crate::render::rustdoc;
-use crate::render::verdict::complaints;
+use crate::verify::report::complaints;
+use crate::verify::{Claims, check};
 use proc_macro2::{Ident, Span, TokenStream};
 
 /// Expands the body of `dh_robot!`: items, or errors beside a stub of the type.
@@ -80,7 +81,7 @@ fn wrong_claims(chain: &Chain, parsed: &Parsed) -> Errors {
         return errors;
     }
     let claims = Claims::read(&parsed.claims);
-    let report = claims::check(chain, &claims.derivation);
+    let report = check::check(chain, &claims.derivation);
     for verdict in &report.verdicts {
         for (place, message, help) in complaints(&report, &claims.derivation, verdict) {
             let mut error = Error::new(claims.place(&place).unwrap_or_else(Place::call_site), message);

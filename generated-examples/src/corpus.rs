@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 use dh_symbolic::chain::Chain;
-use dh_symbolic::chain::table::{Claims, parse};
-use dh_symbolic::kinematics::claims::{Report, check};
-use dh_symbolic::render::errata::{Page, errata};
+use dh_symbolic::chain::table::parse;
+use dh_symbolic::verify::Claims;
+use dh_symbolic::verify::check::{Report, check};
+use dh_symbolic::verify::errata::{Page, errata};
 use proc_macro2::TokenStream;
 
 /// One file of the corpus, checked.

@@ -32,6 +32,7 @@ pub use angle::Angle;
 pub(crate) use determinant::{adjugate, determinant};
 pub use evaluate::Point;
 pub use field::{Element, FieldPoint};
+#[cfg(feature = "documents")]
 pub(crate) use matrix::cross;
 pub(crate) use matrix::dot;
 pub use matrix::{Transform, Vector};

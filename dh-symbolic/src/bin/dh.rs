@@ -3,14 +3,15 @@
 //! Exit code 0: done. 1: a claim of a `prove` block is wrong. 2: bad usage or a bad table.
 
 use dh_symbolic::chain::Chain;
-use dh_symbolic::chain::paper::Paper;
-use dh_symbolic::chain::table::{Claims, Parsed, parse};
+use dh_symbolic::chain::table::{Parsed, parse};
 use dh_symbolic::diagnostic::lex;
-use dh_symbolic::kinematics::claims;
 use dh_symbolic::pipeline::{compile_table, programs, refused};
 use dh_symbolic::planner::Refusal;
-use dh_symbolic::render::notes::{Options, notes};
-use dh_symbolic::render::{Document, Format, javascript, mdbook, page, plan, rust::pretty, verdict};
+use dh_symbolic::render::code::{javascript, rust::pretty};
+use dh_symbolic::render::document::notes::{Options, notes};
+use dh_symbolic::render::document::{Document, Format, mdbook, page, plan};
+use dh_symbolic::verify::document::Paper;
+use dh_symbolic::verify::{Claims, check, report};
 use std::io::{Read, Write};
 use std::path::Path;
 use std::process::ExitCode;
@@ -292,9 +293,9 @@ fn with_chain(source: &str, name: &str, go: impl FnOnce(&Parsed, Chain) -> Answe
 }
 
 /// The verdicts on the `prove` blocks.
-fn derivation(parsed: &Parsed, chain: &Chain) -> (Claims, claims::Report) {
+fn derivation(parsed: &Parsed, chain: &Chain) -> (Claims, check::Report) {
     let claims = Claims::read(&parsed.claims);
-    let report = claims::check(chain, &claims.derivation);
+    let report = check::check(chain, &claims.derivation);
     (claims, report)
 }
 
@@ -307,13 +308,13 @@ fn check((source, name): (&str, &str), parsed: &Parsed, chain: &Chain, papers: &
     let mut fine = true;
     if !parsed.claims.is_empty() {
         let (claims, report) = derivation(parsed, chain);
-        out.push_str(&verdict::check_text(&report, &claims));
+        out.push_str(&report::check_text(&report, &claims));
         fine &= report.is_fine();
     }
     for (path, text) in papers {
         let paper = Paper::read(chain, text);
-        let report = claims::check(chain, &paper.derivation);
-        out.push_str(&format!("\n{path}\n{}", verdict::paper_text(&report, &paper)));
+        let report = check::check(chain, &paper.derivation);
+        out.push_str(&format!("\n{path}\n{}", report::paper_text(&report, &paper)));
         fine &= report.is_fine();
     }
     Answer { out, err: String::new(), code: if fine { 0 } else { WRONG }, to: None }

@@ -5,9 +5,7 @@
 //! **Never here:** tokens (only `table/` reads them), formulas of products (that is `kinematics`), floats.
 
 mod build;
-pub mod claim;
 mod convention;
-pub mod paper;
 #[cfg(test)]
 pub(crate) mod samples;
 mod spec;

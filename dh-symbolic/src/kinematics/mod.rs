@@ -5,14 +5,12 @@
 //!
 //! **Never here:** how to compute fast (that is `program`), how to print.
 
-pub mod claims;
+#[cfg(feature = "documents")]
+pub mod analysis;
 mod forward;
 mod jacobian;
-pub mod reach;
 mod segments;
-pub mod singular;
 
 pub use forward::Kinematics;
 pub use jacobian::jacobian;
 pub use segments::{Block, BlockJoint, FrameMark, Piece, Wave, blocks};
-pub use singular::singular;

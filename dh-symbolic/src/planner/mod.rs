@@ -30,6 +30,7 @@ pub use axes::{Axes, Hop};
 pub(crate) use axes::{generic_parameter, numeric};
 pub use known::{Collected, Knowledge, Known, KnownPose, Part};
 pub use mobility::Mobility;
+#[cfg(feature = "documents")]
 pub(crate) use plane::constant_height;
 pub use refusal::{MOST_OPEN_JOINTS, Refusal};
 pub(crate) use sample::joint_vectors;

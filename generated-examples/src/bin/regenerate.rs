@@ -13,7 +13,7 @@ use std::{fs, io};
 
 use dh_symbolic::chain::Chain;
 use dh_symbolic::chain::table::parse;
-use dh_symbolic::render::rust::pretty;
+use dh_symbolic::render::code::rust::pretty;
 use dh_symbolic::render::{Options, notes, page};
 use generated_examples::corpus;
 use generated_examples::source::{self, Source};

@@ -20,7 +20,6 @@ mod names;
 mod number;
 mod origin;
 mod parameters;
-mod prove;
 mod radians;
 mod range;
 mod rows;
@@ -31,10 +30,9 @@ mod statements;
 mod sum;
 #[cfg(test)]
 mod tests;
-mod text;
+pub(crate) mod text;
 
 pub use origin::{Column, Origins};
-pub use prove::Claims;
 pub use statements::{ClaimTokens, Head};
 
 use super::{AngleCell, ChainSpec, MotionSpec, Quantity, Scalar, Task};

@@ -14,7 +14,7 @@ pub(super) fn of(tokens: &[TokenTree]) -> String {
 }
 
 /// What stands around a group.
-pub(super) fn brackets(delimiter: Delimiter) -> (&'static str, &'static str) {
+pub(crate) fn brackets(delimiter: Delimiter) -> (&'static str, &'static str) {
     match delimiter {
         Delimiter::Parenthesis => ("(", ")"),
         Delimiter::Bracket => ("[", "]"),

@@ -1,0 +1,4 @@
+//! What follows from the exact transforms about a whole arm: its singular poses and its workspace.
+
+pub mod reach;
+pub mod singular;

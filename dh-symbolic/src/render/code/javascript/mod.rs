@@ -1,0 +1,56 @@
+//! The JavaScript backend: the same straight-line programs as the Rust backend prints, for the interactive page.
+//!
+//! [`script`] is a whole program: kernels written by hand ([`RUNTIME`]) and a class `Arm` with `forward`, `frames`, `jacobian` and
+//! `inverse` of the one robot. Poses are the upper three rows `[R | p]` as lists; angles in radians, lengths in the table's unit.
+
+mod arm;
+mod candidates;
+mod text;
+
+pub use arm::class;
+pub(in crate::render) use text::string;
+
+use crate::chain::{Chain, Scalar};
+use crate::planner::{Refusal, StepKind};
+use crate::program::{Disproof, Forward, Inverse};
+
+/// The kernels that every arm shares.
+pub const RUNTIME: [&str; 3] =
+    [include_str!("runtime/kernels.js"), include_str!("runtime/roots.js"), include_str!("runtime/solve.js")];
+
+/// How the page finds the joints that reach a pose.
+#[derive(Clone, Debug)]
+pub enum Solver {
+    /// By the plan: all solutions.
+    Closed(Box<Inverse>),
+    /// The plan is the elimination of the general six-axis arm, which is not ported: by Newton's method from many starts.
+    Numeric,
+    /// There is no plan, for this reason: the same.
+    Refused(Refusal),
+    /// The table asks for no inverse.
+    Unwanted,
+}
+
+impl Solver {
+    /// The solver of an arm.
+    pub fn of(chain: &Chain) -> Solver {
+        if !chain.ik {
+            return Solver::Unwanted;
+        }
+        match Inverse::of(chain) {
+            Ok(inverse) if inverse.plan.steps.iter().any(|s| s.kind == StepKind::General) => Solver::Numeric,
+            Ok(inverse) => Solver::Closed(Box::new(inverse)),
+            Err(refusal) => Solver::Refused(refusal),
+        }
+    }
+}
+
+/// Kernels and class of a robot: a script that defines `Arm`.
+///
+/// # Errors
+/// Where a program differs from the product of the link transforms: a defect of this crate.
+pub fn script(chain: &Chain) -> Result<String, Disproof> {
+    let chain = Chain { scalar: Scalar::F64, ..chain.clone() };
+    let forward = Forward::derive(&chain)?;
+    Ok(format!("\"use strict\";\n{}\n{}", RUNTIME.join("\n"), class(&chain, &forward, &Solver::of(&chain))))
+}

@@ -1,0 +1,79 @@
+//! Code: programs and plans as Rust items and as JavaScript.
+//!
+//! **In:** a chain, its programs and its inverse. **Out:** text and tokens. `body` prints straight lines, `steps`, `drive` and `names`
+//! what surrounds them; [`rust`] and `javascript` (feature `documents`: only the interactive page needs it) are siblings over this
+//! base.
+
+pub(in crate::render) mod body;
+pub(in crate::render) mod drive;
+#[cfg(feature = "documents")]
+pub mod javascript;
+pub(in crate::render) mod names;
+pub mod rust;
+pub(in crate::render) mod steps;
+
+use crate::algebra::{Point, Poly};
+use crate::chain::{AngleCell, Bound, Chain, Handle, Role, Scalar};
+
+/// Name of the number type.
+pub(crate) fn scalar_name(s: Scalar) -> &'static str {
+    match s {
+        Scalar::F64 => "f64",
+        Scalar::F32 => "f32",
+    }
+}
+
+/// A number as a literal of the robot's type.
+pub(crate) fn literal(x: f64, s: Scalar) -> String {
+    match s {
+        Scalar::F64 => format!("{x:?}"),
+        Scalar::F32 => format!("{:?}", x as f32),
+    }
+}
+
+/// The value of a bound.
+pub(crate) fn bound(b: &Bound) -> f64 {
+    match b {
+        Bound::HalfTurns(x) => crate::algebra::Angle::half_turns(x.clone()).radians(),
+        Bound::Radians(x) | Bound::Length(x) => x.to_f64(),
+    }
+}
+
+/// A constant formula as a number, with all lengths multiplied by `scale`.
+pub(crate) fn scaled_constant(chain: &Chain, p: &Poly, scale: f64) -> f64 {
+    p.evaluate(&Point {
+        symbol: &|s| chain.nominal(Handle::Length(s)) * scale,
+        angle: &|v| chain.nominal(Handle::Angle(v)),
+    })
+}
+
+/// The joint angle offset (radians) that is kept out of formulas, with declared angles by name: an expression, `None` if zero.
+pub(crate) fn shift_expression(chain: &Chain, cell: &AngleCell, scalar: Scalar) -> Option<String> {
+    let wide = chain.scalar == Scalar::F32 && scalar == Scalar::F64;
+    let field = |name: &str| if wide { format!("f64::from(self.{name})") } else { format!("self.{name}") };
+    let mut parts = Vec::new();
+    let mut number = cell.radians();
+    for (i, k) in &cell.symbols {
+        let Some(p) = chain.parameters.get(*i) else { continue };
+        match &p.role {
+            Role::Field(_) => parts.push(match k {
+                1 => field(&p.name),
+                -1 => format!("-{}", field(&p.name)),
+                _ => format!("{} * {}", literal(f64::from(*k), scalar), field(&p.name)),
+            }),
+            Role::Constant(_) => number += f64::from(*k) * chain.nominal(p.handle),
+        }
+    }
+    if number != 0.0 {
+        parts.push(literal(number, scalar));
+    }
+    let mut out = String::new();
+    for p in parts {
+        match (out.is_empty(), p.strip_prefix('-')) {
+            (true, _) => out = p,
+            (false, Some(rest)) => out.push_str(&format!(" - {rest}")),
+            (false, None) => out.push_str(&format!(" + {p}")),
+        }
+    }
+    (!out.is_empty()).then_some(out)
+}

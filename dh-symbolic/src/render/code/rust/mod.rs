@@ -1,0 +1,25 @@
+//! The Rust backend: from a chain and its programs to the items that `dh_robot!` leaves behind.
+//!
+//! Items are written as text and lexed once: the text is what a reader of `cargo expand` sees, and the compiler's own lexer is
+//! much faster than building tokens one by one in an unoptimised macro. The user's own tokens (attributes, visibility, name) keep
+//! their spans.
+
+mod candidates;
+mod docs;
+mod forward;
+mod inverse;
+mod lanes;
+#[cfg(feature = "cli")]
+mod pretty;
+mod rustdoc;
+mod structure;
+mod stub;
+mod target;
+mod verify;
+
+pub use inverse::inverse;
+#[cfg(feature = "cli")]
+pub use pretty::pretty;
+pub use rustdoc::rustdoc;
+pub use structure::{Head, robot};
+pub use stub::stub;

@@ -1,0 +1,105 @@
+//! The type, its fields, constants and default; everything put together.
+
+use super::{docs, forward};
+use crate::chain::{Chain, Role};
+use crate::program::Forward;
+use crate::render::code::{bound, literal, scalar_name};
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+/// What the user wrote before the table: attributes (docs among them), visibility, name.
+#[derive(Clone, Debug)]
+pub struct Head {
+    /// Attributes in front of the struct.
+    pub attributes: TokenStream,
+    /// Visibility.
+    pub visibility: TokenStream,
+    /// Name of the type.
+    pub ident: Ident,
+    /// Doc comments of the fields: name and lines.
+    pub field_docs: Vec<(String, Vec<String>)>,
+    /// The table as written: header and rows.
+    pub table: Vec<Vec<String>>,
+    /// `base` and `tool` as written.
+    pub motions: Vec<(String, String)>,
+}
+
+/// Lexes generated text. Were it ever not to lex, a compile error says so.
+pub(super) fn lex(text: &str) -> TokenStream {
+    text.parse().unwrap_or_else(|e: proc_macro2::LexError| {
+        let message = format!("dh_robot!: generated code does not lex: {e}");
+        quote! { ::core::compile_error!(#message); }
+    })
+}
+
+/// All items of a robot. `inverse` is the text of further functions and traits.
+pub fn robot(head: &Head, chain: &Chain, programs: &Forward, inverse: &str, extra_docs: &str) -> TokenStream {
+    let name = head.ident.to_string();
+    let mut out = declaration(head, chain, &docs::table(head, chain, extra_docs));
+    let joints: Vec<String> = chain.joints.iter().enumerate().map(|(i, j)| joint(chain, i, j)).collect();
+    let (n, f) = (chain.dof(), scalar_name(chain.scalar));
+    let text = format!(
+        "#[allow(unused, clippy::all, clippy::pedantic)]\nimpl {name} {{\n/// Number of joints.\npub const DOF: usize = {n};\n\
+         /// Kind, range and name of every joint.\npub const JOINTS: [::dh_robot::Joint<{f}>; {n}] = [{}];\n{}}}\n{}{inverse}",
+        joints.join(", "),
+        forward::functions(chain, programs),
+        forward::traits(chain, &name),
+    );
+    out.extend(lex(&text));
+    out
+}
+
+/// The struct and its default.
+pub(super) fn declaration(head: &Head, chain: &Chain, docs: &str) -> TokenStream {
+    let (attributes, visibility, ident) = (&head.attributes, &head.visibility, &head.ident);
+    let f = lex(scalar_name(chain.scalar));
+    let (mut fields, mut defaults) = (TokenStream::new(), Some(TokenStream::new()));
+    let mut any = false;
+    for p in &chain.parameters {
+        let Role::Field(value) = &p.role else { continue };
+        any = true;
+        let name = lex(&p.name);
+        let doc = docs::field(chain, p);
+        let written = head.field_docs.iter().filter(|d| d.0 == p.name).flat_map(|d| &d.1);
+        fields.extend(quote! { #(#[doc = #written])* #[doc = #doc] pub #name: #f, });
+        match (value, &mut defaults) {
+            (Some(_), Some(list)) => {
+                let value = lex(&literal(chain.nominal(p.handle), chain.scalar));
+                list.extend(quote! { #name: #value, });
+            }
+            _ => defaults = None,
+        }
+    }
+    let body = if any {
+        quote! { { #fields } }
+    } else {
+        quote! { ; }
+    };
+    let mut out = quote! {
+        #attributes
+        #[doc = #docs]
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        #visibility struct #ident #body
+    };
+    if let Some(list) = defaults {
+        let value = if any {
+            quote! { #ident { #list } }
+        } else {
+            quote! { #ident }
+        };
+        out.extend(quote! {
+            impl ::core::default::Default for #ident {
+                fn default() -> Self { #value }
+            }
+        });
+    }
+    out
+}
+
+fn joint(chain: &Chain, motor: usize, joint: &crate::chain::Joint) -> String {
+    let kind = if chain.is_periodic(motor) { "revolute" } else { "prismatic" };
+    let range = joint.range.as_ref().map_or(String::new(), |(lo, hi)| {
+        format!(".with_range({}, {})", literal(bound(lo), chain.scalar), literal(bound(hi), chain.scalar))
+    });
+    format!("::dh_robot::Joint::{kind}(\"{}\"){range}", joint.name)
+}

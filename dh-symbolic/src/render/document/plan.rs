@@ -1,0 +1,161 @@
+//! The plan of the inverse kinematics at a glance: a table of steps, and the flow from the pose to the joints.
+
+use super::explanation::{StepStory, Story};
+use super::notes::method;
+use super::notes::words::Phrase;
+use super::{Block, Document, Span, Text};
+use crate::chain::Chain;
+use crate::planner::{Axes, Pair, Refusal, Structure};
+use crate::program::Inverse;
+use crate::render::Language;
+use crate::render::formula::math::Math;
+use crate::render::formula::notation::Notation;
+use crate::render::formula::quantities::named_offsets;
+use crate::render::formula::text;
+use std::fmt::Write;
+
+/// What the axes have in common, the steps of the plan (what each finds, how, from which earlier steps, how many solutions,
+/// where it fails), its equations, the flow chart.
+///
+/// # Errors
+/// Why the arm has no inverse.
+pub fn plan(chain: &Chain, language: Language) -> Result<Document, Refusal> {
+    let named = named_offsets(chain);
+    let chain = named.as_ref().unwrap_or(chain);
+    let title = Phrase::PlanTitle.in_language(language).replace("{}", &chain.name);
+    let mut blocks = structure(chain, language);
+    let inverse = Inverse::of(chain)?;
+    let story = Story::new(chain, &inverse.plan, &Notation::textbook(chain));
+    blocks.extend(steps(&story, language));
+    blocks.push(Block::Code("mermaid", chart(&story, language)));
+    Ok(Document { title, language: language.tag(), blocks })
+}
+
+/// Which neighbouring axes are parallel or meet, by which cells of the table.
+fn structure(chain: &Chain, language: Language) -> Vec<Block> {
+    let found = Structure::new(chain, &Axes::new(chain));
+    let number = |n: usize| Span::Plain(n.to_string());
+    let mut lines = Vec::new();
+    for n in &found.neighbours {
+        let phrase = match n.pair {
+            Pair::Parallel => Phrase::AxesParallel,
+            Pair::Meeting => Phrase::AxesMeet,
+            Pair::Skew => Phrase::AxesSkew,
+        };
+        let pieces = vec![number(n.first + 1), number(n.first + 2)];
+        let mut line = Text::fill(phrase.in_language(language), pieces);
+        if !n.cells.is_empty() {
+            line.0.push(Span::Plain(": ".into()));
+            line.0.push(Span::Code(n.cells.join(", ")));
+        }
+        lines.push(line);
+    }
+    for first in &found.common_points {
+        let pieces = (1..=3).map(|k| number(first + k)).collect();
+        lines.push(Text::fill(Phrase::AxesPoint.in_language(language), pieces));
+    }
+    if lines.is_empty() { Vec::new() } else { vec![Block::List(lines)] }
+}
+
+fn steps(story: &Story<'_>, language: Language) -> Vec<Block> {
+    let words = |p: Phrase| p.in_language(language);
+    let header = [
+        Phrase::PlanStep,
+        Phrase::PlanFinds,
+        Phrase::PlanFrom,
+        Phrase::PlanNeeds,
+        Phrase::PlanMost,
+        Phrase::PlanNone,
+        Phrase::PlanFree,
+    ]
+    .map(|p| Text::from(words(p)));
+    let list = |items: &[Math]| Text::join(items.iter().cloned().map(Text::from), ", ");
+    let rows = story
+        .steps
+        .iter()
+        .enumerate()
+        .map(|(i, s)| {
+            let needs: Vec<String> = s.needs.iter().map(|k| (k + 1).to_string()).collect();
+            vec![
+                (i + 1).to_string().into(),
+                list(&s.unknown),
+                words(method(s)).into(),
+                needs.join(", ").into(),
+                s.roots.to_string().into(),
+                s.solution.radicand.as_ref().map_or(Text::default(), |m| {
+                    let mut t = Text::from(m.clone());
+                    t.0.push(Span::Plain(" < 0".into()));
+                    t
+                }),
+                list(&s.solution.degenerate),
+            ]
+        })
+        .collect();
+    let mut blocks = vec![Block::Table(header.to_vec(), rows)];
+    let equations = story.steps.iter().flat_map(|s| &s.equations);
+    let list: Vec<_> = equations
+        .map(|(left, right)| super::Equation { left: left.clone(), right: vec![right.clone()], number: None })
+        .collect();
+    if !list.is_empty() {
+        blocks.push(Block::Paragraph(words(Phrase::PlanEquations).into()));
+        blocks.push(Block::Equations(list));
+    }
+    let poses = story.poses.iter().filter_map(|p| Some((p.matrix.clone(), p.product.clone()?)));
+    let poses: Vec<_> = poses.map(|(left, right)| super::Equation { left, right: vec![right], number: None }).collect();
+    if !poses.is_empty() {
+        blocks.push(Block::Paragraph(words(Phrase::PlanPoses).into()));
+        blocks.push(Block::Equations(poses));
+    }
+    let differences = story.differences();
+    if !differences.is_empty() {
+        let list = differences
+            .into_iter()
+            .map(|(left, right)| super::Equation { left, right: vec![right], number: None })
+            .collect();
+        blocks.push(Block::Paragraph(words(Phrase::Differences).into()));
+        blocks.push(Block::Equations(list));
+    }
+    let product: Vec<String> = story.steps.iter().map(|s| s.roots.to_string()).collect();
+    let pieces = vec![Span::Plain(story.plan.max_solutions.to_string()), Span::Plain(product.join(" × "))];
+    blocks.push(Block::Paragraph(Text::fill(words(Phrase::PlanTotal), pieces)));
+    blocks
+}
+
+/// The flow chart alone.
+///
+/// # Errors
+/// Why the arm has no inverse.
+pub fn mermaid(chain: &Chain, language: Language) -> Result<String, Refusal> {
+    let named = named_offsets(chain);
+    let chain = named.as_ref().unwrap_or(chain);
+    let inverse = Inverse::of(chain)?;
+    Ok(chart(&Story::new(chain, &inverse.plan, &Notation::textbook(chain)), language))
+}
+
+fn chart(story: &Story<'_>, language: Language) -> String {
+    let mut out = format!("flowchart TD\n  pose([\"{}\"])\n", Phrase::PlanPose.in_language(language));
+    for (i, s) in story.steps.iter().enumerate() {
+        let _ = writeln!(out, "  s{}[\"{}\"]", i + 1, label(s, language));
+    }
+    for (i, s) in story.steps.iter().enumerate() {
+        if s.needs.is_empty() {
+            let _ = writeln!(out, "  pose --> s{}", i + 1);
+        }
+        for k in direct(story, i) {
+            let _ = writeln!(out, "  s{} --> s{}", k + 1, i + 1);
+        }
+    }
+    out
+}
+
+fn label(s: &StepStory, language: Language) -> String {
+    let unknown: Vec<String> = s.unknown.iter().map(text::math).collect();
+    let count = if s.roots > 1 { format!(" (×{})", s.roots) } else { String::new() };
+    format!("{}: {}{count}", unknown.join(", "), method(s).in_language(language))
+}
+
+/// Steps that step `i` needs, without those that another needed step needs already.
+fn direct(story: &Story<'_>, i: usize) -> Vec<usize> {
+    let needs = |k: usize| story.steps.get(k).map_or(&[][..], |s| &s.needs);
+    needs(i).iter().copied().filter(|k| !needs(i).iter().any(|other| needs(*other).contains(k))).collect()
+}

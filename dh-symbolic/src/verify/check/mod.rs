@@ -1,0 +1,214 @@
+//! Checks the lines of a hand derivation against the chain: proven, wrong (with the difference and the smallest mend), or not
+//! understood.
+//!
+//! **In:** a [`Chain`] and a [`Derivation`]. **Out:** a [`Report`] with one [`Verdict`] per line. The notation is described in
+//! [`verify::language`](crate::verify::language).
+//!
+//! Equality of formulas is equality of normal forms, so a verdict is a decision, not an estimate; only `~`, `<` and `>` look at
+//! numbers. Before a line is called wrong, both sides are compared at points: what agrees there and cannot be proven is left open.
+
+mod compare;
+mod evaluate;
+mod functions;
+mod line;
+mod mend;
+mod near;
+mod number;
+mod point;
+mod quick;
+mod ratio;
+mod refusal;
+mod root;
+mod scope;
+mod substitute;
+#[cfg(test)]
+mod tests;
+mod value;
+
+pub use ratio::Ratio;
+
+use crate::algebra::{Angle, AngleVar, Poly, Ring, Symbol};
+use crate::chain::{Chain, Coordinate, Joint};
+use crate::kinematics::Kinematics;
+use crate::verify::language::{Derivation, NotUnderstood, Place, Token};
+use std::collections::BTreeMap;
+
+/// What was found about a derivation.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// The names that the formulas of the verdicts use: the chain's, and those that the derivation added.
+    pub ring: Ring,
+    /// The groups of the joints' angles, from base to tip: the order in which formulas are written.
+    pub groups: Vec<u16>,
+    /// One verdict per line.
+    pub verdicts: Vec<Verdict>,
+}
+
+impl Report {
+    /// Is no line wrong or not understood?
+    pub fn is_fine(&self) -> bool {
+        self.verdicts.iter().all(|v| !matches!(v, Verdict::Wrong(_) | Verdict::NotUnderstood(..)))
+    }
+}
+
+/// What was found about one line.
+#[derive(Clone, Debug)]
+pub enum Verdict {
+    /// A definition or a setting; nothing is claimed.
+    Noted,
+    /// The line holds for all values of the variables, under these conditions (none: always).
+    Proven(Vec<Condition>),
+    /// The line holds at the given values, to the given digits.
+    Agrees,
+    /// The line does not hold: here (in a matrix there may be several places; one at least).
+    Wrong(Vec<Fault>),
+    /// The line cannot be read, means nothing, or cannot be decided; with a change that makes it right, where one was found.
+    NotUnderstood(NotUnderstood, Option<Mend>),
+}
+
+/// A formula that must not be negative (strict: that must be positive).
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Condition {
+    /// The formula.
+    pub formula: Poly,
+    /// Is zero excluded?
+    pub strict: bool,
+}
+
+/// One place where a line does not hold.
+#[derive(Clone, Debug)]
+pub struct Fault {
+    /// The tokens of the printed formula (of the entry, where it is an entry of a written matrix).
+    pub place: Place,
+    /// Row and column, from 1, where matrices are compared.
+    pub entry: Option<(usize, usize)>,
+    /// What is wrong.
+    pub kind: FaultKind,
+    /// The smallest change that makes it right, where one was found.
+    pub mend: Option<Mend>,
+}
+
+/// What is wrong at a place.
+#[derive(Clone, Debug)]
+pub enum FaultKind {
+    /// Two formulas differ.
+    Formula {
+        /// What the line says.
+        printed: Ratio,
+        /// What follows from the table.
+        correct: Ratio,
+        /// printed - correct.
+        difference: Ratio,
+    },
+    /// Two angles differ; where they are given by their sides there is no difference in radians, and this is a formula that
+    /// would be zero if they were equal.
+    Angle(Ratio),
+    /// Two angles differ by half a turn.
+    Opposite,
+    /// Two numbers differ by more than their rounding.
+    Number {
+        /// What the line says.
+        printed: f64,
+        /// What follows from the table and the given values.
+        correct: f64,
+        /// How far they may be apart.
+        tolerance: f64,
+        /// Are they angles in radians?
+        angle: bool,
+    },
+    /// `!=` between equal formulas.
+    Same,
+    /// `<` and the like: the two values.
+    Order {
+        /// Left.
+        left: f64,
+        /// Right.
+        right: f64,
+    },
+    /// The quantity is of the other kind: true where it is an angle.
+    Kind(bool),
+}
+
+/// A change of the text that makes a line right.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mend {
+    /// One or two edits, in order.
+    pub edits: Vec<Edit>,
+}
+
+/// Other tokens in place of some.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Edit {
+    /// The tokens that go; empty: an insertion before `place.start`.
+    pub place: Place,
+    /// The tokens that come; empty: a deletion.
+    pub tokens: Vec<Token>,
+}
+
+/// Checks a derivation.
+pub fn check(chain: &Chain, derivation: &Derivation) -> Report {
+    let mut e = Evaluator::new(chain, &derivation.tokens);
+    let verdicts = derivation.lines.iter().map(|l| e.line(l)).collect();
+    let group = |j: &Joint| match j.coordinate {
+        Coordinate::Angle(v) => Some(v.group()),
+        Coordinate::Length(_) => None,
+    };
+    Report { ring: e.ring, groups: chain.joints.iter().filter_map(group).collect(), verdicts }
+}
+
+/// A square root in a formula: a symbol whose square is the radicand, and which is not negative.
+#[derive(Clone, Debug)]
+struct Root {
+    symbol: Symbol,
+    radicand: Ratio,
+}
+
+/// Everything that the meaning of a line depends on.
+struct Evaluator<'a> {
+    chain: &'a Chain,
+    tokens: &'a [Token],
+    kinematics: Kinematics,
+    ring: Ring,
+    transforms: BTreeMap<(usize, usize), value::Matrix>,
+    /// The variables q1, q2, ...
+    joints: Vec<value::Value>,
+    locals: Vec<(String, value::Value)>,
+    /// Angles without exact sine, by their size.
+    constants: Vec<(AngleVar, Angle)>,
+    roots: Vec<Root>,
+    given: Vec<point::Given>,
+    work: ratio::Work,
+    /// Words read in search of mends.
+    searched: usize,
+}
+
+impl<'a> Evaluator<'a> {
+    fn new(chain: &'a Chain, tokens: &'a [Token]) -> Evaluator<'a> {
+        let mut ring = chain.ring.clone();
+        // a motor variable of a coupled drive may be a sum of angles and lengths: angles then count in radians
+        for v in chain.ring.angles() {
+            if !chain.is_direct() {
+                ring.symbol(chain.ring.angle_name(v));
+            }
+        }
+        let radians = |t: &value::Turn| {
+            let symbol = |v: AngleVar| ring.find_symbol(ring.angle_name(v)).map_or_else(Poly::zero, Poly::symbol);
+            t.terms.iter().map(|(v, k)| symbol(*v).scale(k)).sum::<Poly>().into()
+        };
+        let joints = scope::joint_variables(chain, radians).unwrap_or_default();
+        Evaluator {
+            chain,
+            tokens,
+            kinematics: Kinematics::new(chain),
+            ring,
+            transforms: BTreeMap::new(),
+            joints,
+            locals: Vec::new(),
+            constants: scope::constant_angles(chain),
+            roots: Vec::new(),
+            given: Vec::new(),
+            work: ratio::Work::new(),
+            searched: 0,
+        }
+    }
+}

@@ -1,0 +1,158 @@
+//! Derivations as they are printed: LaTeX, Markdown or plain text, read as lines of a [`Derivation`].
+//!
+//! **In:** a [`Chain`] and the text of a document. **Out:** a [`Paper`]: the lines of the document that say something about the
+//! robot, in the notation of [`claim`](super::language), each with the number of its line. Prose is skipped and counted.
+//!
+//! **Never here:** verdicts (those are in `verify::check`), algebra.
+//!
+//! # What is read
+//!
+//! In a document with marked formulas, what stands between `$`, `$$`, `\[ \]`, `\( \)` or in `equation`, `align`, `gather` and the
+//! like. In a document without any, every line with a relation whose left side is a formula; matrices may be drawn with
+//! `⎡ ⎢ ⎣`. A row that begins with a sign or a relation continues the one before.
+//!
+//! | printed | meaning |
+//! |---------|---------|
+//! | `{}^0_6T` `^0T_6` `T_6^0` `T_{06}` `0T6` `⁰T₆` `A_1` | transforms between frames; `{}^0_3R` and `{}^0P_4` their parts; `^{-1}` and `^T` |
+//! | `r_{11}` `p_x` `{}^1r_{11}` `{}^0_6T r_{11}` | entries: of the transform whose matrix named them last, otherwise of the whole arm |
+//! | `c_1` `s_{23}` `c_{2-3}` `c₂₃` `c23` `c\theta_1` `\cos(\theta_2+\theta_3)` `\cos[t1]` | cosines and sines |
+//! | `c_i = \cos q_i` | says whether c1 is the cosine of q1 (so without it) or of the table's angle theta1 |
+//! | `J` `J_2` `J_{12}` | the geometric Jacobian, its columns and entries |
+//! | `[ ]` `\{ \}` `\left( \right)` | brackets; with `,` or `;` inside a matrix |
+//! | `U = {}^0_1T^{-1} {}^0_6T`, `K = ...` | names for later lines; `u_{11}`, `u_x` and `u` are the entries and the position of a matrix U |
+//! | `\theta_1 = 20^\circ`, `a_2 = 0.43` | given values; numbers with decimals on one side are then compared to their printed digits |
+//! | `A \pm B` | both of the two; what an angle is equated to must have the cosine that this says |
+
+mod commands;
+mod definitions;
+mod drawn;
+mod ink;
+mod letter;
+mod meaning;
+mod names;
+mod pieces;
+mod reader;
+mod regions;
+mod statements;
+mod tables;
+#[cfg(test)]
+mod tests;
+mod transforms;
+
+use super::language::{Derivation, NotUnderstood, Place, Statement, Token, TokenKind};
+use crate::chain::Chain;
+use names::Names;
+
+/// A document: its lines as a derivation, and where they stand.
+#[derive(Clone, Debug, Default)]
+pub struct Paper {
+    /// What it says.
+    pub derivation: Derivation,
+    /// How many lines with text say nothing about the robot.
+    pub prose: usize,
+    /// Line in the document of every token of the derivation.
+    lines: Vec<usize>,
+}
+
+impl Paper {
+    /// Reads a document. Never fails as a whole, never panics.
+    pub fn read(chain: &Chain, text: &str) -> Paper {
+        let mut names = Names::new(chain);
+        let mut sheet = Sheet::default();
+        let turn = text.lines().position(|l| ON_AXES.iter().any(|words| l.contains(words)));
+        for region in regions::split(text, &names) {
+            let line = region.text.first().map_or(0, |t| t.1);
+            names.on_axes |= turn.is_some_and(|k| line > k + 1);
+            statements::read(&region, &mut names, &mut sheet);
+        }
+        statements::finish(&mut names, &mut sheet);
+        sheet.finish(text)
+    }
+
+    /// Line of the document, from 1, where some words stand. 0 where there are none.
+    pub fn line(&self, place: &Place) -> usize {
+        self.lines.get(place.start).or(self.lines.last()).copied().unwrap_or(0)
+    }
+}
+
+/// Letters that are shown of a line that is not understood.
+const LONGEST: usize = 100;
+
+/// The sentence by which our notes say that their frames are other ones from there on.
+const ON_AXES: [&str; 2] = ["Frames of the inverse stand on the joint axes", "逆解中的坐标系位于关节轴上"];
+
+/// A word and its line in the document.
+#[derive(Clone, Debug, PartialEq)]
+struct Word {
+    token: Token,
+    line: usize,
+}
+
+impl Word {
+    fn new(text: &str, line: usize) -> Word {
+        Word { token: Token::new(text), line }
+    }
+}
+
+/// The derivation while it is written.
+#[derive(Default)]
+struct Sheet {
+    tokens: Vec<Token>,
+    lines: Vec<usize>,
+    /// Why the line that begins with this token was not understood.
+    refused: Vec<(usize, String)>,
+    /// Lines with a name that a later line may define.
+    waiting: Vec<(pieces::Statement, names::Unknown)>,
+    /// Lines of the document that say something, in order of appearance.
+    used: Vec<usize>,
+}
+
+/// The beginning of a long text.
+fn short(text: &str) -> String {
+    let mut out: String = text.chars().take(LONGEST).collect();
+    if out.len() < text.len() {
+        out.push_str("...");
+    }
+    out
+}
+
+impl Sheet {
+    fn put(&mut self, words: Vec<Word>) {
+        let last = words.last().map_or(0, |w| w.line);
+        for w in words {
+            self.used.push(w.line);
+            self.lines.push(w.line);
+            self.tokens.push(w.token);
+        }
+        self.lines.push(last);
+        self.tokens.push(Token::new(";"));
+    }
+
+    /// A line that is not understood: its text and why.
+    fn refuse(&mut self, text: &str, line: usize, why: String) {
+        self.refused.push((self.tokens.len(), why));
+        self.used.push(line);
+        self.lines.extend([line, line]);
+        self.tokens.push(Token { kind: TokenKind::Other, text: short(text) });
+        self.tokens.push(Token::new(";"));
+    }
+
+    /// Lines that say something without becoming lines of the derivation.
+    fn mark(&mut self, line: usize) {
+        self.used.push(line);
+    }
+
+    fn finish(mut self, text: &str) -> Paper {
+        let mut derivation = Derivation::parse(self.tokens);
+        for line in &mut derivation.lines {
+            if let Some((_, why)) = self.refused.iter().find(|r| r.0 == line.place.start) {
+                line.statement = Statement::Unreadable(NotUnderstood { place: line.place.clone(), why: why.clone() });
+            }
+        }
+        self.used.sort_unstable();
+        self.used.dedup();
+        let full = |(k, l): &(usize, &str)| !l.trim().is_empty() && self.used.binary_search(&(k + 1)).is_err();
+        let prose = text.lines().enumerate().filter(full).count();
+        Paper { derivation, prose, lines: self.lines }
+    }
+}

@@ -1,0 +1,372 @@
+//! What letters with indices stand for: names of the table, abbreviations, entries of matrices, names that the document gives.
+
+use super::ink::Item;
+use super::letter::{Letter, field, general};
+use super::tables::function;
+use crate::algebra::{Poly, Rational};
+use crate::chain::{Chain, Convention, Coordinate, Handle, Parameter, Role, Value};
+use crate::render::formula::greek;
+
+/// A name without a meaning, or why it has none.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Unknown {
+    pub(super) why: String,
+    /// The name, where a definition would give it a meaning.
+    pub(super) name: Option<String>,
+}
+
+/// Everything that names depend on.
+pub(super) struct Names<'a> {
+    pub(super) chain: &'a Chain,
+    /// Entries that a matrix of names has named: the letter, what it is.
+    bound: Vec<(Letter, String)>,
+    /// Names that the document gives: the letter, the name, whether it is a 4x4 matrix.
+    given: Vec<(Letter, String, bool)>,
+    /// Joints whose c1 and s1 are those of the table's angle and not of the variable.
+    of_table: Vec<usize>,
+    /// The transform whose entries r_{11} and p_x are, where the document says so.
+    given_pose: Option<(usize, String)>,
+    /// A pose that is given by letters of which not all are known yet: frame, what it is.
+    pub(super) waiting_pose: Option<(usize, Vec<Item>)>,
+    /// Do frames stand on the joint axes, each after the motion of its joint?
+    pub(super) on_axes: bool,
+    /// Does the given pose begin at frame 0'?
+    pub(super) from_start: bool,
+    /// Values given so far: settings of an `at` line.
+    pub(super) values: Vec<(String, String)>,
+}
+
+impl<'a> Names<'a> {
+    pub(super) fn new(chain: &'a Chain) -> Names<'a> {
+        Names {
+            chain,
+            bound: Vec::new(),
+            given: Vec::new(),
+            of_table: Vec::new(),
+            given_pose: None,
+            waiting_pose: None,
+            on_axes: false,
+            from_start: false,
+            values: Vec::new(),
+        }
+    }
+
+    fn declared(&self) -> impl Iterator<Item = &'a Parameter> {
+        self.chain.parameters.iter().filter(|p| p.declared)
+    }
+
+    /// May these letters of plain text stand in a formula?
+    pub(super) fn is_word(&self, run: &str) -> bool {
+        run.len() == 1
+            || function(run).is_some()
+            || greek::letter(run).is_some()
+            || matches!(run, "pi" | "deg" | "mm" | "cm")
+            || run.len() == 2 && run.ends_with(['x', 'y', 'z'])
+            || self.declared().any(|p| p.name.split(|c: char| !c.is_ascii_alphabetic()).any(|part| part == run))
+            || run.chars().all(|c| "cs".contains(c))
+    }
+
+    /// Length of the longest known word that plain text begins with.
+    pub(super) fn longest(&self, rest: &str) -> Option<usize> {
+        let fixed = ["pi"].into_iter();
+        let functions = [
+            "cos", "sin", "tan", "atan2", "arctan2", "atan", "arctan", "acos", "arccos", "asin", "arcsin", "sqrt",
+            "Rot", "Trans", "inv",
+        ];
+        let greek = greek::GREEK.iter().map(|g| g.0);
+        let own = self.declared().map(|p| p.name.as_str());
+        let fits = |word: &&str| {
+            let last = word.chars().last().unwrap_or(' ');
+            rest.strip_prefix(*word).is_some_and(|tail| {
+                let next = tail.chars().next().unwrap_or(' ');
+                if last.is_ascii_digit() { !next.is_ascii_digit() } else { !next.is_ascii_alphabetic() }
+            })
+        };
+        fixed.chain(functions).chain(greek).chain(own).filter(fits).map(str::len).max()
+    }
+
+    /// The row of a turning joint whose angle has this number, and its variable.
+    fn turning(&self, number: usize) -> Option<(usize, usize)> {
+        let k = self.chain.joints.iter().position(|j| j.row + 1 == number)?;
+        matches!(self.chain.joints.get(k)?.coordinate, Coordinate::Angle(_)).then_some((number, k + 1))
+    }
+
+    /// Is the table's angle of this row the variable itself?
+    fn is_variable(&self, row: usize) -> bool {
+        let Some(joint) = self.chain.joints.iter().find(|j| j.row + 1 == row) else { return false };
+        let plain = self.chain.links.get(joint.row).is_some_and(|l| l.theta.constant.is_zero());
+        self.chain.is_direct() && joint.shift.is_zero() && plain
+    }
+
+    /// The angle whose cosine is c_n.
+    fn numbered_angle(&self, n: usize) -> String {
+        if self.of_table.contains(&n) && !self.is_variable(n) { format!("theta{n}") } else { format!("q{n}") }
+    }
+
+    /// `c_i = cos theta_i` (or q_i): for one joint, or for all.
+    pub(super) fn say_angle(&mut self, index: &str, table: bool) {
+        let list: Vec<usize> = match index.parse() {
+            Ok(n) => vec![n],
+            Err(_) => (1..=self.chain.links.len()).collect(),
+        };
+        self.of_table.retain(|n| !list.contains(n));
+        if table {
+            self.of_table.extend(list);
+        }
+    }
+
+    /// The joints of `23`, `2-3`, `1,10`: subtracted?, number.
+    fn joints(index: &str) -> Option<Vec<(bool, usize)>> {
+        let wide = index.contains(',');
+        let mut out = Vec::new();
+        let (mut minus, mut digits) = (false, String::new());
+        for c in index.chars().chain([',']) {
+            if c.is_ascii_digit() {
+                digits.push(c);
+                if wide {
+                    continue;
+                }
+            }
+            if !digits.is_empty() {
+                out.push((minus, std::mem::take(&mut digits).parse().ok()?));
+                minus = false;
+            }
+            match c {
+                '-' => minus = true,
+                c if c.is_ascii_digit() || matches!(c, ',' | '+') => {}
+                _ => return None,
+            }
+        }
+        (!out.is_empty()).then_some(out)
+    }
+
+    /// c_{23}, s_1, c_{2-3}; `None` where the index is no list of joints.
+    fn abbreviation(&self, stem: &str, index: &str) -> Option<String> {
+        let joints = Names::joints(index)?;
+        let angles: Vec<(bool, String)> = joints.iter().map(|(m, n)| (*m, self.numbered_angle(*n))).collect();
+        let short = angles.iter().all(|(minus, a)| !minus && a.starts_with('q') && a.len() == 2);
+        if short {
+            let digits: String = joints.iter().map(|j| j.1.to_string()).collect();
+            return Some(format!("{stem}{digits}"));
+        }
+        let function = if stem == "c" { "cos" } else { "sin" };
+        let mut sum = String::new();
+        for (minus, a) in angles {
+            let sign = match (sum.is_empty(), minus) {
+                (true, false) => "",
+                (_, true) => "- ",
+                (false, false) => "+ ",
+            };
+            sum.push_str(&format!("{sign}{a} "));
+        }
+        Some(format!("{function} ( {sum})"))
+    }
+
+    /// Gives a name to an entry of a matrix.
+    pub(super) fn bind(&mut self, letter: Letter, meaning: String) {
+        self.bound.retain(|b| b.0 != letter);
+        self.bound.push((letter, meaning));
+    }
+
+    /// Takes a name of the document; gives the name for claims.
+    pub(super) fn give(&mut self, letter: &Letter, matrix: bool) -> String {
+        let before = self.given.iter().filter(|g| g.0 == *letter).count();
+        let name = if before == 0 { letter.own() } else { format!("{}_{}", letter.own(), "x".repeat(before)) };
+        self.given.push((letter.clone(), name.clone(), matrix));
+        name
+    }
+
+    /// What a letter with indices stands for, as words of a claim with room between them.
+    pub(super) fn meaning(&self, letter: &Letter) -> Result<String, Unknown> {
+        if let Some((_, meaning)) = self.bound.iter().find(|b| b.0 == *letter) {
+            return Ok(meaning.clone());
+        }
+        if let Some((_, name, _)) = self.given.iter().rev().find(|g| g.0 == *letter) {
+            return Ok(name.clone());
+        }
+        if letter.primes == 0
+            && let Some(known) = self.table_name(letter).or_else(|| self.entry(letter))
+        {
+            return Ok(known);
+        }
+        let shown = format!("{}{}{}", letter.stem, if letter.index.is_empty() { "" } else { "_" }, letter.index);
+        Err(Unknown { why: format!("`{shown}` has no meaning here"), name: Some(letter.own()) })
+    }
+
+    fn table_name(&self, letter: &Letter) -> Option<String> {
+        if !letter.frame.is_empty() {
+            return None;
+        }
+        let (stem, index) = (letter.stem.as_str(), letter.index.as_str());
+        if letter.is_general() {
+            return matches!(stem, "alpha" | "theta" | "a" | "d").then(|| general(stem, index));
+        }
+        let joined = format!("{stem}{index}");
+        let under = format!("{stem}_{index}");
+        let same = |p: &&Parameter| p.name == joined || p.name == under;
+        let alike = |p: &&Parameter| p.name.eq_ignore_ascii_case(&joined) || p.name.eq_ignore_ascii_case(&under);
+        if let Some(p) = self.declared().find(same).or_else(|| self.declared().find(alike)) {
+            return Some(p.name.clone());
+        }
+        if matches!(joined.as_str(), "pi" | "I3" | "I4") {
+            return Some(joined);
+        }
+        let number: Option<usize> = index.parse().ok().filter(|n| *n < 1000);
+        match (stem, number) {
+            ("c" | "s", Some(_)) => self.abbreviation(stem, index),
+            ("c" | "s", None) if !index.is_empty() => self.abbreviation(stem, index).or_else(|| {
+                let angle = self.table_name(&Letter { stem: index.into(), ..Letter::default() })?;
+                Some(format!("{} ( {angle} )", if stem == "c" { "cos" } else { "sin" }))
+            }),
+            // theta_{234} is a name that the document gives
+            ("theta" | "t", Some(n)) if n == 0 || n > self.chain.links.len() => None,
+            ("q", Some(n)) if n == 0 || n > self.chain.dof() => None,
+            ("theta" | "t", Some(n)) => Some(if self.is_variable(n) && self.turning(n).is_some() {
+                format!("q{}", self.turning(n)?.1)
+            } else {
+                format!("theta{n}")
+            }),
+            ("q" | "a" | "d" | "alpha", Some(n)) => Some(format!("{stem}{n}")),
+            // lengths of the base and the tool
+            _ => self
+                .chain
+                .parameters
+                .iter()
+                .find(|p| !p.declared && (p.name == joined || p.name == under))
+                .map(|p| p.name.clone()),
+        }
+    }
+
+    /// The pose of the whole arm.
+    pub(super) fn pose(&self) -> String {
+        let n = self.chain.links.len();
+        let base = if self.chain.base.is_empty() { "" } else { "base * " };
+        let tool = if self.chain.tool.is_empty() { "" } else { " * tool" };
+        if base.is_empty() && tool.is_empty() {
+            format!("T ( 0 , {n} )")
+        } else {
+            format!("( {base}T ( 0 , {n} ){tool} )")
+        }
+    }
+
+    /// r_{11}, p_x, J_2, u_{11}.
+    fn entry(&self, letter: &Letter) -> Option<String> {
+        let n = self.chain.links.len();
+        let (stem, index) = (letter.stem.as_str(), letter.index.as_str());
+        let field = field(stem, index);
+        if stem == "J" && letter.frame.is_empty() {
+            return match index.split_once(',') {
+                None if index.is_empty() => Some("J".into()),
+                None if index.len() == 2 && index.bytes().all(|b| b.is_ascii_digit()) => {
+                    Some(format!("J ( {} , {} )", &index[..1], &index[1..]))
+                }
+                None if index.bytes().all(|b| b.is_ascii_digit()) => Some(format!("J ( {index} )")),
+                Some((r, k)) => Some(format!("J ( {r} , {k} )")),
+                None => None,
+            };
+        }
+        if matches!(stem, "r" | "p" | "px" | "py" | "pz") {
+            let field = field?;
+            return match letter.frame.as_str() {
+                "" => {
+                    Some(format!("{} . {field}", self.given_pose.as_ref().map_or_else(|| self.pose(), |g| g.1.clone())))
+                }
+                k if k.bytes().all(|b| b.is_ascii_digit()) => Some(format!("T ( {k} , {n} ) . {field}")),
+                _ => None,
+            };
+        }
+        // the place of the tip, as figures call it
+        if matches!(stem, "x" | "y") && index.is_empty() && letter.frame.is_empty() {
+            return Some(format!("{} . p{stem}", self.pose()));
+        }
+        // u_{11} of a matrix U
+        let capital = stem.to_uppercase();
+        let matrix =
+            self.given.iter().rev().find(|g| g.2 && g.0.stem == capital && capital != stem && g.0.index.is_empty())?;
+        let field = match index {
+            "" => "p".to_string(),
+            "x" | "y" | "z" => format!("p{index}"),
+            _ => self::field("r", index)?,
+        };
+        Some(format!("{} . {field}", matrix.1))
+    }
+
+    /// A number of the table that stands there with a minus sign, and that this document calls by its size: `a_1 = 30` for -30.
+    pub(super) fn say_size(&mut self, letter: &Letter, value: &str) -> bool {
+        let name = format!("{}{}", letter.stem, letter.index);
+        let Some(p) = self.chain.parameters.iter().find(|p| p.name == name && !p.declared) else { return false };
+        let (Handle::Length(s), Role::Constant(Value::Length(x))) = (p.handle, &p.role) else { return false };
+        let ahead = usize::from(self.chain.convention == Convention::Modified);
+        let number: usize = letter.index.parse().unwrap_or(usize::MAX);
+        let cell = match letter.stem.as_str() {
+            "a" => number
+                .checked_add(ahead)
+                .and_then(|n| n.checked_sub(1))
+                .and_then(|k| self.chain.links.get(k))
+                .map(|l| &l.a),
+            "d" => number.checked_sub(1).and_then(|k| self.chain.links.get(k)).map(|l| &l.d),
+            _ => None,
+        };
+        let turned = cell == Some(&-&Poly::symbol(s));
+        let same = Rational::from_decimal(value).as_ref() == Some(x);
+        if turned && same {
+            self.bind(letter.clone(), format!("( - {name} )"));
+        }
+        turned && same
+    }
+
+    /// From here on the transform from frame 0 to this frame is the given pose, a matrix with this name; `None`: what the table says.
+    pub(super) fn say_pose(&mut self, frame: usize, matrix: Option<String>) {
+        self.bound.retain(|b| !(matches!(b.0.stem.as_str(), "r" | "p") && b.0.frame.is_empty()));
+        self.given_pose = Some((frame, matrix.unwrap_or_else(|| format!("T ( 0 , {frame} )"))));
+    }
+
+    /// The given pose of this frame, where it is not that of the table.
+    pub(super) fn given_pose(&self, frame: usize) -> Option<&str> {
+        self.given_pose.as_ref().filter(|g| g.0 == frame && !g.1.starts_with("T (")).map(|g| g.1.as_str())
+    }
+
+    /// Frame 0' seen from frame 0, where the document has such a frame: moved by B from where the pose of the arm begins.
+    pub(super) fn start(&self) -> Option<String> {
+        let letter = Letter { stem: "B".into(), ..Letter::default() };
+        let moved = self.meaning(&letter).ok().filter(|_| self.from_start)?;
+        Some(if self.chain.base.is_empty() { moved } else { format!("( inv ( base ) * {moved} )") })
+    }
+
+    /// The given pose of this frame as seen from frame 0.
+    pub(super) fn placed_pose(&self, frame: usize) -> Option<String> {
+        let pose = self.given_pose(frame)?;
+        Some(self.start().map_or_else(|| pose.to_string(), |start| format!("( {start} * {pose} )")))
+    }
+
+    /// Is this the name of an angle?
+    pub(super) fn is_angle(&self, letter: &Letter) -> bool {
+        let own = |p: &Parameter| matches!(p.handle, Handle::Angle(_));
+        let named = self.declared().find(|p| p.name == format!("{}{}", letter.stem, letter.index));
+        match named {
+            Some(p) => own(p),
+            None => {
+                let greek = greek::letter(&letter.stem).is_some() && letter.stem != "pi";
+                greek || matches!(letter.stem.as_str(), "q" | "t") && !letter.index.is_empty()
+            }
+        }
+    }
+
+    /// The variable of a joint, if this is what the letter stands for, and whether it turns.
+    pub(super) fn variable(&self, meaning: &str) -> Option<bool> {
+        let sliding =
+            |k: &usize| self.chain.joints.get(*k).is_some_and(|j| matches!(j.coordinate, Coordinate::Length(_)));
+        if let Some(k) = meaning.strip_prefix('q').and_then(|n| n.parse::<usize>().ok()?.checked_sub(1)) {
+            return self.chain.joints.get(k).map(|_| !sliding(&k));
+        }
+        if let Some(row) = meaning.strip_prefix('d').and_then(|n| n.parse::<usize>().ok()) {
+            let joint = self.chain.joints.iter().find(|j| j.row + 1 == row)?;
+            let Coordinate::Length(s) = joint.coordinate else { return None };
+            return (self.chain.links.get(joint.row)?.d == Poly::symbol(s)).then_some(false);
+        }
+        if let Some(row) = meaning.strip_prefix("theta").and_then(|n| n.parse::<usize>().ok()) {
+            return self.turning(row).map(|_| true);
+        }
+        None
+    }
+}

@@ -1,0 +1,312 @@
+//! Verdicts on hand derivations in plain words: for `dh check`, for compile errors, for the errata page.
+
+use crate::algebra::Poly;
+use crate::render::formula::expression::Expression;
+use crate::render::formula::grouping::Order;
+use crate::render::formula::plain;
+use crate::verify::Claims;
+use crate::verify::check::{Condition, Edit, Fault, FaultKind, Mend, Ratio, Report, Verdict};
+#[cfg(feature = "documents")]
+use crate::verify::document::Paper;
+use crate::verify::language::{Derivation, Line, Place, Token, TokenKind, line_text};
+use std::fmt::Write;
+
+/// Longer formulas are cut.
+const LONGEST: usize = 600;
+
+/// What is to be said about one line: a headline, and details one per line of text.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Remark {
+    /// One sentence.
+    pub headline: String,
+    /// What more there is to say.
+    pub details: Vec<String>,
+    /// How to mend it, where that is known.
+    pub mend: Option<String>,
+    /// The words that it is about.
+    pub place: Place,
+}
+
+fn cut(text: String) -> String {
+    if text.chars().count() <= LONGEST {
+        return text;
+    }
+    let head: String = text.chars().take(LONGEST).collect();
+    format!("{head}...")
+}
+
+fn formula(report: &Report, p: &Poly) -> String {
+    let mut groups = report.groups.clone();
+    groups.dedup();
+    plain::formula(&report.ring, &Order::new(groups), p)
+}
+
+/// A quotient of formulas.
+pub fn ratio_text(report: &Report, x: &Ratio) -> String {
+    if x.den.is_one() {
+        return cut(formula(report, &x.num));
+    }
+    if let Some(q) = x.num.quotient(&x.den) {
+        return cut(formula(report, &q));
+    }
+    let (top, below) = (formula(report, &x.num), formula(report, &x.den));
+    let top = if top.contains(' ') { format!("({top})") } else { top };
+    let simple = below.chars().all(|c| c.is_ascii_alphanumeric());
+    cut(if simple { format!("{top}/{below}") } else { format!("{top}/({below})") })
+}
+
+/// `d2 >= 0`
+pub fn condition_text(report: &Report, c: &Condition) -> String {
+    let order = Order::new(report.groups.clone());
+    let (e, turned) = match order.group(&c.formula) {
+        Expression::Sum(mut terms) if terms.len() == 1 => {
+            let only = terms.remove(0);
+            (only.value, only.negative)
+        }
+        e => (e, false),
+    };
+    let sign = match (turned, c.strict) {
+        (false, false) => ">=",
+        (false, true) => ">",
+        (true, false) => "<=",
+        (true, true) => "<",
+    };
+    format!("{} {sign} 0", plain::expression(&report.ring, &e))
+}
+
+fn number(x: f64) -> String {
+    let text = format!("{x:.6}");
+    text.trim_end_matches('0').trim_end_matches('.').to_string()
+}
+
+fn tokens_text(tokens: &[Token]) -> String {
+    line_text(tokens).0
+}
+
+/// Does what is inserted belong to the word before it?
+fn is_suffix(e: &Edit) -> bool {
+    e.tokens.first().is_some_and(|t| t.is("^") || t.is("."))
+}
+
+/// "`s6` should be `c6`".
+pub fn edit_text(tokens: &[Token], e: &Edit) -> String {
+    let old = tokens_text(tokens.get(e.place.clone()).unwrap_or_default());
+    let new = tokens_text(&e.tokens);
+    let word = |k: usize| tokens.get(k).map(|t| t.text.clone()).unwrap_or_default();
+    match (old.is_empty(), new.is_empty()) {
+        (true, _) if is_suffix(e) => {
+            format!("`{new}` is missing after `{}`", word(e.place.start.saturating_sub(1)))
+        }
+        (true, _) => format!("`{new}` is missing before `{}`", word(e.place.start)),
+        (_, true) => format!("`{old}` is too much"),
+        _ => format!("`{old}` should be `{new}`"),
+    }
+}
+
+/// "`s5` should be `s6` and `c5` should be `c6`".
+pub fn mend_text(tokens: &[Token], m: &Mend) -> String {
+    m.edits.iter().map(|e| edit_text(tokens, e)).collect::<Vec<_>>().join(" and ")
+}
+
+fn fault_remark(report: &Report, d: &Derivation, f: &Fault) -> Remark {
+    let at = f.entry.map_or_else(String::new, |(i, j)| format!("entry ({i},{j}): "));
+    let mut r = Remark { place: f.place.clone(), ..Remark::default() };
+    match &f.kind {
+        FaultKind::Formula { correct, difference, .. } => {
+            r.headline = format!("{at}printed - correct = {}", ratio_text(report, difference));
+            r.details.push(format!("correct: {}", ratio_text(report, correct)));
+        }
+        FaultKind::Angle(difference) => {
+            r.headline = format!("{at}these angles are not the same: {} is not zero", ratio_text(report, difference));
+        }
+        FaultKind::Opposite => r.headline = format!("{at}these angles differ by half a turn"),
+        FaultKind::Number { printed, correct, tolerance, angle } => {
+            let show = |x: f64| if *angle { format!("{}deg", number(x.to_degrees())) } else { number(x) };
+            r.headline = format!("{at}printed {}, correct {}", show(*printed), show(*correct));
+            r.details.push(format!("rounding explains no more than {}", show(*tolerance)));
+        }
+        FaultKind::Same => r.headline = "both sides are the same formula".into(),
+        FaultKind::Order { left, right } => {
+            r.headline = format!("not so: left {}, right {}", number(*left), number(*right));
+        }
+        FaultKind::Kind(angle) => {
+            r.headline = format!("this is {}", if *angle { "an angle" } else { "a length" });
+        }
+    }
+    r.mend = f.mend.as_ref().map(|m| mend_text(&d.tokens, m));
+    r
+}
+
+/// What is to be said about a line; nothing for one that is in order.
+pub fn remarks(report: &Report, d: &Derivation, verdict: &Verdict) -> Vec<Remark> {
+    match verdict {
+        Verdict::Noted | Verdict::Proven(_) | Verdict::Agrees => vec![],
+        Verdict::Wrong(faults) => {
+            // where no entry is written out, the mend stands with the first fault
+            faults.iter().map(|f| fault_remark(report, d, f)).collect()
+        }
+        Verdict::NotUnderstood(n, mend) => vec![Remark {
+            headline: n.why.clone(),
+            mend: mend.as_ref().map(|m| mend_text(&d.tokens, m)),
+            place: n.place.clone(),
+            ..Remark::default()
+        }],
+    }
+}
+
+/// A verdict as an error: where, what, and what to write instead. One for every place of the line that is wrong.
+pub fn complaints(report: &Report, d: &Derivation, verdict: &Verdict) -> Vec<(Place, String, Option<String>)> {
+    let mut out: Vec<(Place, String, Option<String>)> = Vec::new();
+    let mut shown: Option<Place> = None;
+    for (k, r) in remarks(report, d, verdict).into_iter().enumerate() {
+        let text = if r.mend.is_some() { r.headline } else { [vec![r.headline], r.details].concat().join("\n") };
+        match out.last_mut().filter(|_| shown.as_ref() == Some(&r.place)) {
+            Some(last) => last.1 = format!("{}\n{text}", last.1),
+            None => {
+                let place =
+                    marks(verdict, k, &Remark { place: r.place.clone(), ..Remark::default() }).into_iter().next();
+                let word = if matches!(verdict, Verdict::Wrong(_)) { "this line is wrong: " } else { "" };
+                out.push((place.unwrap_or(r.place.clone()), format!("{word}{text}"), r.mend));
+            }
+        }
+        shown = Some(r.place);
+    }
+    out
+}
+
+/// One word for a verdict.
+pub fn verdict_word(v: &Verdict) -> &'static str {
+    match v {
+        Verdict::Noted => "noted",
+        Verdict::Proven(_) => "proven",
+        Verdict::Agrees => "agrees",
+        Verdict::Wrong(_) => "wrong",
+        Verdict::NotUnderstood(..) => "unclear",
+    }
+}
+
+/// The words that a remark points at: those of its mend, where there is one.
+fn marks(v: &Verdict, k: usize, r: &Remark) -> Vec<Place> {
+    let mend = match v {
+        Verdict::Wrong(faults) => faults.get(k).and_then(|f| f.mend.as_ref()),
+        Verdict::NotUnderstood(_, mend) => mend.as_ref(),
+        _ => None,
+    };
+    // an insertion is shown at the word that it belongs to
+    let shown = |e: &Edit| match (e.place.is_empty(), is_suffix(e)) {
+        (false, _) => e.place.clone(),
+        (true, true) => e.place.start.saturating_sub(1)..e.place.start,
+        (true, false) => e.place.start..e.place.start + 1,
+    };
+    mend.map_or_else(|| vec![r.place.clone()], |m| m.edits.iter().map(shown).collect())
+}
+
+/// One line with its verdict, as plain text; what is wrong is underlined.
+pub fn line_report(report: &Report, d: &Derivation, line: &Line, verdict: &Verdict) -> String {
+    let tokens = d.tokens.get(line.place.clone()).unwrap_or_default();
+    let (text, columns) = line_text(tokens);
+    let word = verdict_word(verdict);
+    let mut out = format!("{word:<8}{text}\n");
+    if let Verdict::Proven(conditions) = verdict
+        && !conditions.is_empty()
+    {
+        let all: Vec<String> = conditions.iter().map(|c| condition_text(report, c)).collect();
+        let _ = writeln!(out, "        where {}", all.join(" and "));
+    }
+    let mut shown: Option<Place> = None;
+    for (k, r) in remarks(report, d, verdict).iter().enumerate() {
+        // a line that could not be read is one word
+        let whole = matches!(tokens, [only] if only.kind == TokenKind::Other);
+        if shown.as_ref() != Some(&r.place) && !whole {
+            let carets = carets(&marks(verdict, k, r), line.place.start, tokens, &columns, text.chars().count());
+            let _ = writeln!(out, "        {carets}");
+            shown = Some(r.place.clone());
+        }
+        let _ = writeln!(out, "        {}", r.headline);
+        if let Some(m) = &r.mend {
+            let _ = writeln!(out, "        {m}");
+        } else {
+            for d in &r.details {
+                let _ = writeln!(out, "        {d}");
+            }
+        }
+    }
+    out
+}
+
+/// `^^` under the words of some places.
+fn carets(places: &[Place], from: usize, tokens: &[Token], columns: &[usize], width: usize) -> String {
+    let mut carets = String::new();
+    for place in places {
+        let first = place.start.saturating_sub(from);
+        let last = place.end.saturating_sub(from).max(first + 1) - 1;
+        let start = columns.get(first).copied().unwrap_or(width);
+        let end = match (columns.get(last), tokens.get(last)) {
+            (Some(c), Some(t)) => c + t.text.chars().count(),
+            _ => start + 1,
+        };
+        for k in carets.len()..end {
+            carets.push(if k < start { ' ' } else { '^' });
+        }
+    }
+    carets
+}
+
+/// What `dh check` prints: every claim with its verdict behind the number of its line in the file, then how many there are of
+/// each kind.
+pub fn check_text(report: &Report, claims: &Claims) -> String {
+    let line = |place: &Place| claims.place(place).map_or(0, crate::diagnostic::Place::line);
+    let mut out = String::new();
+    let counts = verdicts_text(report, &claims.derivation, line, &mut out);
+    let _ = writeln!(out, "{}", if counts.is_empty() { "no claims".into() } else { counts.join(", ") });
+    out
+}
+
+/// The same for a document: every line that says something about the robot, as it was understood.
+#[cfg(feature = "documents")]
+pub fn paper_text(report: &Report, paper: &Paper) -> String {
+    let mut out = String::new();
+    let mut counts = verdicts_text(report, &paper.derivation, |place| paper.line(place), &mut out);
+    if counts.is_empty() {
+        counts.push("no formulas about the robot".into());
+    }
+    let lines = if paper.prose == 1 { "line" } else { "lines" };
+    let _ = writeln!(out, "{}; {} {lines} of prose", counts.join(", "), paper.prose);
+    out
+}
+
+/// Writes the verdicts; gives how many there are of each kind.
+fn verdicts_text(report: &Report, d: &Derivation, number: impl Fn(&Place) -> usize, out: &mut String) -> Vec<String> {
+    let mut counts: Vec<(&str, usize)> = Vec::new();
+    let mut told: Vec<(usize, &Line, &Verdict)> =
+        d.lines.iter().zip(&report.verdicts).map(|(line, v)| (number(&line.place), line, v)).collect();
+    // a document may use a name before it says what it means
+    told.sort_by_key(|t| t.0);
+    for (number, line, v) in told {
+        if matches!(v, Verdict::Noted) {
+            continue;
+        }
+        let word = verdict_word(v);
+        match counts.iter_mut().find(|c| c.0 == word) {
+            Some(c) => c.1 += 1,
+            None => counts.push((word, 1)),
+        }
+        for (k, text) in line_report(report, d, line, v).lines().enumerate() {
+            let _ =
+                if k == 0 && number > 0 { writeln!(out, "{number:>4}  {text}") } else { writeln!(out, "      {text}") };
+        }
+    }
+    counts.iter().map(|(word, n)| format!("{n} {word}")).collect()
+}
+
+/// All lines with their verdicts, as plain text.
+pub fn derivation_report(report: &Report, d: &Derivation) -> String {
+    let mut out = String::new();
+    for (line, v) in d.lines.iter().zip(&report.verdicts) {
+        if !line.note.is_empty() {
+            let _ = writeln!(out, "// {}", line.note.split(" Correct: ").next().unwrap_or(""));
+        }
+        out.push_str(&line_report(report, d, line, v));
+    }
+    out
+}
