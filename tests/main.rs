@@ -14,6 +14,7 @@ mod fixtures;
 mod fresh;
 mod javascript;
 mod lanes;
+mod library;
 mod oracle;
 mod papers;
 mod random;

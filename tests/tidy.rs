@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The stages, in order: a folder uses only those before it.
-const STAGES: [&str; 7] = ["algebra", "chain", "kinematics", "planner", "program", "render", "verify"];
+/// The stages, in order: a folder uses only those before it. The last one is the library's door.
+const STAGES: [&str; 8] = ["algebra", "chain", "kinematics", "planner", "program", "render", "verify", "robot"];
 
 /// Folders of one stage that know nothing of each other, or of which the first knows nothing of the second.
 const APART: [(&str, &str); 6] = [

@@ -54,7 +54,7 @@ pub fn derive(parsed: &Parsed) -> Result<(Chain, Programs), Errors> {
         return Err(parsed.errors.clone());
     };
     let chain = Chain::new(spec.clone());
-    let mut errors = wrong_claims(&chain, parsed);
+    let mut errors = wrong_claims(&chain, &Claims::read(&parsed.claims));
     match programs(&chain, parsed) {
         Ok(programs) if errors.is_empty() => return Ok((chain, programs)),
         Ok(_) => {}
@@ -75,12 +75,11 @@ pub fn programs(chain: &Chain, parsed: &Parsed) -> Result<Programs, Errors> {
 }
 
 /// The lines of `prove` blocks that are wrong or not understood.
-fn wrong_claims(chain: &Chain, parsed: &Parsed) -> Errors {
+pub fn wrong_claims(chain: &Chain, claims: &Claims) -> Errors {
     let mut errors = Errors::new();
-    if parsed.claims.is_empty() {
+    if claims.derivation.lines.is_empty() {
         return errors;
     }
-    let claims = Claims::read(&parsed.claims);
     let report = check::check(chain, &claims.derivation);
     for verdict in &report.verdicts {
         for (place, message, help) in complaints(&report, &claims.derivation, verdict) {

@@ -86,9 +86,16 @@ fn a_bad_table_and_bad_usage_are_code_2() {
         &["notes", "a", "b"],
         &["notes", "--to"],
         &["notes", "/nowhere.dh"],
+        &["notes", "--sines"],
+        &["notes", "--nothing"],
+        &["notes", "--parts", "tables"],
+        &["check", "--to", "html"],
+        &["compare", "-"],
+        &["compare", "a", "b", "c"],
     ] {
         let (code, out, err) = dh(arguments, PLANAR);
         assert!(code == 2 && out.is_empty() && err.starts_with("error: "), "{arguments:?} {err}");
+        assert_eq!(err.lines().count(), 1, "one line says it: {err}");
     }
     assert_eq!(dh(&["--help"], "").0, 0);
 }
@@ -245,6 +252,62 @@ fn documents_are_checked_line_by_line() {
     }
     let (code, out, err) = dh(&["check", "-", "/nowhere.tex"], PLANAR);
     assert!(code == 2 && out.is_empty() && err.contains("/nowhere.tex"), "{err}");
+    std::fs::remove_dir_all(folder).ok();
+}
+
+/// One arm in both conventions, with lengths as fields, in another unit; and arms that differ.
+#[test]
+fn tables_of_one_arm_are_compared() {
+    let folder = std::env::temp_dir().join(format!("dh-compare-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let file = |name: &str, text: &str| {
+        let path = folder.join(name);
+        std::fs::write(&path, text).expect("a file");
+        path.to_string_lossy().into_owned()
+    };
+    let puma = include_str!("puma560.dh");
+    let craig = file("craig.dh", puma);
+    // The same frames as Lee puts them, in millimetres and without names.
+    let rows = [
+        "| q1 | 0 | 0 | -90deg |",
+        "| q2 | 150.05 | 431.8 | 0 |",
+        "| q3 | 0 | 20.3 | -90deg |",
+        "| q4 | 431.8 | 0 | 90deg |",
+        "| q5 | 0 | 0 | -90deg |",
+        "| q6 | 0 | 0 | 0 |",
+    ];
+    let table = |rows: &[&str]| {
+        format!("struct P; convention = standard; unit = mm;\n| theta | d | a | alpha |\n{}\n", rows.join("\n"))
+    };
+    let lee = file("lee.dh", &table(&rows));
+    let (code, out, err) = dh(&["compare", &lee, &craig], "");
+    assert_eq!((code, err.as_str()), (0, ""), "{out}");
+    let frames: Vec<&str> = out.lines().skip(2).collect();
+    assert_eq!(
+        frames,
+        [
+            "frame 0: equal",
+            "frame 1: D = rx(-90deg)",
+            "frame 2: D = tx(431.8) * tz(150.05)",
+            "frame 3: D = tx(20.3) * rx(-90deg)",
+            "frame 4: D = rx(90deg)",
+            "frame 5: D = rx(-90deg)",
+            "frame 6: equal",
+            "pose of the tool: equal"
+        ],
+        "{out}"
+    );
+    assert_eq!(dh(&["compare", &craig, &craig], "").0, 0);
+    for (k, change) in
+        [(1, "| q2 | 150.05 | 431 | 0 |"), (2, "| q3 + 1deg | 0 | 20.3 | -90deg |"), (3, "| q4 | 431.8 | 0 | 91deg |")]
+    {
+        let mut rows = rows;
+        rows[k] = change;
+        let (code, out, _) = dh(&["compare", &file("other.dh", &table(&rows)), &craig], "");
+        assert!(code == 1 && out.contains("the arms differ"), "{change}: {out}");
+    }
+    assert_eq!(dh(&["compare", &craig, &file("two.dh", &table(&rows[..2]))], "").0, 1);
+    assert_eq!(dh(&["compare", &craig, &file("bad.dh", "struct")], "").0, 2);
     std::fs::remove_dir_all(folder).ok();
 }
 

@@ -60,7 +60,7 @@ impl LinearAngle {
 }
 
 /// The registry of names. Arithmetic never needs it; reading and printing do.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Ring {
     symbols: Vec<String>,
     /// Per group, the names of its angles.

@@ -16,6 +16,6 @@ pub mod refusal;
 
 pub use code::rust::rustdoc;
 #[cfg(feature = "documents")]
-pub use document::{Document, Format, Options, Part, notes, page, plan};
+pub use document::{Document, Format, InversePlan, Options, Part, notes, page};
 pub use formula::{Style, Transforms};
 pub use language::Language;

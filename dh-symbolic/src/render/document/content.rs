@@ -2,6 +2,7 @@
 
 use super::figure::Drawing;
 use crate::render::formula::math::Math;
+use std::fmt;
 
 /// A note.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -53,6 +54,13 @@ pub struct Equation {
     pub right: Vec<Math>,
     /// Its number in the note.
     pub number: Option<usize>,
+}
+
+/// As plain text.
+impl fmt::Display for Document {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.print(super::Format::Text))
+    }
 }
 
 /// Running text with formulas in it.

@@ -1,6 +1,6 @@
 //! Documents: lecture notes, plans and figures of a robot, and the interactive page.
 //!
-//! [`notes`](mod@notes) and [`plan`](mod@plan) write a [`Document`] once; it is printed as [`text`], [`latex`], [`markdown`], [`typst`]
+//! [`notes`](mod@notes) and [`plan`] write a [`Document`] once; it is printed as [`text`], [`latex`], [`markdown`], [`typst`]
 //! or [`html`]. `explanation` words the steps of the inverse, [`figure`] draws, [`mod@page`] makes the interactive page.
 
 mod content;
@@ -23,4 +23,4 @@ pub use content::{Block, Document, Equation, Figure, Span, Text};
 pub use format::Format;
 pub use notes::{Options, Part, notes};
 pub use page::page;
-pub use plan::plan;
+pub use plan::{InversePlan, PlanStep};

@@ -3,32 +3,90 @@
 use super::explanation::{StepStory, Story};
 use super::notes::method;
 use super::notes::words::Phrase;
-use super::{Block, Document, Span, Text};
+use super::{Block, Document, Format, Span, Text};
 use crate::chain::Chain;
-use crate::planner::{Axes, Pair, Refusal, Structure};
+use crate::planner::{Axes, Pair, Plan, Refusal, Structure};
 use crate::program::Inverse;
 use crate::render::Language;
 use crate::render::formula::math::Math;
 use crate::render::formula::notation::Notation;
 use crate::render::formula::quantities::named_offsets;
 use crate::render::formula::text;
-use std::fmt::Write;
+use std::fmt::{self, Write};
 
-/// What the axes have in common, the steps of the plan (what each finds, how, from which earlier steps, how many solutions,
-/// where it fails), its equations, the flow chart.
-///
-/// # Errors
-/// Why the arm has no inverse.
-pub fn plan(chain: &Chain, language: Language) -> Result<Document, Refusal> {
-    let named = named_offsets(chain);
-    let chain = named.as_ref().unwrap_or(chain);
-    let title = Phrase::PlanTitle.in_language(language).replace("{}", &chain.name);
-    let mut blocks = structure(chain, language);
-    let inverse = Inverse::of(chain)?;
-    let story = Story::new(chain, &inverse.plan, &Notation::textbook(chain));
-    blocks.extend(steps(&story, language));
-    blocks.push(Block::Code("mermaid", chart(&story, language)));
-    Ok(Document { title, language: language.tag(), blocks })
+/// How an arm is inverted: steps as data, as a document, as a flow chart. `Display` prints the document as text.
+#[derive(Clone, Debug)]
+pub struct InversePlan {
+    chain: Chain,
+    plan: Plan,
+}
+
+/// One step of a plan.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PlanStep {
+    /// What it finds: joint angles, lengths of slides, sums of them.
+    pub finds: Vec<String>,
+    /// How, by the textbook's name: `the law of cosines`.
+    pub method: &'static str,
+    /// The steps before (from 0) whose results it uses.
+    pub needs: Vec<usize>,
+    /// Most solutions that it has.
+    pub solutions: usize,
+}
+
+impl InversePlan {
+    /// Plans an arm and tries the plan on sample poses.
+    ///
+    /// # Errors
+    /// Why the arm has no inverse.
+    #[doc(hidden)]
+    pub fn new(chain: &Chain) -> Result<InversePlan, Refusal> {
+        let chain = named_offsets(chain).unwrap_or_else(|| chain.clone());
+        let plan = Inverse::of(&chain)?.plan;
+        Ok(InversePlan { chain, plan })
+    }
+
+    fn story(&self) -> Story<'_> {
+        Story::new(&self.chain, &self.plan, &Notation::textbook(&self.chain))
+    }
+
+    /// The steps in order.
+    pub fn steps(&self) -> Vec<PlanStep> {
+        let step = |s: &StepStory| PlanStep {
+            finds: s.unknown.iter().map(text::math).collect(),
+            method: method(s).in_language(Language::English),
+            needs: s.needs.clone(),
+            solutions: s.roots,
+        };
+        self.story().steps.iter().map(step).collect()
+    }
+
+    /// Most solutions that a target has.
+    pub fn max_solutions(&self) -> usize {
+        self.plan.max_solutions
+    }
+
+    /// What the axes have in common, the steps (what each finds, how, from which earlier steps, how many solutions, where it fails),
+    /// their equations, the flow chart.
+    pub fn document(&self, language: Language) -> Document {
+        let title = Phrase::PlanTitle.in_language(language).replace("{}", &self.chain.name);
+        let story = self.story();
+        let mut blocks = structure(&self.chain, language);
+        blocks.extend(steps(&story, language));
+        blocks.push(Block::Code("mermaid", chart(&story, language)));
+        Document { title, language: language.tag(), blocks }
+    }
+
+    /// The flow chart alone, as Mermaid reads it.
+    pub fn mermaid(&self, language: Language) -> String {
+        chart(&self.story(), language)
+    }
+}
+
+impl fmt::Display for InversePlan {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.document(Language::English).print(Format::Text))
+    }
 }
 
 /// Which neighbouring axes are parallel or meet, by which cells of the table.
@@ -119,17 +177,6 @@ fn steps(story: &Story<'_>, language: Language) -> Vec<Block> {
     let pieces = vec![Span::Plain(story.plan.max_solutions.to_string()), Span::Plain(product.join(" × "))];
     blocks.push(Block::Paragraph(Text::fill(words(Phrase::PlanTotal), pieces)));
     blocks
-}
-
-/// The flow chart alone.
-///
-/// # Errors
-/// Why the arm has no inverse.
-pub fn mermaid(chain: &Chain, language: Language) -> Result<String, Refusal> {
-    let named = named_offsets(chain);
-    let chain = named.as_ref().unwrap_or(chain);
-    let inverse = Inverse::of(chain)?;
-    Ok(chart(&Story::new(chain, &inverse.plan, &Notation::textbook(chain)), language))
 }
 
 fn chart(story: &Story<'_>, language: Language) -> String {

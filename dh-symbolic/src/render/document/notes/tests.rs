@@ -91,8 +91,8 @@ fn notes_in_other_formats_and_in_chinese() {
 fn plans_and_flow_charts() {
     for (name, table) in [("puma", PUMA), ("ur5", UR5), ("panda", PANDA)] {
         let chain = chain(table);
-        let text = crate::render::document::plan(&chain, Language::English).unwrap().print(Format::Text);
-        let chart = crate::render::document::plan::mermaid(&chain, Language::Chinese).unwrap();
+        let plan = crate::render::InversePlan::new(&chain).unwrap();
+        let (text, chart) = (plan.to_string(), plan.mermaid(Language::Chinese));
         let both = format!("{text}\n{chart}");
         insta::with_settings!({ omit_expression => true }, { insta::assert_snapshot!(format!("{name}_plan"), both) });
     }

@@ -1,0 +1,19 @@
+//! The `dh` command: notes, proofs, plans and expanded code of a table, from a file or standard input.
+//!
+//! Exit code 0: done. 1: a claim is wrong or not understood, or two arms differ. 2: bad usage or a bad table.
+
+mod arguments;
+mod commands;
+mod output;
+
+use arguments::Request;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let arguments = std::env::args_os().skip(1);
+    let answer = match Request::read(arguments) {
+        Ok(request) => commands::run(&request),
+        Err(answer) => answer,
+    };
+    answer.give()
+}
