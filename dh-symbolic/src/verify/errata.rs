@@ -63,11 +63,11 @@ pub fn errata(pages: &[Page<'_>], reviewed: &str) -> String {
         "## Lines that need a condition\n\nTrue, but only where the condition holds: the page should say so.\n\n",
     );
     for p in &lines {
-        if let Verdict::Proven(conditions) = p.verdict
-            && !conditions.is_empty()
+        if let Verdict::Proven(w) = p.verdict
+            && !w.is_everywhere()
         {
             let all: Vec<String> =
-                conditions.iter().map(|c| format!("`{}`", condition_text(p.page.report, c))).collect();
+                w.conditions.iter().map(|c| format!("`{}`", condition_text(p.page.report, c))).collect();
             let _ = writeln!(
                 out,
                 "- **{}**, {} (`{}`): `{}` holds where {}.",

@@ -5,7 +5,7 @@ use crate::render::formula::expression::Expression;
 use crate::render::formula::grouping::Order;
 use crate::render::formula::plain;
 use crate::verify::Claims;
-use crate::verify::check::{Condition, Edit, Fault, FaultKind, Mend, Ratio, Report, Verdict};
+use crate::verify::check::{Condition, Edit, Example, Fault, FaultKind, Mend, Pair, Ratio, Report, Verdict};
 #[cfg(feature = "documents")]
 use crate::verify::document::Paper;
 use crate::verify::language::{Derivation, Line, Place, Token, TokenKind, line_text};
@@ -74,6 +74,15 @@ pub fn condition_text(report: &Report, c: &Condition) -> String {
     format!("{} {sign} 0", plain::expression(&report.ring, &e))
 }
 
+/// `q1 = 12.3deg, q2 = 0.4`
+fn example_text(e: &Example) -> String {
+    let one = |(name, x, angle): &(String, f64, bool)| match angle {
+        true => format!("{name} = {:.1}deg", x.to_degrees()),
+        false => format!("{name} = {x:.4}"),
+    };
+    e.joints.iter().map(one).collect::<Vec<_>>().join(", ")
+}
+
 fn number(x: f64) -> String {
     let text = format!("{x:.6}");
     text.trim_end_matches('0').trim_end_matches('.').to_string()
@@ -120,6 +129,20 @@ fn fault_remark(report: &Report, d: &Derivation, f: &Fault) -> Remark {
             r.headline = format!("{at}these angles are not the same: {} is not zero", ratio_text(report, difference));
         }
         FaultKind::Opposite => r.headline = format!("{at}these angles differ by half a turn"),
+        FaultKind::Nowhere(example, pair) => {
+            let at_pose =
+                if example.joints.is_empty() { String::new() } else { format!("; at {}", example_text(example)) };
+            let degrees = |x: f64| format!("{}deg", number(x.to_degrees()));
+            r.headline = match pair {
+                Pair::Numbers(x, y) => {
+                    format!("{at}this holds nowhere{at_pose}: printed {}, correct {}", number(*x), number(*y))
+                }
+                Pair::Angles(x, y) => {
+                    format!("{at}this holds nowhere{at_pose}: printed {}, correct {}", degrees(*x), degrees(*y))
+                }
+                Pair::Matrices => format!("{at}this holds nowhere{at_pose}"),
+            };
+        }
         FaultKind::Number { printed, correct, tolerance, angle } => {
             let show = |x: f64| if *angle { format!("{}deg", number(x.to_degrees())) } else { number(x) };
             r.headline = format!("{at}printed {}, correct {}", show(*printed), show(*correct));
@@ -207,11 +230,14 @@ pub fn line_report(report: &Report, d: &Derivation, line: &Line, verdict: &Verdi
     let (text, columns) = line_text(tokens);
     let word = verdict_word(verdict);
     let mut out = format!("{word:<8}{text}\n");
-    if let Verdict::Proven(conditions) = verdict
-        && !conditions.is_empty()
+    if let Verdict::Proven(w) = verdict
+        && !w.is_everywhere()
     {
-        let all: Vec<String> = conditions.iter().map(|c| condition_text(report, c)).collect();
+        let all: Vec<String> = w.conditions.iter().map(|c| condition_text(report, c)).collect();
         let _ = writeln!(out, "        where {}", all.join(" and "));
+        if let Some(e) = w.example.as_ref().filter(|e| !e.joints.is_empty()) {
+            let _ = writeln!(out, "        for example {}", example_text(e));
+        }
     }
     let mut shown: Option<Place> = None;
     for (k, r) in remarks(report, d, verdict).iter().enumerate() {

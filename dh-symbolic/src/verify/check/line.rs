@@ -1,10 +1,11 @@
 //! One line to one verdict.
 
 use super::compare::{Outcome, Pair};
+use super::direct::Meaning;
 use super::ratio::Trouble;
 use super::refusal::{Understood, refuse};
 use super::value::{Matrix, Turn, Value};
-use super::{Condition, Evaluator, Fault, FaultKind, Verdict};
+use super::{Condition, Evaluator, Fault, FaultKind, Verdict, Where};
 use crate::chain::Quantity;
 use crate::verify::language::{Expr, ExprKind, Line, NotUnderstood, Relation, Statement};
 
@@ -42,9 +43,9 @@ fn refers(e: &Expr) -> bool {
     }
 }
 
-impl Evaluator<'_> {
+impl<'a> Evaluator<'a> {
     /// The verdict on a line.
-    pub(super) fn line(&mut self, line: &Line) -> Verdict {
+    pub(super) fn line(&mut self, line: &'a Line) -> Verdict {
         self.work.renew();
         match self.understand(line) {
             Ok(v) => v,
@@ -62,13 +63,14 @@ impl Evaluator<'_> {
         }
     }
 
-    fn understand(&mut self, line: &Line) -> Understood<Verdict> {
+    fn understand(&mut self, line: &'a Line) -> Understood<Verdict> {
         match &line.statement {
             Statement::Unreadable(n) => Err(n.clone()),
             Statement::Define(name, e) => {
                 self.free(name, line)?;
                 let v = self.evaluate(e)?;
                 self.locals.push((name.clone(), v));
+                self.meanings.push((name.clone(), Meaning::Formula(e)));
                 Ok(Verdict::Noted)
             }
             Statement::Free(name, quantity) => {
@@ -77,7 +79,10 @@ impl Evaluator<'_> {
                     Quantity::Length => Value::Scalar(crate::algebra::Poly::symbol(self.ring.symbol(name)).into()),
                     Quantity::Angle => Value::Angle(Turn::var(self.ring.angle(name))),
                 };
-                self.locals.push((name.clone(), v));
+                self.locals.push((name.clone(), v.clone()));
+                self.meanings.push((name.clone(), Meaning::Free(v)));
+                // poses know nothing of the new quantity
+                self.spots.clear();
                 Ok(Verdict::Noted)
             }
             Statement::At(settings) => {
@@ -91,7 +96,7 @@ impl Evaluator<'_> {
             Statement::Kind(e, quantity) => {
                 let angle = matches!(self.evaluate(e)?, Value::Angle(_));
                 if angle == (*quantity == Quantity::Angle) {
-                    return Ok(Verdict::Proven(vec![]));
+                    return Ok(Verdict::Proven(Where::everywhere()));
                 }
                 Ok(Verdict::Wrong(vec![Fault {
                     place: e.place.clone(),
@@ -101,14 +106,20 @@ impl Evaluator<'_> {
                 }]))
             }
             Statement::Claim { first, rest, within } => {
-                let mut verdict = Verdict::Proven(vec![]);
+                let mut verdict = Verdict::Proven(Where::everywhere());
                 let mut left = first;
+                let mut parts = 0;
                 for (relation, right) in rest {
                     let next = self.relation(&Sides::new(left, right), *relation, within.as_ref())?;
+                    parts += usize::from(matches!(&next, Verdict::Proven(w) if !w.is_everywhere()));
                     verdict = joined(verdict, next);
                     left = right;
                 }
-                Ok(verdict)
+                match verdict {
+                    // each part has poses at which it holds: the whole line needs one
+                    Verdict::Proven(w) if parts > 1 => self.together(w, &line.place),
+                    verdict => Ok(verdict),
+                }
             }
         }
     }
@@ -131,10 +142,10 @@ impl Evaluator<'_> {
         match relation {
             Relation::Equal => self.equal(sides, a, b),
             Relation::NotEqual => Ok(match self.equal(sides, a, b)? {
-                Verdict::Proven(conditions) if conditions.is_empty() => {
+                Verdict::Proven(w) if w.is_everywhere() => {
                     Verdict::Wrong(vec![Fault { place, entry: None, kind: FaultKind::Same, mend: None }])
                 }
-                _ => Verdict::Proven(vec![]),
+                _ => Verdict::Proven(Where::everywhere()),
             }),
             Relation::Near => self.near(sides, a, b, within),
             order => self.order(sides, a, b, order),
@@ -147,13 +158,15 @@ impl Evaluator<'_> {
         match self.pair(printed, correct, &place)? {
             Pair::Scalars(x, y) => {
                 let outcome = self.compare_scalars(&x, &y, &place)?;
-                let mut verdict = verdict(outcome, sides.printed().place.clone(), None, &place)?;
+                let verdict = verdict(outcome, sides.printed().place.clone(), None, &place)?;
+                let mut verdict = self.settled(sides, false, verdict)?;
                 self.add_mend(&mut verdict, sides, &Value::Scalar(y));
                 Ok(verdict)
             }
             Pair::Turns(t, u) => {
                 let outcome = self.compare_turns(&t, &u, &place)?;
-                let mut verdict = verdict(outcome, sides.printed().place.clone(), None, &place)?;
+                let verdict = verdict(outcome, sides.printed().place.clone(), None, &place)?;
+                let mut verdict = self.settled(sides, true, verdict)?;
                 self.add_mend(&mut verdict, sides, &Value::Angle(u));
                 Ok(verdict)
             }
@@ -169,7 +182,7 @@ impl Evaluator<'_> {
             }
             _ => None,
         };
-        let mut all = Verdict::Proven(vec![]);
+        let mut all = Verdict::Proven(Where::everywhere());
         for (k, (x, y)) in m.entries.iter().zip(&n.entries).enumerate() {
             let outcome = self.compare_scalars(x, y, &place)?;
             let at = written.and_then(|w| w.get(k)).map_or_else(|| sides.printed().place.clone(), |e| e.place.clone());
@@ -184,6 +197,7 @@ impl Evaluator<'_> {
             }
             all = joined(all, one);
         }
+        all = self.settled(sides, false, all)?;
         if written.is_none() {
             self.add_mend(&mut all, sides, &Value::Matrix(n.clone()));
         }
@@ -216,7 +230,7 @@ fn verdict(
 ) -> Understood<Verdict> {
     let wrong = |kind| Verdict::Wrong(vec![Fault { place: place.clone(), entry, kind, mend: None }]);
     Ok(match outcome {
-        Outcome::Same(conditions) => Verdict::Proven(conditions),
+        Outcome::Same(conditions) => Verdict::Proven(Where::under(conditions)),
         Outcome::Differs(parts) => {
             let [printed, correct, difference] = *parts;
             wrong(FaultKind::Formula { printed, correct, difference })
@@ -237,8 +251,10 @@ pub(super) fn joined(a: Verdict, b: Verdict) -> Verdict {
         (Verdict::Wrong(f), _) | (_, Verdict::Wrong(f)) => Verdict::Wrong(f),
         (Verdict::Agrees, _) | (_, Verdict::Agrees) => Verdict::Agrees,
         (Verdict::Proven(mut c), Verdict::Proven(d)) => {
-            let new: Vec<Condition> = d.into_iter().filter(|x| !c.contains(x)).collect();
-            c.extend(new);
+            let new: Vec<Condition> = d.conditions.into_iter().filter(|x| !c.conditions.contains(x)).collect();
+            c.conditions.extend(new);
+            // one pose for each part of the line
+            c.example = c.example.or(d.example);
             Verdict::Proven(c)
         }
         (a, _) => a,

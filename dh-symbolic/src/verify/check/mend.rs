@@ -4,7 +4,7 @@
 //! a lost factor, a number. Each is tried in numbers at one point; what survives is proven.
 
 use super::compare::{Outcome, Pair};
-use super::quick::{Quick, Sieve};
+use super::direct::{Direct, Spot};
 use super::value::Value;
 use super::{Edit, Evaluator, Mend};
 use crate::algebra::Factor;
@@ -19,6 +19,9 @@ const EFFORT: usize = 400_000;
 const TOTAL_EFFORT: usize = 4_000_000;
 /// Most survivors of the sieve that are proven.
 const PROOFS: usize = 40;
+
+/// What rounding may add to a value, as a part of it.
+const NEAR: f64 = 1e-9;
 
 /// The rank of a pair of changes: rather two wrong letters than one insertion.
 const PAIR: u8 = 3;
@@ -43,7 +46,7 @@ impl Evaluator<'_> {
             return None;
         }
         self.work.renew();
-        let mut sieve = Sieve::new(self.random_point(77));
+        let mut sieve = Spot::new(self.random_point(77));
         let goal = sieve.value(target);
         let mut singles = self.candidates(place, target);
         singles.sort_by_key(|c| c.rank);
@@ -57,14 +60,14 @@ impl Evaluator<'_> {
                 values.push(None);
                 continue;
             };
-            if v.is_near(&goal) && proofs < PROOFS {
+            if v.is_near(&goal, NEAR) && proofs < PROOFS {
                 proofs += 1;
                 if self.proves(place, &mend, target) {
                     return Some((c.rank, mend));
                 }
             }
             values.push(match v {
-                Quick::Scalar(x) => Some(x),
+                Direct::Scalar(x) => Some(x),
                 _ => None,
             });
         }
@@ -76,13 +79,13 @@ impl Evaluator<'_> {
         &mut self,
         place: &Place,
         target: &Value,
-        sieve: &mut Sieve,
-        goal: &Quick,
+        sieve: &mut Spot,
+        goal: &Direct,
         singles: &[Candidate],
         values: &[Option<f64>],
     ) -> Option<Mend> {
-        let Quick::Scalar(goal_value) = goal else { return None };
-        let Some(Quick::Scalar(start)) = self.quick(sieve, place, &Mend { edits: vec![] }) else { return None };
+        let Direct::Scalar(goal_value) = goal else { return None };
+        let Some(Direct::Scalar(start)) = self.quick(sieve, place, &Mend { edits: vec![] }) else { return None };
         let usable: Vec<(&Candidate, f64)> = singles
             .iter()
             .zip(values)
@@ -113,7 +116,7 @@ impl Evaluator<'_> {
             let mut edits = vec![a.edit.clone(), b.edit.clone()];
             edits.sort_by_key(|e| e.place.start);
             let mend = Mend { edits };
-            let near = self.quick(sieve, place, &mend).is_some_and(|v| v.is_near(goal));
+            let near = self.quick(sieve, place, &mend).is_some_and(|v| v.is_near(goal, NEAR));
             if near && proofs < PROOFS {
                 proofs += 1;
                 if self.proves(place, &mend, target) {
@@ -124,7 +127,7 @@ impl Evaluator<'_> {
         None
     }
 
-    fn quick(&mut self, sieve: &mut Sieve, place: &Place, mend: &Mend) -> Option<Quick> {
+    fn quick(&mut self, sieve: &mut Spot, place: &Place, mend: &Mend) -> Option<Direct> {
         let e = Expr::parse(&mended(self.tokens, place, mend)).ok()?;
         sieve.evaluate(&e, self)
     }

@@ -5,9 +5,11 @@
 //! [`verify::language`](crate::verify::language).
 //!
 //! Equality of formulas is equality of normal forms, so a verdict is a decision, not an estimate; only `~`, `<` and `>` look at
-//! numbers. Before a line is called wrong, both sides are compared at points: what agrees there and cannot be proven is left open.
+//! numbers. No verdict rests on the algebra alone: both sides are evaluated at many poses as well, by a program that shares nothing with
+//! the normal form. A proof that fails at a pose is none, conditions must be met by a pose, and what holds at some is not called wrong.
 
 mod compare;
+mod direct;
 mod evaluate;
 mod functions;
 mod line;
@@ -15,17 +17,18 @@ mod mend;
 mod near;
 mod number;
 mod point;
-mod quick;
 mod ratio;
 mod refusal;
 mod root;
 mod scope;
+mod settle;
 mod substitute;
 #[cfg(test)]
 mod tests;
 mod value;
 
 pub use ratio::Ratio;
+pub use settle::Pair;
 
 use crate::algebra::{Angle, AngleVar, Poly, Ring, Symbol};
 use crate::chain::{Chain, Coordinate, Joint};
@@ -56,14 +59,47 @@ impl Report {
 pub enum Verdict {
     /// A definition or a setting; nothing is claimed.
     Noted,
-    /// The line holds for all values of the variables, under these conditions (none: always).
-    Proven(Vec<Condition>),
+    /// The line holds for all values of the variables; or where some conditions are met, which they can be.
+    Proven(Where),
     /// The line holds at the given values, to the given digits.
     Agrees,
     /// The line does not hold: here (in a matrix there may be several places; one at least).
     Wrong(Vec<Fault>),
     /// The line cannot be read, means nothing, or cannot be decided; with a change that makes it right, where one was found.
     NotUnderstood(NotUnderstood, Option<Mend>),
+}
+
+/// Where a line holds: everywhere, if there are no conditions.
+#[derive(Clone, Debug, Default)]
+pub struct Where {
+    /// All of them are to be met.
+    pub conditions: Vec<Condition>,
+    /// A pose of the arm at which they are met.
+    pub example: Option<Example>,
+}
+
+impl Where {
+    /// For all values of the variables.
+    pub fn everywhere() -> Where {
+        Where::default()
+    }
+
+    /// Under conditions.
+    pub(self) fn under(conditions: Vec<Condition>) -> Where {
+        Where { conditions, example: None }
+    }
+
+    /// Without any condition?
+    pub fn is_everywhere(&self) -> bool {
+        self.conditions.is_empty()
+    }
+}
+
+/// A pose of the arm.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Example {
+    /// Name, value (radians or table units), and whether it is an angle.
+    pub joints: Vec<(String, f64, bool)>,
 }
 
 /// A formula that must not be negative (strict: that must be positive).
@@ -105,6 +141,8 @@ pub enum FaultKind {
     Angle(Ratio),
     /// Two angles differ by half a turn.
     Opposite,
+    /// The line holds nowhere: a pose, and both sides there.
+    Nowhere(Box<Example>, Pair),
     /// Two numbers differ by more than their rounding.
     Number {
         /// What the line says.
@@ -173,6 +211,10 @@ struct Evaluator<'a> {
     /// The variables q1, q2, ...
     joints: Vec<value::Value>,
     locals: Vec<(String, value::Value)>,
+    /// The same names as they were written, for evaluation in numbers.
+    meanings: Vec<(String, direct::Meaning<'a>)>,
+    /// Poses at which lines are tried, and whether the arm has the lengths of the table there.
+    spots: Vec<Option<(direct::Spot, bool)>>,
     /// Angles without exact sine, by their size.
     constants: Vec<(AngleVar, Angle)>,
     roots: Vec<Root>,
@@ -204,6 +246,8 @@ impl<'a> Evaluator<'a> {
             transforms: BTreeMap::new(),
             joints,
             locals: Vec::new(),
+            meanings: Vec::new(),
+            spots: Vec::new(),
             constants: scope::constant_angles(chain),
             roots: Vec::new(),
             given: Vec::new(),

@@ -6,7 +6,7 @@ use super::point::{Rounding, rounding, wrapped};
 use super::ratio::Ratio;
 use super::refusal::{Understood, refuse};
 use super::value::Value;
-use super::{Evaluator, Fault, FaultKind, Verdict};
+use super::{Evaluator, Fault, FaultKind, Verdict, Where};
 use crate::verify::language::{Expr, ExprKind, Relation};
 
 /// What two numbers may be apart beyond all rounding: floating point alone.
@@ -107,6 +107,8 @@ impl Evaluator<'_> {
                 return refuse(&e.place, format!("`{name}` has no value here: add it to an `at` line"));
             }
         }
+        // fields may have other values than those of the table
+        let fields = [&a, &b].iter().any(|v| self.asks_fields(v));
         let (x, y, exact) = match self.pair(a, b, &place)? {
             Pair::Scalars(x, y) => {
                 let exact = self.compare_scalars(&x, &y, &place)?;
@@ -123,7 +125,8 @@ impl Evaluator<'_> {
             _ => difference >= 0.0,
         };
         if holds {
-            return Ok(if self.given.is_empty() { Verdict::Proven(vec![]) } else { Verdict::Agrees });
+            let bare = self.given.is_empty() && !fields;
+            return Ok(if bare { Verdict::Proven(Where::everywhere()) } else { Verdict::Agrees });
         }
         Ok(Verdict::Wrong(vec![Fault { place, entry: None, kind: FaultKind::Order { left: x, right: y }, mend: None }]))
     }

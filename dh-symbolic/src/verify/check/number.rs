@@ -40,7 +40,7 @@ impl Written {
 }
 
 /// Metres in a unit of length.
-fn metres(unit: &str) -> Option<Rational> {
+pub(super) fn metres(unit: &str) -> Option<Rational> {
     let (n, d) = match unit {
         "m" => (1, 1),
         "dm" => (1, 10),

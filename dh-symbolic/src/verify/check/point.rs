@@ -1,13 +1,14 @@
 //! Numbers at a point: the values of an `at` line, rounding, and random points that keep a verdict honest.
 
 use super::Evaluator;
+use super::direct::Meaning;
 use super::number::Written;
 use super::ratio::Ratio;
 use super::refusal::{Understood, refuse};
 use super::substitute::{Variable, variable_of};
 use super::value::{Turn, Value};
-use crate::algebra::{Angle, AngleVar, Monomial, Point, Poly, Rational, Symbol};
-use crate::chain::{AngleCell, Coordinate, Handle, Role, Value as Nominal};
+use crate::algebra::{Angle, AngleVar, LinearAngle, Monomial, Point, Poly, Rational, Symbol};
+use crate::chain::{AngleCell, Bound, Chain, Coordinate, Handle, Joint, Parameter, Role, Value as Nominal};
 use crate::verify::language::{Expr, ExprKind, Setting};
 use std::collections::BTreeMap;
 
@@ -37,10 +38,76 @@ pub(super) struct Numbers {
 }
 
 impl Numbers {
-    fn evaluate(&self, p: &Poly) -> f64 {
-        let symbol = |s: Symbol| self.symbols.get(&s).copied().unwrap_or(f64::NAN);
-        let angle = |v: AngleVar| self.angles.get(&v).copied().unwrap_or(f64::NAN);
-        p.evaluate(&Point { symbol: &symbol, angle: &angle })
+    pub(super) fn evaluate(&self, p: &Poly) -> f64 {
+        p.evaluate(&Point { symbol: &|s| self.symbol(s), angle: &|v| self.angle(v) })
+    }
+
+    /// Not a number where there is none.
+    pub(super) fn symbol(&self, s: Symbol) -> f64 {
+        self.symbols.get(&s).copied().unwrap_or(f64::NAN)
+    }
+
+    /// Radians; not a number where there is none.
+    pub(super) fn angle(&self, v: AngleVar) -> f64 {
+        self.angles.get(&v).copied().unwrap_or(f64::NAN)
+    }
+
+    pub(super) fn linear(&self, a: &LinearAngle) -> f64 {
+        a.terms.iter().map(|(v, k)| f64::from(*k) * self.angle(*v)).sum::<f64>() + a.constant.radians()
+    }
+
+    /// The constant part that a joint coordinate has beside what the motors do.
+    fn shift(&self, chain: &Chain, cell: &AngleCell) -> f64 {
+        let own = |(i, k): &(usize, i8)| match chain.parameters.get(*i).map(|p| p.handle) {
+            Some(Handle::Angle(v)) => f64::from(*k) * self.angle(v),
+            _ => 0.0,
+        };
+        angle_value(cell) + cell.symbols.iter().map(own).sum::<f64>()
+    }
+
+    /// The variables q of the motors: the drive turned around, by elimination.
+    pub(super) fn motors(&self, chain: &Chain) -> Option<Vec<f64>> {
+        let coordinate = |j: &Joint| match j.coordinate {
+            Coordinate::Angle(v) => self.angle(v) - self.shift(chain, &j.shift),
+            Coordinate::Length(s) => self.symbol(s),
+        };
+        let x: Vec<f64> = chain.joints.iter().map(coordinate).collect();
+        if chain.is_direct() {
+            return Some(x);
+        }
+        let n = x.len();
+        let mut rows: Vec<Vec<f64>> = Vec::new();
+        for (row, x) in chain.drive.iter().zip(x) {
+            rows.push(row.iter().map(|p| self.evaluate(p)).chain([x]).collect());
+        }
+        for k in 0..n {
+            let pivot = (k..n).max_by(|a, b| rows[*a][k].abs().total_cmp(&rows[*b][k].abs()))?;
+            rows.swap(k, pivot);
+            let first = rows.get(k)?.clone();
+            for (i, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != k) {
+                let _ = i;
+                let factor = row.get(k)? / first.get(k)?;
+                for (a, b) in row.iter_mut().zip(&first) {
+                    *a -= factor * b;
+                }
+            }
+        }
+        (0..n).map(|k| Some(rows.get(k)?.get(n)? / rows.get(k)?.get(k)?)).collect()
+    }
+
+    /// Puts the joint coordinates where the motors are.
+    pub(super) fn set_motors(&mut self, chain: &Chain, motors: &[f64]) {
+        for (joint, row) in chain.joints.iter().zip(&chain.drive) {
+            let used = row.iter().zip(motors).filter(|(k, _)| !k.is_zero());
+            let x: f64 = used.map(|(k, q)| self.evaluate(k) * q).sum();
+            if x.is_nan() {
+                continue;
+            }
+            match joint.coordinate {
+                Coordinate::Angle(v) => _ = self.angles.insert(v, x + self.shift(chain, &joint.shift)),
+                Coordinate::Length(s) => _ = self.symbols.insert(s, x),
+            }
+        }
     }
 
     pub(super) fn ratio(&self, x: &Ratio) -> f64 {
@@ -48,20 +115,37 @@ impl Numbers {
     }
 
     /// The numerator, measured against its largest term.
-    fn relative(&self, x: &Ratio) -> f64 {
+    pub(super) fn relative(&self, x: &Ratio) -> f64 {
         let size = |(m, c): &(Monomial, Rational)| self.evaluate(&Poly::term(m.clone(), c.clone())).abs();
         let largest = x.num.terms().iter().map(size).fold(f64::MIN_POSITIVE, f64::max);
         self.evaluate(&x.num) / largest
     }
 
     pub(super) fn turn(&self, t: &Turn) -> f64 {
-        let linear: f64 =
-            t.terms.iter().map(|(v, k)| k.to_f64() * self.angles.get(v).copied().unwrap_or(f64::NAN)).sum();
+        let linear: f64 = t.terms.iter().map(|(v, k)| k.to_f64() * self.angle(*v)).sum();
         let side = |(x, y, minus): &(Ratio, Ratio, bool)| {
             let a = self.ratio(y).atan2(self.ratio(x));
             if *minus { -a } else { a }
         };
         linear + t.constant.radians() + t.sides.iter().map(side).sum::<f64>()
+    }
+}
+
+/// Numbers between 0 and 1, the same for the same seed.
+fn uniform(seed: u64) -> impl FnMut() -> f64 {
+    let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x5851_f42d_4c95_7f2d;
+    move || {
+        state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        (z >> 11) as f64 / (1u64 << 53) as f64
+    }
+}
+
+fn bound(b: &Bound) -> f64 {
+    match b {
+        Bound::HalfTurns(x) => Angle::half_turns(x.clone()).radians(),
+        Bound::Radians(x) | Bound::Length(x) => x.to_f64(),
     }
 }
 
@@ -173,23 +257,13 @@ impl Evaluator<'_> {
                 What::Angle(v, rest) => _ = n.angles.insert(v, g.value - rest),
             }
         }
-        for (joint, row) in self.chain.joints.iter().zip(&self.chain.drive) {
-            let used = row.iter().zip(&joints).filter(|(k, _)| !k.is_zero());
-            let x: f64 = used.map(|(k, q)| n.evaluate(k) * q).sum();
-            if x.is_nan() {
-                continue;
-            }
-            match joint.coordinate {
-                Coordinate::Angle(v) => _ = n.angles.insert(v, x + angle_value(&joint.shift)),
-                Coordinate::Length(s) => _ = n.symbols.insert(s, x),
-            }
-        }
+        n.set_motors(self.chain, &joints);
         self.complete(&mut n);
         n
     }
 
     /// Adds what follows: angles with a name of their own, radians as numbers, roots.
-    fn complete(&self, n: &mut Numbers) {
+    pub(super) fn complete(&self, n: &mut Numbers) {
         for (v, a) in &self.constants {
             n.angles.insert(*v, a.radians());
         }
@@ -210,13 +284,7 @@ impl Evaluator<'_> {
 
     /// A point where everything has some value; numbers of the table keep theirs.
     pub(super) fn random_point(&self, seed: u64) -> Numbers {
-        let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x5851_f42d_4c95_7f2d;
-        let mut unit = move || {
-            state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-            let mut z = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-            z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-            (z >> 11) as f64 / (1u64 << 53) as f64
-        };
+        let mut unit = uniform(seed);
         let mut n = Numbers::default();
         for s in self.ring.symbols() {
             n.symbols.insert(s, 0.4 + unit());
@@ -236,6 +304,81 @@ impl Evaluator<'_> {
         n
     }
 
+    /// A pose of the arm, and whether the arm has the lengths and angles of the table there: joints within their ranges and beyond; what
+    /// has no value in the table is drawn, lengths with either sign.
+    pub(super) fn sample(&self, k: usize) -> (Numbers, bool) {
+        let mut unit = uniform(1_000_003 + k as u64);
+        let chain = self.chain;
+        let has_value = |p: &&Parameter| matches!(&p.role, Role::Field(Some(_)));
+        // every third pose is that of another arm of the same kind
+        let own = k % 3 != 2 || !chain.parameters.iter().any(|p| has_value(&p));
+        let mut n = self.numbers(&[]);
+        let constant = |v: &f64| v.is_finite() && *v != 0.0;
+        let scale = n.symbols.values().filter(|v| constant(v)).fold(0.0, |s: f64, x| s.max(x.abs()));
+        let scale = if scale > 0.0 { scale } else { 1.0 };
+        let fixed = |s: Handle| {
+            chain.parameters.iter().any(|p| {
+                p.handle == s && (matches!(p.role, Role::Constant(_)) || own && matches!(p.role, Role::Field(Some(_))))
+            })
+        };
+        for s in self.ring.symbols() {
+            let length = scale * (0.4 + unit()) * if unit() < 0.2 { -1.0 } else { 1.0 };
+            if !fixed(Handle::Length(s)) {
+                n.symbols.insert(s, length);
+            }
+        }
+        for v in self.ring.angles() {
+            let angle = std::f64::consts::PI * (2.0 * unit() - 1.0);
+            if !fixed(Handle::Angle(v)) {
+                n.angles.insert(v, angle);
+            }
+        }
+        let mut motors = Vec::new();
+        for (joint, value) in chain.joints.iter().zip(&self.joints) {
+            let u = unit();
+            let range = joint.range.as_ref().filter(|_| k % 2 == 0).map(|(a, b)| (bound(a), bound(b)));
+            let (low, high) = match (range, value) {
+                (Some(range), _) => range,
+                (None, Value::Angle(_)) => (-std::f64::consts::PI, std::f64::consts::PI),
+                (None, _) => (-1.5 * scale, 1.5 * scale),
+            };
+            motors.push(low + u * (high - low));
+        }
+        n.set_motors(chain, &motors);
+        self.complete(&mut n);
+        (n, own)
+    }
+
+    /// The point where one variable has another value; `None` where the name is no single variable.
+    pub(super) fn moved(&self, at: &Numbers, name: &str, new: impl Fn(f64) -> f64) -> Option<Numbers> {
+        let mut n = at.clone();
+        let own = self.meanings.iter().rev().find(|m| m.0 == name);
+        let value = match own {
+            Some((_, Meaning::Free(v))) => v.clone(),
+            Some(_) => return None,
+            None => self.quantity(name)?,
+        };
+        let motor = self.chain.joints.iter().position(|j| own.is_none() && j.name == name);
+        if let Some(k) = motor {
+            let mut motors = n.motors(self.chain)?;
+            let q = motors.get_mut(k)?;
+            *q = new(*q);
+            n.set_motors(self.chain, &motors);
+            return Some(n);
+        }
+        match variable_of(&value)? {
+            Variable::Symbol(s, positive) => {
+                let sign = if positive { 1.0 } else { -1.0 };
+                n.symbols.insert(s, sign * new(sign * n.symbol(s)));
+            }
+            Variable::Angle(v, rest) => {
+                let rest = n.turn(&rest);
+                n.angles.insert(v, new(n.angle(v) + rest) - rest);
+            }
+        }
+        Some(n)
+    }
+
     /// May a formula be zero although its normal form is not? Only where roots occur, or angles of the same kind as 35deg and
     /// 70deg, whose sines are related; then numbers at several points decide. (Where a root is not real, a point says nothing.)
     pub(super) fn is_zero_in_numbers(&self, x: &Ratio) -> bool {
@@ -246,6 +389,26 @@ impl Evaluator<'_> {
         }
         let values: Vec<f64> = (1..12).map(|k| self.random_point(k).relative(x)).filter(|v| v.is_finite()).collect();
         !values.is_empty() && values.iter().all(|v| v.abs() < 1e-9)
+    }
+
+    /// Does a value depend on a field of the robot?
+    pub(super) fn asks_fields(&self, v: &Value) -> bool {
+        let fields = || self.chain.parameters.iter().filter(|p| matches!(p.role, Role::Field(_)));
+        let in_poly = |p: &Poly| {
+            fields().any(|f| match f.handle {
+                Handle::Length(s) => p.has_symbol(s),
+                Handle::Angle(v) => p.has_angle(v),
+            })
+        };
+        let in_ratio = |x: &Ratio| in_poly(&x.num) || in_poly(&x.den);
+        match v {
+            Value::Scalar(x) => in_ratio(x),
+            Value::Matrix(m) => m.entries.iter().any(in_ratio),
+            Value::Angle(t) => {
+                let term = |v: &AngleVar| fields().any(|f| f.handle == Handle::Angle(*v));
+                t.terms.iter().any(|(v, _)| term(v)) || t.sides.iter().any(|(x, y, _)| in_ratio(x) || in_ratio(y))
+            }
+        }
     }
 
     /// The name of something without a value.

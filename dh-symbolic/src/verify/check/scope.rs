@@ -7,7 +7,7 @@ use crate::algebra::{Angle, AngleVar, Poly, Rational, adjugate};
 use crate::chain::{AngleCell, Chain, Convention, Coordinate, Handle, Parameter, Role, Value as Nominal};
 
 /// `prefix` and a number from 0: `a2` is ("a", 2).
-fn numbered(name: &str) -> Option<(&str, usize)> {
+pub(super) fn numbered(name: &str) -> Option<(&str, usize)> {
     let at = name.find(|c: char| c.is_ascii_digit())?;
     let (prefix, digits) = name.split_at(at);
     let fine =
@@ -55,30 +55,37 @@ impl Evaluator<'_> {
 
     /// Names that mean something without any `let` in the derivation, except c23 and the like.
     fn known(&mut self, name: &str) -> Option<Value> {
-        if let Some(p) = self.chain.parameters.iter().find(|p| p.declared && p.name == name) {
-            return Some(match p.handle {
-                Handle::Length(s) => Value::Scalar(Poly::symbol(s).into()),
-                Handle::Angle(v) => Value::Angle(Turn::var(v)),
-            });
+        if let Some(v) = self.quantity(name) {
+            return Some(v);
         }
-        match name {
-            "pi" => return Some(Value::Angle(Turn::constant(Angle::half_turns(Rational::ONE)))),
-            "base" => return Some(self.fixed(self.kinematics.base())),
-            "tool" => return Some(self.fixed(self.kinematics.tool())),
-            "J" => return Some(Value::Matrix(self.jacobian())),
-            "I3" => return Some(Value::Matrix(super::value::Matrix::identity(3))),
-            "I4" => return Some(Value::Matrix(super::value::Matrix::identity(4))),
-            _ => {}
+        Some(match name {
+            "base" => self.fixed(self.kinematics.base()),
+            "tool" => self.fixed(self.kinematics.tool()),
+            "J" => Value::Matrix(self.jacobian()),
+            "I3" => Value::Matrix(super::value::Matrix::identity(3)),
+            "I4" => Value::Matrix(super::value::Matrix::identity(4)),
+            _ => return None,
+        })
+    }
+
+    /// Lengths and angles of the table: declared ones, cells, joint variables.
+    pub(super) fn quantity(&self, name: &str) -> Option<Value> {
+        let handle = |h: Handle| match h {
+            Handle::Length(s) => Value::Scalar(Poly::symbol(s).into()),
+            Handle::Angle(v) => Value::Angle(Turn::var(v)),
+        };
+        let parameters = &self.chain.parameters;
+        if let Some(p) = parameters.iter().find(|p| p.declared && p.name == name) {
+            return Some(handle(p.handle));
         }
-        if let Some(p) =
-            self.chain.parameters.iter().find(|p| !p.declared && p.name == name && numbered(name).is_none())
-        {
-            return Some(match p.handle {
-                Handle::Length(s) => Value::Scalar(Poly::symbol(s).into()),
-                Handle::Angle(v) => Value::Angle(Turn::var(v)),
-            });
+        if name == "pi" {
+            return Some(Value::Angle(Turn::constant(Angle::half_turns(Rational::ONE))));
         }
-        let (prefix, number) = numbered(name)?;
+        let split = numbered(name);
+        if let Some(p) = parameters.iter().find(|p| !p.declared && p.name == name && split.is_none()) {
+            return Some(handle(p.handle));
+        }
+        let (prefix, number) = split?;
         // rows count theta_i and d_i from 1; the modified convention keeps alpha and a of the link before
         let ahead = usize::from(self.chain.convention == Convention::Modified);
         let own = number.checked_sub(1);

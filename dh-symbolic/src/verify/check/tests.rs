@@ -109,6 +109,44 @@ fn signs_left_open_become_conditions() {
     insta::assert_snapshot!(text);
 }
 
+/// The branches of Craig's solution: each holds somewhere, and what holds nowhere is wrong, whatever condition the algebra would put to it.
+#[test]
+fn a_condition_that_no_pose_meets_is_no_proof() {
+    let table = "convention = modified;
+        let a2: length = 0.4318; let a3: length = 0.0203; let d3: length = 0.15005; let d4: length = 0.4318;
+        | alpha | a | d | theta |
+        | 0 | 0 | 0 | q1 |
+        | -90deg | 0 | 0 | q2 |
+        | 0 | a2 | d3 | q3 |
+        | -90deg | a3 | d4 | q4 |
+        | 90deg | 0 | 0 | q5 |
+        | -90deg | 0 | 0 | q6 |";
+    let claims = "let px = T(0,6).px; let py = T(0,6).py; let pz = T(0,6).pz;
+        let K = (px^2 + py^2 + pz^2 - a2^2 - a3^2 - d3^2 - d4^2)/(2*a2);
+        q1 = atan2(py, px) - atan2(d3, sqrt(px^2 + py^2 - d3^2));
+        q1 = atan2(py, px) - atan2(d3, -sqrt(px^2 + py^2 - d3^2));
+        q3 = atan2(a3, d4) - atan2(K, sqrt(a3^2 + d4^2 - K^2));
+        q3 = atan2(a3, d4) - atan2(K, -sqrt(a3^2 + d4^2 - K^2));
+        q1 = atan2(py, px) + atan2(d3, sqrt(px^2 + py^2 - d3^2));
+        q1 = atan2(py, px) + atan2(d3, -sqrt(px^2 + py^2 - d3^2));
+        q1 = atan2(py, px) - atan2(-d3, sqrt(px^2 + py^2 - d3^2));
+        q3 = atan2(a3, d4) + atan2(K, sqrt(a3^2 + d4^2 - K^2));
+        sqrt(a2^2) = -a2;
+        sqrt(s2^2) = s2 = -sqrt(s2^2);
+        a2 > 0;";
+    let expected = [["noted"; 4].as_slice(), &["proven"; 4], &["wrong"; 5], &["unclear", "agrees"]].concat();
+    assert_eq!(words(table, claims), expected);
+}
+
+/// What holds at the lengths of the table, and not for all, is no proof and no mistake.
+#[test]
+fn an_instance_is_no_identity() {
+    let table = "convention = standard; let l1: length = 0.5; let l2: length = 0.25;
+        | theta | d | a | alpha | | q1 | 0 | l1 | 0 | | q2 | 0 | l2 | 0 |";
+    let claims = "T(0,2).px = 0.5*c1 + 0.25*c12; l1 - l2 = 0.25; l1 - l2 = 0.3; T(0,2).px = l1*c1 + l2*c12;";
+    assert_eq!(words(table, claims), ["agrees", "agrees", "wrong", "proven"]);
+}
+
 #[test]
 fn tables_of_numbers() {
     let table = "convention = modified; unit = mm; let l = 30;
