@@ -181,10 +181,10 @@ impl Cobra600 {
     /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
     ///
     /// Plan:
-    /// 1. `q3`: a linear equation.
-    /// 2. `q1 + q2 - q4`: two equations in its sine and cosine: one value.
-    /// 3. `q2`: a cos + b sin = c: two values.
-    /// 4. `q1`: two equations in its sine and cosine: one value.
+    /// 1. `q3`: a linear equation (a d + b = 0, one value).
+    /// 2. `q1 + q2 - q4`: sine and cosine (two equations a cos + b sin = c, one value).
+    /// 3. `q2`: the law of cosines (a cos + b sin = c, two values).
+    /// 4. `q1`: sine and cosine (two equations a cos + b sin = c, one value).
     #[must_use]
     pub fn inverse(
         &self,
@@ -223,25 +223,28 @@ impl Cobra600 {
         let free = ::dh_robot::FreeJoints::NONE;
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
         let t_3 = t_2 - 0.3397962776479236;
-        let r0 = ::dh_robot::runtime::solve_quadratic(
+        let q3_roots = ::dh_robot::runtime::solve_quadratic(
             0.0,
             -1.0,
             -(t[2][3] - 0.39209726443769),
             1e-11,
         );
-        if !r0.is_regular() {
-            attempt.note(r0.outcome, free, "q3", 0.987, "m");
+        if !q3_roots.is_regular() {
+            attempt.note(q3_roots.outcome, free, "q3", 0.987, "m");
         }
-        let free = if r0.is_free() {
-            attempt.degenerate = true;
+        let free = if q3_roots.is_free() {
             free.union(::dh_robot::FreeJoints::of(&[2]))
         } else {
             free
         };
-        for (i0, &q3) in r0.or_if_free(pick.length(0)).iter().enumerate() {
-            let a0 = q3 * 0.987;
-            let t_4 = q3 * (0.78419452887538 - q3);
-            let r1 = ::dh_robot::runtime::solve_pair(
+        for (q3_root, &q3_scaled) in q3_roots
+            .or_if_free(pick.length(0))
+            .iter()
+            .enumerate()
+        {
+            let q3 = q3_scaled * 0.987;
+            let t_4 = q3_scaled * (0.78419452887538 - q3_scaled);
+            let q1_plus_q2_minus_q4_roots = ::dh_robot::runtime::solve_pair(
                 1.0,
                 0.0,
                 t[0][0],
@@ -250,28 +253,37 @@ impl Cobra600 {
                 t[0][1],
                 1e-11,
             );
-            if !r1.is_regular() {
-                attempt.note(r1.outcome, free, "q1 + q2 - q4", 1.0, "");
+            if !q1_plus_q2_minus_q4_roots.is_regular() {
+                attempt
+                    .note(
+                        q1_plus_q2_minus_q4_roots.outcome,
+                        free,
+                        "q1 + q2 - q4",
+                        1.0,
+                        "",
+                    );
             }
-            let free = if r1.is_free() {
-                attempt.degenerate = true;
+            let free = if q1_plus_q2_minus_q4_roots.is_free() {
                 free.union(::dh_robot::FreeJoints::of(&[0, 1, 3]))
             } else {
                 free
             };
-            for (i1, &[c12m4, s12m4]) in r1.or_if_free(pick.angle(1)).iter().enumerate()
+            for (q1_plus_q2_minus_q4_root, &[c12m4, s12m4]) in q1_plus_q2_minus_q4_roots
+                .or_if_free(pick.angle(1))
+                .iter()
+                .enumerate()
             {
-                let a1 = ::dh_robot::runtime::atan2(s12m4, c12m4);
-                let r2 = ::dh_robot::runtime::solve_sincos(
+                let q1_plus_q2_minus_q4 = ::dh_robot::runtime::atan2(s12m4, c12m4);
+                let q2_roots = ::dh_robot::runtime::solve_sincos(
                     0.18348972303573616,
                     0.0,
                     t_4 + t_3,
                     1e-11,
                 );
-                if !r2.is_regular() {
+                if !q2_roots.is_regular() {
                     attempt
                         .note_law(
-                            r2.outcome,
+                            q2_roots.outcome,
                             free,
                             "elbow q2",
                             [-(t_4 - 0.3397962776479236), t_4 + t_3],
@@ -280,17 +292,20 @@ impl Cobra600 {
                             "m",
                         );
                 }
-                let free = if r2.is_free() {
-                    attempt.degenerate = true;
+                let free = if q2_roots.is_free() {
                     free.union(::dh_robot::FreeJoints::of(&[1]))
                 } else {
                     free
                 };
-                for (i2, &[c2, s2]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::runtime::atan2(s2, c2);
+                for (q2_root, &[c2, s2]) in q2_roots
+                    .or_if_free(pick.angle(2))
+                    .iter()
+                    .enumerate()
+                {
+                    let q2 = ::dh_robot::runtime::atan2(s2, c2);
                     let t_5 = 0.32928064842958465 + 0.27862208713272546 * c2;
                     let t_6 = 0.27862208713272546 * s2;
-                    let r3 = ::dh_robot::runtime::solve_pair(
+                    let q1_roots = ::dh_robot::runtime::solve_pair(
                         t_5,
                         -t_6,
                         t[0][3],
@@ -299,31 +314,34 @@ impl Cobra600 {
                         t[1][3],
                         1e-11,
                     );
-                    if !r3.is_regular() {
-                        attempt.note(r3.outcome, free, "q1", 1.0, "");
+                    if !q1_roots.is_regular() {
+                        attempt.note(q1_roots.outcome, free, "q1", 1.0, "");
                     }
-                    let free = if r3.is_free() {
-                        attempt.degenerate = true;
+                    let free = if q1_roots.is_free() {
                         free.union(::dh_robot::FreeJoints::of(&[0]))
                     } else {
                         free
                     };
-                    for (i3, &[c1, s1]) in r3
+                    for (q1_root, &[c1, s1]) in q1_roots
                         .or_if_free(pick.angle(3))
                         .iter()
                         .enumerate()
                     {
-                        let a3 = ::dh_robot::runtime::atan2(s1, c1);
+                        let q1 = ::dh_robot::runtime::atan2(s1, c1);
                         let branch = ::dh_robot::Branch::ANY
-                            .with_step(0, i2)
+                            .with_step(0, q2_root)
                             .with_elbow(
-                                if i2 == 0 {
+                                if q2_root == 0 {
                                     ::dh_robot::Elbow::Up
                                 } else {
                                     ::dh_robot::Elbow::Down
                                 },
                             );
-                        found([a3, a2, a0, -a1 + a2 + a3], branch, free);
+                        found(
+                            [q1, q2, q3, -q1_plus_q2_minus_q4 + q2 + q1],
+                            branch,
+                            free,
+                        );
                     }
                 }
             }
@@ -364,11 +382,15 @@ impl Cobra600 {
         let mut all = [::dh_robot::Branch::ANY; 2];
         let mut l = 0;
         while l < 2 {
-            let i2 = l / 1 % 2;
+            let q2_root = l / 1 % 2;
             all[l] = ::dh_robot::Branch::ANY
-                .with_step(0, i2)
+                .with_step(0, q2_root)
                 .with_elbow(
-                    if i2 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                    if q2_root == 0 {
+                        ::dh_robot::Elbow::Up
+                    } else {
+                        ::dh_robot::Elbow::Down
+                    },
                 );
             l += 1;
         }
@@ -386,20 +408,20 @@ impl Cobra600 {
         let t_3 = t_2 - 0.3397962776479236;
         let r0 = (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs()
             + (-1.0 - t[2][2]).abs();
-        let (q3, m0) = ::dh_robot::runtime::lanes::linear(
+        let (q3_scaled, m0) = ::dh_robot::runtime::lanes::linear(
             -1.0,
             -(t[2][3] - 0.39209726443769),
         );
-        let q3 = q3;
-        let g0 = q3 * 0.987;
-        let r1 = (0.39209726443769 - q3 - t[2][3]).abs();
+        let q3_scaled = q3_scaled;
+        let g0 = q3_scaled * 0.987;
+        let r1 = (0.39209726443769 - q3_scaled - t[2][3]).abs();
         let [c12m4, s12m4] = ::dh_robot::runtime::lanes::unit(t[0][0], t[0][1]);
         let g1 = ::dh_robot::runtime::lanes::angle(s12m4, c12m4);
         let r2 = (s12m4 - t[0][1]).abs() + (-c12m4 - t[1][1]).abs();
         let ([x2, y2, z2, w2], e2, m2) = ::dh_robot::runtime::lanes::sincos(
             0.18348972303573616,
             0.0,
-            q3 * (0.78419452887538 - q3) + t_3,
+            q3_scaled * (0.78419452887538 - q3_scaled) + t_3,
         );
         let c2_ = [x2, z2];
         let s2_ = [y2, w2];

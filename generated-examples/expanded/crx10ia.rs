@@ -322,7 +322,7 @@ impl Crx10ia {
     /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
     ///
     /// Plan:
-    /// 1. `q1`, `q2`, `q3`, `q4`, `q5`, `q6`: elimination of the general six-axis arm (Raghavan and Roth).
+    /// 1. `q1`, `q2`, `q3`, `q4`, `q5`, `q6`: the general elimination (Raghavan and Roth) (a polynomial of degree 16).
     #[must_use]
     pub fn inverse(
         &self,
@@ -360,63 +360,73 @@ impl Crx10ia {
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
-        let r0 = ::dh_robot::runtime::General6R::with_slides(
-                &[
-                    [[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, -1.0, 0.0, 0.0]],
-                    [
-                        [0.0, 1.0, 0.0, 0.0],
-                        [-1.0, 0.0, 0.0, -0.3884892086330936],
-                        [0.0, 0.0, 1.0, 0.0],
-                    ],
-                    [[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, -1.0, 0.0, 0.0]],
-                    [
-                        [1.0, 0.0, 0.0, 0.0],
-                        [0.0, 0.0, -1.0, 0.0],
-                        [0.0, 1.0, 0.0, 0.3884892086330936],
-                    ],
-                    [
-                        [1.0, 0.0, 0.0, 0.0],
-                        [0.0, 0.0, 1.0, 0.0],
-                        [0.0, -1.0, 0.0, -0.10791366906474821],
-                    ],
-                    [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]],
-                ],
-                &[false, false, false, false, false, false],
+        let joints_roots = ::dh_robot::runtime::solve_general(
+            &[
+                [[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, -1.0, 0.0, 0.0]],
                 [
-                    ::dh_robot::runtime::Choice::new(72),
-                    ::dh_robot::runtime::Choice::new(31),
-                    ::dh_robot::runtime::Choice::new(35),
+                    [0.0, 1.0, 0.0, 0.0],
+                    [-1.0, 0.0, 0.0, -0.3884892086330936],
+                    [0.0, 0.0, 1.0, 0.0],
                 ],
-            )
-            .find(
-                &[
-                    [t[0][0], t[0][1], t[0][2], t[0][3] - t[0][2] * 0.11510791366906477],
-                    [t[1][0], t[1][1], t[1][2], t[1][3] - t[1][2] * 0.11510791366906477],
-                    [t[2][0], t[2][1], t[2][2], t[2][3] - t[2][2] * 0.11510791366906477],
+                [[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, -1.0, 0.0, 0.0]],
+                [
+                    [1.0, 0.0, 0.0, 0.0],
+                    [0.0, 0.0, -1.0, 0.0],
+                    [0.0, 1.0, 0.0, 0.3884892086330936],
                 ],
-            );
-        if !r0.is_regular() {
-            attempt.note(r0.outcome, free, "q1, q2, q3, q4, q5, q6", 1.0, "");
+                [
+                    [1.0, 0.0, 0.0, 0.0],
+                    [0.0, 0.0, 1.0, 0.0],
+                    [0.0, -1.0, 0.0, -0.10791366906474821],
+                ],
+                [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]],
+            ],
+            &[
+                [t[0][0], t[0][1], t[0][2], t[0][3] - t[0][2] * 0.11510791366906477],
+                [t[1][0], t[1][1], t[1][2], t[1][3] - t[1][2] * 0.11510791366906477],
+                [t[2][0], t[2][1], t[2][2], t[2][3] - t[2][2] * 0.11510791366906477],
+            ],
+            &[false, false, false, false, false, false],
+            [72, 31, 35],
+        );
+        if !joints_roots.is_regular() {
+            attempt.note(joints_roots.outcome, free, "q1, q2, q3, q4, q5, q6", 1.0, "");
         }
-        let free = if r0.is_free() {
-            attempt.degenerate = true;
+        let free = if joints_roots.is_free() {
             free.union(::dh_robot::FreeJoints::of(&[0, 1, 2, 3, 4, 5]))
         } else {
             free
         };
-        for (i0, &[[c1, s1], [c2, s2], [c3, s3], [c4, s4], [c5, s5], [c6, s6]]) in r0
-            .or_if_free([[1.0, 0.0]; 6])
-            .iter()
-            .enumerate()
-        {
-            let a0 = ::dh_robot::runtime::atan2(s1, c1);
-            let a1 = ::dh_robot::runtime::atan2(s2, c2);
-            let a2 = ::dh_robot::runtime::atan2(s3, c3);
-            let a3 = ::dh_robot::runtime::atan2(s4, c4);
-            let a4 = ::dh_robot::runtime::atan2(s5, c5);
-            let a5 = ::dh_robot::runtime::atan2(s6, c6);
-            let branch = ::dh_robot::Branch::ANY.with_step(0, i0);
-            found([a0, a1, a2, a3, a4, a5], branch, free);
+        for (
+            joints_root,
+            &[[c1,
+            s1,
+            ],
+            [c2,
+            s2,
+            ],
+            [c3,
+            s3,
+            ],
+            [c4,
+            s4,
+            ],
+            [c5,
+            s5,
+            ],
+            [c6,
+            s6,
+            ],
+            ],
+        ) in joints_roots.or_if_free([[1.0, 0.0]; 6]).iter().enumerate() {
+            let q1 = ::dh_robot::runtime::atan2(s1, c1);
+            let q2 = ::dh_robot::runtime::atan2(s2, c2);
+            let q3 = ::dh_robot::runtime::atan2(s3, c3);
+            let q4 = ::dh_robot::runtime::atan2(s4, c4);
+            let q5 = ::dh_robot::runtime::atan2(s5, c5);
+            let q6 = ::dh_robot::runtime::atan2(s6, c6);
+            let branch = ::dh_robot::Branch::ANY.with_step(0, joints_root);
+            found([q1, q2, q3, q4, q5, q6], branch, free);
         }
         attempt
     }

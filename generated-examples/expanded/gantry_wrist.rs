@@ -213,12 +213,12 @@ impl GantryWrist {
     /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
     ///
     /// Plan:
-    /// 1. `q1`: a linear equation.
-    /// 2. `q2`: a linear equation.
-    /// 3. `q3`: a linear equation.
-    /// 4. `q6`: a cos + b sin = 0: two values half a turn apart.
-    /// 5. `q4`: two equations in its sine and cosine: one value.
-    /// 6. `q5`: two equations in its sine and cosine: one value.
+    /// 1. `q1`: a linear equation (a d + b = 0, one value).
+    /// 2. `q2`: a linear equation (a d + b = 0, one value).
+    /// 3. `q3`: a linear equation (a d + b = 0, one value).
+    /// 4. `q6`: a ratio of sine and cosine (a cos + b sin = 0, two values half a turn apart).
+    /// 5. `q4`: sine and cosine (two equations a cos + b sin = c, one value).
+    /// 6. `q5`: sine and cosine (two equations a cos + b sin = c, one value).
     #[must_use]
     pub fn inverse(
         &self,
@@ -260,74 +260,87 @@ impl GantryWrist {
         let t_4 = t[0][0] * 0.5 + t[0][1] * 0.8660254037844386;
         let t_5 = t[2][0] * 0.5 + t[2][1] * 0.8660254037844386;
         let t_6 = t[1][3] - t[1][2] * 0.6666666666666666 - 0.3333333333333333;
-        let r0 = ::dh_robot::runtime::solve_quadratic(
+        let q1_roots = ::dh_robot::runtime::solve_quadratic(
             0.0,
             1.0,
             -(t[2][3] - t[2][2] * 0.6666666666666666),
             1e-11,
         );
-        if !r0.is_regular() {
-            attempt.note(r0.outcome, free, "q1", 0.30000000000000004, "m");
+        if !q1_roots.is_regular() {
+            attempt.note(q1_roots.outcome, free, "q1", 0.30000000000000004, "m");
         }
-        let free = if r0.is_free() {
-            attempt.degenerate = true;
+        let free = if q1_roots.is_free() {
             free.union(::dh_robot::FreeJoints::of(&[0]))
         } else {
             free
         };
-        for (i0, &q1) in r0.or_if_free(pick.length(0)).iter().enumerate() {
-            let a0 = q1 * 0.30000000000000004;
-            let r1 = ::dh_robot::runtime::solve_quadratic(
+        for (q1_root, &q1_scaled) in q1_roots
+            .or_if_free(pick.length(0))
+            .iter()
+            .enumerate()
+        {
+            let q1 = q1_scaled * 0.30000000000000004;
+            let q2_roots = ::dh_robot::runtime::solve_quadratic(
                 0.0,
                 -1.0,
                 t[0][3] - t[0][2] * 0.6666666666666666,
                 1e-11,
             );
-            if !r1.is_regular() {
-                attempt.note(r1.outcome, free, "q2", 0.30000000000000004, "m");
+            if !q2_roots.is_regular() {
+                attempt.note(q2_roots.outcome, free, "q2", 0.30000000000000004, "m");
             }
-            let free = if r1.is_free() {
-                attempt.degenerate = true;
+            let free = if q2_roots.is_free() {
                 free.union(::dh_robot::FreeJoints::of(&[1]))
             } else {
                 free
             };
-            for (i1, &q2) in r1.or_if_free(pick.length(1)).iter().enumerate() {
-                let a1 = q2 * 0.30000000000000004;
-                let r2 = ::dh_robot::runtime::solve_quadratic(0.0, -1.0, t_6, 1e-11);
-                if !r2.is_regular() {
-                    attempt.note(r2.outcome, free, "q3", 0.30000000000000004, "m");
+            for (q2_root, &q2_scaled) in q2_roots
+                .or_if_free(pick.length(1))
+                .iter()
+                .enumerate()
+            {
+                let q2 = q2_scaled * 0.30000000000000004;
+                let q3_roots = ::dh_robot::runtime::solve_quadratic(
+                    0.0,
+                    -1.0,
+                    t_6,
+                    1e-11,
+                );
+                if !q3_roots.is_regular() {
+                    attempt.note(q3_roots.outcome, free, "q3", 0.30000000000000004, "m");
                 }
-                let free = if r2.is_free() {
-                    attempt.degenerate = true;
+                let free = if q3_roots.is_free() {
                     free.union(::dh_robot::FreeJoints::of(&[2]))
                 } else {
                     free
                 };
-                for (i2, &q3) in r2.or_if_free(pick.length(2)).iter().enumerate() {
-                    let a2 = q3 * 0.30000000000000004;
-                    let r3 = ::dh_robot::runtime::solve_sincos(
+                for (q3_root, &q3_scaled) in q3_roots
+                    .or_if_free(pick.length(2))
+                    .iter()
+                    .enumerate()
+                {
+                    let q3 = q3_scaled * 0.30000000000000004;
+                    let q6_roots = ::dh_robot::runtime::solve_sincos(
                         -(t[1][0] * 0.5 + t[1][1] * 0.8660254037844386),
                         -(t[1][0] * 0.8660254037844386 - t[1][1] * 0.5),
                         0.0,
                         1e-11,
                     );
-                    if !r3.is_regular() {
-                        attempt.note(r3.outcome, free, "wrist q6", 1.0, "");
+                    if !q6_roots.is_regular() {
+                        attempt.note(q6_roots.outcome, free, "wrist q6", 1.0, "");
                     }
-                    let free = if r3.is_free() {
-                        attempt.degenerate = true;
+                    let free = if q6_roots.is_free() {
                         free.union(::dh_robot::FreeJoints::of(&[5]))
                     } else {
                         free
                     };
-                    for (i3, &[c6, s6]) in r3
+                    for (q6_root, &[c6, s6]) in q6_roots
                         .or_if_free(pick.angle(3))
                         .iter()
                         .enumerate()
                     {
-                        let a3 = ::dh_robot::runtime::atan2(s6, c6);
-                        let r4 = ::dh_robot::runtime::solve_pair(
+                        let q6 = ::dh_robot::runtime::atan2(s6, c6);
+                        let q4_roots = ::dh_robot::runtime::solve_pair(
                             0.0,
                             1.0,
                             -(t_3 * s6 + t_5 * c6),
@@ -336,22 +349,21 @@ impl GantryWrist {
                             -(t_2 * s6 + t_4 * c6),
                             1e-11,
                         );
-                        if !r4.is_regular() {
-                            attempt.note(r4.outcome, free, "q4", 1.0, "");
+                        if !q4_roots.is_regular() {
+                            attempt.note(q4_roots.outcome, free, "q4", 1.0, "");
                         }
-                        let free = if r4.is_free() {
-                            attempt.degenerate = true;
+                        let free = if q4_roots.is_free() {
                             free.union(::dh_robot::FreeJoints::of(&[3]))
                         } else {
                             free
                         };
-                        for (i4, &[c4, s4]) in r4
+                        for (q4_root, &[c4, s4]) in q4_roots
                             .or_if_free(pick.angle(4))
                             .iter()
                             .enumerate()
                         {
-                            let a4 = ::dh_robot::runtime::atan2(s4, c4);
-                            let r5 = ::dh_robot::runtime::solve_pair(
+                            let q4 = ::dh_robot::runtime::atan2(s4, c4);
+                            let q5_roots = ::dh_robot::runtime::solve_pair(
                                 1.0,
                                 0.0,
                                 c6 * (t_3 * c4 + t_2 * s4) - s6 * (t_5 * c4 + t_4 * s4),
@@ -360,31 +372,30 @@ impl GantryWrist {
                                 t[2][2] * c4 + t[0][2] * s4,
                                 1e-11,
                             );
-                            if !r5.is_regular() {
-                                attempt.note(r5.outcome, free, "q5", 1.0, "");
+                            if !q5_roots.is_regular() {
+                                attempt.note(q5_roots.outcome, free, "q5", 1.0, "");
                             }
-                            let free = if r5.is_free() {
-                                attempt.degenerate = true;
+                            let free = if q5_roots.is_free() {
                                 free.union(::dh_robot::FreeJoints::of(&[4]))
                             } else {
                                 free
                             };
-                            for (i5, &[c5, s5]) in r5
+                            for (q5_root, &[c5, s5]) in q5_roots
                                 .or_if_free(pick.angle(5))
                                 .iter()
                                 .enumerate()
                             {
-                                let a5 = ::dh_robot::runtime::atan2(s5, c5);
+                                let q5 = ::dh_robot::runtime::atan2(s5, c5);
                                 let branch = ::dh_robot::Branch::ANY
-                                    .with_step(0, i3)
+                                    .with_step(0, q6_root)
                                     .with_wrist(
-                                        if i3 == 0 {
+                                        if q6_root == 0 {
                                             ::dh_robot::Wrist::NoFlip
                                         } else {
                                             ::dh_robot::Wrist::Flip
                                         },
                                     );
-                                found([a0, a1, a2, a4, a5, a3], branch, free);
+                                found([q1, q2, q3, q4, q5, q6], branch, free);
                             }
                         }
                     }
@@ -427,11 +438,11 @@ impl GantryWrist {
         let mut all = [::dh_robot::Branch::ANY; 2];
         let mut l = 0;
         while l < 2 {
-            let i3 = l / 1 % 2;
+            let q6_root = l / 1 % 2;
             all[l] = ::dh_robot::Branch::ANY
-                .with_step(0, i3)
+                .with_step(0, q6_root)
                 .with_wrist(
-                    if i3 == 0 {
+                    if q6_root == 0 {
                         ::dh_robot::Wrist::NoFlip
                     } else {
                         ::dh_robot::Wrist::Flip
@@ -457,22 +468,22 @@ impl GantryWrist {
         let mut margin_ = [0.0; 1];
         let mut valid_ = [0.0; 1];
         let mut error_ = [0.0; 1];
-        let (q1, m0) = ::dh_robot::runtime::lanes::linear(
+        let (q1_scaled, m0) = ::dh_robot::runtime::lanes::linear(
             1.0,
             -(t[2][3] - t[2][2] * 0.6666666666666666),
         );
-        let q1 = q1;
-        let g0 = q1 * 0.30000000000000004;
-        let (q2, m1) = ::dh_robot::runtime::lanes::linear(
+        let q1_scaled = q1_scaled;
+        let g0 = q1_scaled * 0.30000000000000004;
+        let (q2_scaled, m1) = ::dh_robot::runtime::lanes::linear(
             -1.0,
             t[0][3] - t[0][2] * 0.6666666666666666,
         );
-        let q2 = q2;
-        let g1 = q2 * 0.30000000000000004;
-        let (q3, m2) = ::dh_robot::runtime::lanes::linear(-1.0, t_6);
-        let q3 = q3;
-        let g2 = q3 * 0.30000000000000004;
-        let t_7 = 0.3333333333333333 + q3;
+        let q2_scaled = q2_scaled;
+        let g1 = q2_scaled * 0.30000000000000004;
+        let (q3_scaled, m2) = ::dh_robot::runtime::lanes::linear(-1.0, t_6);
+        let q3_scaled = q3_scaled;
+        let g2 = q3_scaled * 0.30000000000000004;
+        let t_7 = 0.3333333333333333 + q3_scaled;
         let ([c6, s6], m3) = ::dh_robot::runtime::lanes::half_turn([
             [
                 -(t[1][0] * 0.5 + t[1][1] * 0.8660254037844386),
@@ -500,9 +511,9 @@ impl GantryWrist {
         let r6 = (-(s4 * t_12 - t_11) - t[0][1]).abs() + (-t_9 * s5 - t[1][1]).abs()
             + (-(c4 * t_12 + t_10) - t[2][1]).abs() + (-s4s5 - t[0][2]).abs()
             + (c5 - t[1][2]).abs() + (-c4s5 - t[2][2]).abs()
-            + (q2 - 0.6666666666666666 * s4s5 - t[0][3]).abs()
+            + (q2_scaled - 0.6666666666666666 * s4s5 - t[0][3]).abs()
             + (t_7 + 0.6666666666666666 * c5 - t[1][3]).abs()
-            + (q1 - 0.6666666666666666 * c4s5 - t[2][3]).abs();
+            + (q1_scaled - 0.6666666666666666 * c4s5 - t[2][3]).abs();
         let l = 0;
         margin_[l] = ::dh_robot::runtime::lanes::lesser(
             ::dh_robot::runtime::lanes::lesser(

@@ -156,8 +156,8 @@ impl LegWheel {
     /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
     ///
     /// Plan:
-    /// 1. `x2`: a linear equation.
-    /// 2. `q1`: two equations in its sine and cosine: one value.
+    /// 1. `x2`: a linear equation (a d + b = 0, one value).
+    /// 2. `q1`: sine and cosine (two equations a cos + b sin = c, one value).
     #[must_use]
     pub fn inverse(
         &self,
@@ -196,19 +196,22 @@ impl LegWheel {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
         let t_2 = t[0][2] * t[0][3] + t[1][2] * t[1][3] + t[2][2] * t[2][3];
-        let r0 = ::dh_robot::runtime::solve_quadratic(0.0, -1.0, t_2, 1e-11);
-        if !r0.is_regular() {
-            attempt.note(r0.outcome, free, "x2", 1.0, "m");
+        let x2_roots = ::dh_robot::runtime::solve_quadratic(0.0, -1.0, t_2, 1e-11);
+        if !x2_roots.is_regular() {
+            attempt.note(x2_roots.outcome, free, "x2", 1.0, "m");
         }
-        let free = if r0.is_free() {
-            attempt.degenerate = true;
+        let free = if x2_roots.is_free() {
             free.union(::dh_robot::FreeJoints::of(&[1]))
         } else {
             free
         };
-        for (i0, &x2) in r0.or_if_free(pick.length(0)).iter().enumerate() {
-            let a0 = x2 * 1.0;
-            let r1 = ::dh_robot::runtime::solve_pair(
+        for (x2_root, &x2_scaled) in x2_roots
+            .or_if_free(pick.length(0))
+            .iter()
+            .enumerate()
+        {
+            let x2 = x2_scaled * 1.0;
+            let q1_roots = ::dh_robot::runtime::solve_pair(
                 1.0,
                 0.0,
                 t[0][0],
@@ -217,22 +220,25 @@ impl LegWheel {
                 t[0][2],
                 1e-11,
             );
-            if !r1.is_regular() {
-                attempt.note(r1.outcome, free, "q1", 1.0, "");
+            if !q1_roots.is_regular() {
+                attempt.note(q1_roots.outcome, free, "q1", 1.0, "");
             }
-            let free = if r1.is_free() {
-                attempt.degenerate = true;
+            let free = if q1_roots.is_free() {
                 free.union(::dh_robot::FreeJoints::of(&[0]))
             } else {
                 free
             };
-            for (i1, &[c1, s1]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::runtime::atan2(s1, c1);
+            for (q1_root, &[c1, s1]) in q1_roots
+                .or_if_free(pick.angle(1))
+                .iter()
+                .enumerate()
+            {
+                let q1 = ::dh_robot::runtime::atan2(s1, c1);
                 let branch = ::dh_robot::Branch::ANY;
                 found(
                     [
-                        ((self.p) * (a1)) / (self.p),
-                        ((self.p) * (a1) + (1.0) * (a0)) / (self.p),
+                        ((self.p) * (q1)) / (self.p),
+                        ((self.p) * (q1) + (1.0) * (x2)) / (self.p),
                     ],
                     branch,
                     free,

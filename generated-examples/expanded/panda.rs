@@ -422,12 +422,12 @@ impl Panda {
     /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
     ///
     /// Plan:
-    /// 1. `q4`: a cos + b sin = c: two values.
-    /// 2. `q5`: a cos + b sin = c: two values.
-    /// 3. `q6`: two equations in its sine and cosine: one value.
-    /// 4. `q1`: a cos + b sin = 0: two values half a turn apart.
-    /// 5. `q2`: two equations in its sine and cosine: one value.
-    /// 6. `q3`: two equations in its sine and cosine: one value.
+    /// 1. `q4`: the law of cosines (a cos + b sin = c, two values).
+    /// 2. `q5`: an equation in sine and cosine (a cos + b sin = c, two values).
+    /// 3. `q6`: sine and cosine (two equations a cos + b sin = c, one value).
+    /// 4. `q1`: a ratio of sine and cosine (a cos + b sin = 0, two values half a turn apart).
+    /// 5. `q2`: sine and cosine (two equations a cos + b sin = c, one value).
+    /// 6. `q3`: sine and cosine (two equations a cos + b sin = c, one value).
     #[must_use]
     pub fn inverse(
         &self,
@@ -469,12 +469,12 @@ impl Panda {
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
-        let a0 = given;
-        let (s7, c7) = ::dh_robot::runtime::sin_cos(a0);
         let t_2 = t[0][3] - t[0][2] * 0.07681263460157932;
         let t_3 = t[1][3] - t[1][2] * 0.07681263460157932;
         let t_4 = t[2][3] - t[2][2] * 0.07681263460157932;
         let t_5 = t[2][2] * 0.2390524048815506;
+        let q7 = given;
+        let (s7, c7) = ::dh_robot::runtime::sin_cos(q7);
         let t_6 = t[0][0] * c7 - t[0][1] * s7;
         let t_7 = t[1][0] * c7 - t[1][1] * s7;
         let t_8 = t[2][0] * c7 - t[2][1] * s7;
@@ -489,16 +489,16 @@ impl Panda {
         let t_17 = t_9 * t_12 + t_10 * t_13 + t_11 * t_14 - t_11 * 0.2390524048815506;
         let t_18 = t_6 * t_12 + t_7 * t_13 + t_8 * t_14 - t_8 * 0.2390524048815506;
         let t_19 = t[0][2] * t_12 + t[1][2] * t_13 + t[2][2] * t_14 - t_5;
-        let r0 = ::dh_robot::runtime::solve_sincos(
+        let q4_roots = ::dh_robot::runtime::solve_sincos(
             0.11805283210226085,
             -0.05952230643526318,
             t_16,
             1e-11,
         );
-        if !r0.is_regular() {
+        if !q4_roots.is_regular() {
             attempt
                 .note_law(
-                    r0.outcome,
+                    q4_roots.outcome,
                     free,
                     "elbow q4",
                     [0.13446604368370413, t_16],
@@ -507,33 +507,36 @@ impl Panda {
                     "m",
                 );
         }
-        let free = if r0.is_free() {
-            attempt.degenerate = true;
+        let free = if q4_roots.is_free() {
             free.union(::dh_robot::FreeJoints::of(&[3]))
         } else {
             free
         };
-        for (i0, &[c4, s4]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
-            let a1 = ::dh_robot::runtime::atan2(s4, c4);
+        for (q4_root, &[c4, s4]) in q4_roots.or_if_free(pick.angle(0)).iter().enumerate()
+        {
+            let q4 = ::dh_robot::runtime::atan2(s4, c4);
             let t_20 = 0.059224694903086864 * (1.0 - c4) - 0.22684852835606603 * s4;
             let t_21 = 0.2756640344580043 + c4 * 0.22684852835606603
                 - 0.059224694903086864 * s4;
-            let r1 = ::dh_robot::runtime::solve_sincos(0.0, t_20, -t_17, 1e-11);
-            if !r1.is_regular() {
-                attempt.note(r1.outcome, free, "wrist q5", 1.393, "m");
+            let q5_roots = ::dh_robot::runtime::solve_sincos(0.0, t_20, -t_17, 1e-11);
+            if !q5_roots.is_regular() {
+                attempt.note(q5_roots.outcome, free, "wrist q5", 1.393, "m");
             }
-            let free = if r1.is_free() {
-                attempt.degenerate = true;
+            let free = if q5_roots.is_free() {
                 free.union(::dh_robot::FreeJoints::of(&[4]))
             } else {
                 free
             };
-            for (i1, &[c5, s5]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a2 = ::dh_robot::runtime::atan2(s5, c5);
+            for (q5_root, &[c5, s5]) in q5_roots
+                .or_if_free(pick.angle(1))
+                .iter()
+                .enumerate()
+            {
+                let q5 = ::dh_robot::runtime::atan2(s5, c5);
                 let t_22 = t_9 * s5;
                 let t_23 = t_10 * s5;
                 let t_24 = t_11 * s5;
-                let r2 = ::dh_robot::runtime::solve_pair(
+                let q6_roots = ::dh_robot::runtime::solve_pair(
                     t_18,
                     t_19,
                     -t_20 * c5,
@@ -542,46 +545,53 @@ impl Panda {
                     t_21,
                     1e-11,
                 );
-                if !r2.is_regular() {
-                    attempt.note(r2.outcome, free, "q6", 1.0, "");
+                if !q6_roots.is_regular() {
+                    attempt.note(q6_roots.outcome, free, "q6", 1.0, "");
                 }
-                let free = if r2.is_free() {
-                    attempt.degenerate = true;
+                let free = if q6_roots.is_free() {
                     free.union(::dh_robot::FreeJoints::of(&[5]))
                 } else {
                     free
                 };
-                for (i2, &[c6, s6]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a3 = ::dh_robot::runtime::atan2(s6, c6);
+                for (q6_root, &[c6, s6]) in q6_roots
+                    .or_if_free(pick.angle(2))
+                    .iter()
+                    .enumerate()
+                {
+                    let q6 = ::dh_robot::runtime::atan2(s6, c6);
                     let t_25 = s4 * (c5 * (t_6 * c6 + t[0][2] * s6) + t_22)
                         + c4 * (t_6 * s6 - t[0][2] * c6);
                     let t_26 = s4 * (c5 * (t_7 * c6 + t[1][2] * s6) + t_23)
                         + c4 * (t_7 * s6 - t[1][2] * c6);
                     let t_27 = s4 * (c5 * (t_8 * c6 + t[2][2] * s6) + t_24)
                         + c4 * (t_8 * s6 - t[2][2] * c6);
-                    let r3 = ::dh_robot::runtime::solve_sincos(-t_26, t_25, 0.0, 1e-11);
-                    if !r3.is_regular() {
-                        attempt.note(r3.outcome, free, "shoulder q1", 1.0, "");
+                    let q1_roots = ::dh_robot::runtime::solve_sincos(
+                        -t_26,
+                        t_25,
+                        0.0,
+                        1e-11,
+                    );
+                    if !q1_roots.is_regular() {
+                        attempt.note(q1_roots.outcome, free, "shoulder q1", 1.0, "");
                     }
-                    let free = if r3.is_free() {
-                        attempt.degenerate = true;
+                    let free = if q1_roots.is_free() {
                         free.union(::dh_robot::FreeJoints::of(&[0]))
                     } else {
                         free
                     };
-                    for (i3, &[c1, s1]) in r3
+                    for (q1_root, &[c1, s1]) in q1_roots
                         .or_if_free(pick.angle(3))
                         .iter()
                         .enumerate()
                     {
-                        let a4 = ::dh_robot::runtime::atan2(s1, c1);
+                        let q1 = ::dh_robot::runtime::atan2(s1, c1);
                         let t_28 = t[0][0] * c1 + t[1][0] * s1;
                         let t_29 = t[0][1] * c1 + t[1][1] * s1;
                         let t_30 = t[0][2] * c1 + t[1][2] * s1;
                         let t_31 = c7 * t_28 - s7 * t_29;
                         let t_32 = c5 * (c6 * t_31 + s6 * t_30)
                             + s5 * (s7 * t_28 + c7 * t_29);
-                        let r4 = ::dh_robot::runtime::solve_pair(
+                        let q2_roots = ::dh_robot::runtime::solve_pair(
                             0.0,
                             1.0,
                             s4 * t_32 + c4 * (s6 * t_31 - c6 * t_30),
@@ -590,21 +600,20 @@ impl Panda {
                             t_27,
                             1e-11,
                         );
-                        if !r4.is_regular() {
-                            attempt.note(r4.outcome, free, "q2", 1.0, "");
+                        if !q2_roots.is_regular() {
+                            attempt.note(q2_roots.outcome, free, "q2", 1.0, "");
                         }
-                        let free = if r4.is_free() {
-                            attempt.degenerate = true;
+                        let free = if q2_roots.is_free() {
                             free.union(::dh_robot::FreeJoints::of(&[1]))
                         } else {
                             free
                         };
-                        for (i4, &[c2, s2]) in r4
+                        for (q2_root, &[c2, s2]) in q2_roots
                             .or_if_free(pick.angle(4))
                             .iter()
                             .enumerate()
                         {
-                            let a5 = ::dh_robot::runtime::atan2(s2, c2);
+                            let q2 = ::dh_robot::runtime::atan2(s2, c2);
                             let t_33 = t_28 * c2 - t[2][0] * s2;
                             let t_34 = t_29 * c2 - t[2][1] * s2;
                             let t_35 = t_30 * c2 - t[2][2] * s2;
@@ -613,7 +622,7 @@ impl Panda {
                             let t_38 = c6 * t_36 + s6 * t_35;
                             let t_39 = c4 * (c5 * t_38 + s5 * t_37)
                                 - s4 * (s6 * t_36 - c6 * t_35);
-                            let r5 = ::dh_robot::runtime::solve_pair(
+                            let q3_roots = ::dh_robot::runtime::solve_pair(
                                 1.0,
                                 0.0,
                                 t_39,
@@ -622,47 +631,46 @@ impl Panda {
                                 s5 * t_38 - c5 * t_37,
                                 1e-11,
                             );
-                            if !r5.is_regular() {
-                                attempt.note(r5.outcome, free, "q3", 1.0, "");
+                            if !q3_roots.is_regular() {
+                                attempt.note(q3_roots.outcome, free, "q3", 1.0, "");
                             }
-                            let free = if r5.is_free() {
-                                attempt.degenerate = true;
+                            let free = if q3_roots.is_free() {
                                 free.union(::dh_robot::FreeJoints::of(&[2]))
                             } else {
                                 free
                             };
-                            for (i5, &[c3, s3]) in r5
+                            for (q3_root, &[c3, s3]) in q3_roots
                                 .or_if_free(pick.angle(5))
                                 .iter()
                                 .enumerate()
                             {
-                                let a6 = ::dh_robot::runtime::atan2(s3, c3);
+                                let q3 = ::dh_robot::runtime::atan2(s3, c3);
                                 let branch = ::dh_robot::Branch::ANY
-                                    .with_step(0, i0)
+                                    .with_step(0, q4_root)
                                     .with_elbow(
-                                        if i0 == 0 {
+                                        if q4_root == 0 {
                                             ::dh_robot::Elbow::Up
                                         } else {
                                             ::dh_robot::Elbow::Down
                                         },
                                     )
-                                    .with_step(1, i1)
+                                    .with_step(1, q5_root)
                                     .with_wrist(
-                                        if i1 == 0 {
+                                        if q5_root == 0 {
                                             ::dh_robot::Wrist::NoFlip
                                         } else {
                                             ::dh_robot::Wrist::Flip
                                         },
                                     )
-                                    .with_step(2, i3)
+                                    .with_step(2, q1_root)
                                     .with_shoulder(
-                                        if i3 == 0 {
+                                        if q1_root == 0 {
                                             ::dh_robot::Shoulder::Left
                                         } else {
                                             ::dh_robot::Shoulder::Right
                                         },
                                     );
-                                found([a4, a5, a6, a1, a2, a3, a0], branch, free);
+                                found([q1, q2, q3, q4, q5, q6, q7], branch, free);
                             }
                         }
                     }
@@ -706,25 +714,29 @@ impl Panda {
         let mut all = [::dh_robot::Branch::ANY; 8];
         let mut l = 0;
         while l < 8 {
-            let i0 = l / 1 % 2;
-            let i1 = l / 2 % 2;
-            let i3 = l / 4 % 2;
+            let q4_root = l / 1 % 2;
+            let q5_root = l / 2 % 2;
+            let q1_root = l / 4 % 2;
             all[l] = ::dh_robot::Branch::ANY
-                .with_step(0, i0)
+                .with_step(0, q4_root)
                 .with_elbow(
-                    if i0 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                    if q4_root == 0 {
+                        ::dh_robot::Elbow::Up
+                    } else {
+                        ::dh_robot::Elbow::Down
+                    },
                 )
-                .with_step(1, i1)
+                .with_step(1, q5_root)
                 .with_wrist(
-                    if i1 == 0 {
+                    if q5_root == 0 {
                         ::dh_robot::Wrist::NoFlip
                     } else {
                         ::dh_robot::Wrist::Flip
                     },
                 )
-                .with_step(2, i3)
+                .with_step(2, q1_root)
                 .with_shoulder(
-                    if i3 == 0 {
+                    if q1_root == 0 {
                         ::dh_robot::Shoulder::Left
                     } else {
                         ::dh_robot::Shoulder::Right
@@ -743,8 +755,8 @@ impl Panda {
         q: &mut [[f64; 8]; 7],
         valid: &mut [f64; 8],
     ) -> bool {
-        let a0 = given;
-        let (s7, c7) = ::dh_robot::runtime::sin_cos(a0);
+        let q7 = given;
+        let (s7, c7) = ::dh_robot::runtime::sin_cos(q7);
         q[6] = [Self::JOINTS[6].normalize(given); 8];
         let t_2 = t[0][3] - t[0][2] * 0.07681263460157932;
         let t_3 = t[1][3] - t[1][2] * 0.07681263460157932;

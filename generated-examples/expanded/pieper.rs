@@ -612,11 +612,11 @@ impl Pieper {
     /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
     ///
     /// Plan:
-    /// 1. `q1`, `q3`: two equations, each linear in both sines and cosines (Pieper).
-    /// 2. `q2`: two equations in its sine and cosine: one value.
-    /// 3. `q5`: a cos + b sin = c: two values.
-    /// 4. `q4`: two equations in its sine and cosine: one value.
-    /// 5. `q6`: two equations in its sine and cosine: one value.
+    /// 1. `q1`, `q3`: two equations in two angles (Pieper's method) (two equations, each linear in the sine and cosine of either angle).
+    /// 2. `q2`: sine and cosine (two equations a cos + b sin = c, one value).
+    /// 3. `q5`: an equation in sine and cosine (a cos + b sin = c, two values).
+    /// 4. `q4`: sine and cosine (two equations a cos + b sin = c, one value).
+    /// 5. `q6`: sine and cosine (two equations a cos + b sin = c, one value).
     #[must_use]
     pub fn inverse(
         &self,
@@ -693,7 +693,7 @@ impl Pieper {
         let t_22 = t[2][2] * c_alpha1;
         let t_23 = c_alpha4 * c_alpha5;
         let t_24 = s_alpha4 * c_alpha5;
-        let r0 = ::dh_robot::runtime::solve_bilinear_choosing(
+        let q1_and_q3_roots = ::dh_robot::runtime::solve_bilinear_choosing(
             &[
                 t_6,
                 -s_alpha3 * s_alpha2 * t_5,
@@ -719,18 +719,18 @@ impl Pieper {
             [pick.angle(0), pick.angle(1)],
             1e-11,
         );
-        if !r0.is_regular() {
-            attempt.note(r0.outcome, free, "q1, q3", 6.19664904810903, "m");
+        if !q1_and_q3_roots.is_regular() {
+            attempt.note(q1_and_q3_roots.outcome, free, "q1, q3", 6.19664904810903, "m");
         }
-        let free = if r0.is_free() {
-            attempt.degenerate = true;
+        let free = if q1_and_q3_roots.is_free() {
             free.union(::dh_robot::FreeJoints::of(&[0, 2]))
         } else {
             free
         };
-        for (i0, &[[c1, s1], [c3, s3]]) in r0.iter().enumerate() {
-            let a0 = ::dh_robot::runtime::atan2(s1, c1);
-            let a1 = ::dh_robot::runtime::atan2(s3, c3);
+        for (q1_and_q3_root, &[[c1, s1], [c3, s3]]) in q1_and_q3_roots.iter().enumerate()
+        {
+            let q1 = ::dh_robot::runtime::atan2(s1, c1);
+            let q3 = ::dh_robot::runtime::atan2(s3, c3);
             let t_25 = t[0][0] * c1 + t[1][0] * s1;
             let t_26 = t[0][0] * s1 - t[1][0] * c1;
             let t_27 = t[0][1] * c1 + t[1][1] * s1;
@@ -753,7 +753,7 @@ impl Pieper {
             let t_44 = c_alpha2 * t_38;
             let t_45 = t_5 * (s_alpha3 * c_alpha2 * c3 + t_15)
                 - (c_alpha2 * t_7 * s3 - t_16);
-            let r1 = ::dh_robot::runtime::solve_pair(
+            let q2_roots = ::dh_robot::runtime::solve_pair(
                 t_31,
                 t_32,
                 -(t_9 + t_7 * c3 + s_alpha3 * t_5 * s3),
@@ -762,17 +762,20 @@ impl Pieper {
                 t_45,
                 1e-11,
             );
-            if !r1.is_regular() {
-                attempt.note(r1.outcome, free, "q2", 1.0, "");
+            if !q2_roots.is_regular() {
+                attempt.note(q2_roots.outcome, free, "q2", 1.0, "");
             }
-            let free = if r1.is_free() {
-                attempt.degenerate = true;
+            let free = if q2_roots.is_free() {
                 free.union(::dh_robot::FreeJoints::of(&[1]))
             } else {
                 free
             };
-            for (i1, &[c2, s2]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a2 = ::dh_robot::runtime::atan2(s2, c2);
+            for (q2_root, &[c2, s2]) in q2_roots
+                .or_if_free(pick.angle(1))
+                .iter()
+                .enumerate()
+            {
+                let q2 = ::dh_robot::runtime::atan2(s2, c2);
                 let t_46 = t_25 * c2 - t_33 * s2;
                 let t_47 = t_25 * s2 + t_33 * c2;
                 let t_48 = t_27 * c2 - t_35 * s2;
@@ -796,24 +799,27 @@ impl Pieper {
                 let t_66 = c_alpha3 * t_61 - s_alpha3 * t_55;
                 let t_67 = s_alpha4 * (s_alpha3 * t_59 + c_alpha3 * t_53);
                 let t_68 = s_alpha4 * (s_alpha3 * t_61 + c_alpha3 * t_55);
-                let r2 = ::dh_robot::runtime::solve_sincos(
+                let q5_roots = ::dh_robot::runtime::solve_sincos(
                     -s_alpha4 * s_alpha5,
                     0.0,
                     s_alpha3 * t_63 + c_alpha3 * t_57 - t_23,
                     1e-11,
                 );
-                if !r2.is_regular() {
-                    attempt.note(r2.outcome, free, "wrist q5", 1.0, "");
+                if !q5_roots.is_regular() {
+                    attempt.note(q5_roots.outcome, free, "wrist q5", 1.0, "");
                 }
-                let free = if r2.is_free() {
-                    attempt.degenerate = true;
+                let free = if q5_roots.is_free() {
                     free.union(::dh_robot::FreeJoints::of(&[4]))
                 } else {
                     free
                 };
-                for (i2, &[c5, s5]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a3 = ::dh_robot::runtime::atan2(s5, c5);
-                    let r3 = ::dh_robot::runtime::solve_pair(
+                for (q5_root, &[c5, s5]) in q5_roots
+                    .or_if_free(pick.angle(2))
+                    .iter()
+                    .enumerate()
+                {
+                    let q5 = ::dh_robot::runtime::atan2(s5, c5);
+                    let q4_roots = ::dh_robot::runtime::solve_pair(
                         -t_62,
                         t_64,
                         -s_alpha5 * s5,
@@ -822,26 +828,25 @@ impl Pieper {
                         s_alpha5 * c_alpha4 * c5 + t_24,
                         1e-11,
                     );
-                    if !r3.is_regular() {
-                        attempt.note(r3.outcome, free, "q4", 1.0, "");
+                    if !q4_roots.is_regular() {
+                        attempt.note(q4_roots.outcome, free, "q4", 1.0, "");
                     }
-                    let free = if r3.is_free() {
-                        attempt.degenerate = true;
+                    let free = if q4_roots.is_free() {
                         free.union(::dh_robot::FreeJoints::of(&[3]))
                     } else {
                         free
                     };
-                    for (i3, &[c4, s4]) in r3
+                    for (q4_root, &[c4, s4]) in q4_roots
                         .or_if_free(pick.angle(3))
                         .iter()
                         .enumerate()
                     {
-                        let a4 = ::dh_robot::runtime::atan2(s4, c4);
+                        let q4 = ::dh_robot::runtime::atan2(s4, c4);
                         let t_69 = c5 * (t_58 * c4 - t_65 * s4)
                             - s5 * (c_alpha4 * (t_58 * s4 + t_65 * c4) - t_67);
                         let t_70 = c5 * (t_60 * c4 - t_66 * s4)
                             - s5 * (c_alpha4 * (t_60 * s4 + t_66 * c4) - t_68);
-                        let r4 = ::dh_robot::runtime::solve_pair(
+                        let q6_roots = ::dh_robot::runtime::solve_pair(
                             1.0,
                             0.0,
                             t_69,
@@ -850,32 +855,31 @@ impl Pieper {
                             t_70,
                             1e-11,
                         );
-                        if !r4.is_regular() {
-                            attempt.note(r4.outcome, free, "q6", 1.0, "");
+                        if !q6_roots.is_regular() {
+                            attempt.note(q6_roots.outcome, free, "q6", 1.0, "");
                         }
-                        let free = if r4.is_free() {
-                            attempt.degenerate = true;
+                        let free = if q6_roots.is_free() {
                             free.union(::dh_robot::FreeJoints::of(&[5]))
                         } else {
                             free
                         };
-                        for (i4, &[c6, s6]) in r4
+                        for (q6_root, &[c6, s6]) in q6_roots
                             .or_if_free(pick.angle(4))
                             .iter()
                             .enumerate()
                         {
-                            let a5 = ::dh_robot::runtime::atan2(s6, c6);
+                            let q6 = ::dh_robot::runtime::atan2(s6, c6);
                             let branch = ::dh_robot::Branch::ANY
-                                .with_step(0, i0)
-                                .with_step(1, i2)
+                                .with_step(0, q1_and_q3_root)
+                                .with_step(1, q5_root)
                                 .with_wrist(
-                                    if i2 == 1 {
+                                    if q5_root == 1 {
                                         ::dh_robot::Wrist::NoFlip
                                     } else {
                                         ::dh_robot::Wrist::Flip
                                     },
                                 );
-                            found([a0, a2, a1, a4, a3, a5], branch, free);
+                            found([q1, q2, q3, q4, q5, q6], branch, free);
                         }
                     }
                 }

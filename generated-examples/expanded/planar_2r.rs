@@ -153,8 +153,8 @@ impl Planar2r {
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// Plan:
-    /// 1. `q2`: a cos + b sin = c: two values.
-    /// 2. `q1`: two equations in its sine and cosine: one value.
+    /// 1. `q2`: the law of cosines (a cos + b sin = c, two values).
+    /// 2. `q1`: sine and cosine (two equations a cos + b sin = c, one value).
     #[must_use]
     pub fn inverse(
         &self,
@@ -199,16 +199,16 @@ impl Planar2r {
         let t_3 = self.l1 * 0.6169456328833773;
         let t_4 = self.l2 * 0.6169456328833773;
         let t_5 = t_3 * t_3 + t_4 * t_4;
-        let r0 = ::dh_robot::runtime::solve_sincos(
+        let q2_roots = ::dh_robot::runtime::solve_sincos(
             2.0 * t_3 * t_4,
             0.0,
             t_2 - t_5,
             1e-11,
         );
-        if !r0.is_regular() {
+        if !q2_roots.is_regular() {
             attempt
                 .note_law(
-                    r0.outcome,
+                    q2_roots.outcome,
                     free,
                     "elbow q2",
                     [t_5, t_2 - t_5],
@@ -217,15 +217,15 @@ impl Planar2r {
                     "m",
                 );
         }
-        let free = if r0.is_free() {
-            attempt.degenerate = true;
+        let free = if q2_roots.is_free() {
             free.union(::dh_robot::FreeJoints::of(&[1]))
         } else {
             free
         };
-        for (i0, &[c2, s2]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
-            let a0 = ::dh_robot::runtime::atan2(s2, c2);
-            let r1 = ::dh_robot::runtime::solve_pair(
+        for (q2_root, &[c2, s2]) in q2_roots.or_if_free(pick.angle(0)).iter().enumerate()
+        {
+            let q2 = ::dh_robot::runtime::atan2(s2, c2);
+            let q1_roots = ::dh_robot::runtime::solve_pair(
                 -t[0][3],
                 -t[1][3],
                 -(t_3 + t_4 * c2),
@@ -234,27 +234,30 @@ impl Planar2r {
                 -t_4 * s2,
                 1e-11,
             );
-            if !r1.is_regular() {
-                attempt.note(r1.outcome, free, "q1", 1.0, "");
+            if !q1_roots.is_regular() {
+                attempt.note(q1_roots.outcome, free, "q1", 1.0, "");
             }
-            let free = if r1.is_free() {
-                attempt.degenerate = true;
+            let free = if q1_roots.is_free() {
                 free.union(::dh_robot::FreeJoints::of(&[0]))
             } else {
                 free
             };
-            for (i1, &[c1, s1]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::runtime::atan2(s1, c1);
+            for (q1_root, &[c1, s1]) in q1_roots
+                .or_if_free(pick.angle(1))
+                .iter()
+                .enumerate()
+            {
+                let q1 = ::dh_robot::runtime::atan2(s1, c1);
                 let branch = ::dh_robot::Branch::ANY
-                    .with_step(0, i0)
+                    .with_step(0, q2_root)
                     .with_elbow(
-                        if i0 == 0 {
+                        if q2_root == 0 {
                             ::dh_robot::Elbow::Up
                         } else {
                             ::dh_robot::Elbow::Down
                         },
                     );
-                found([a1, a0], branch, free);
+                found([q1, q2], branch, free);
             }
         }
         attempt

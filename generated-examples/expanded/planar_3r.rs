@@ -186,9 +186,9 @@ impl Planar3r {
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// Plan:
-    /// 1. `q1 + q2 + q3`: two equations in its sine and cosine: one value.
-    /// 2. `q2`: a cos + b sin = c: two values.
-    /// 3. `q1`: two equations in its sine and cosine: one value.
+    /// 1. `q1 + q2 + q3`: sine and cosine (two equations a cos + b sin = c, one value).
+    /// 2. `q2`: the law of cosines (a cos + b sin = c, two values).
+    /// 3. `q1`: sine and cosine (two equations a cos + b sin = c, one value).
     #[must_use]
     pub fn inverse(&self, target: (f64, f64, f64)) -> ::dh_robot::Solutions<f64, 3, 2> {
         let (x, y, phi): (f64, f64, f64) = (
@@ -238,7 +238,7 @@ impl Planar3r {
         let t_6 = self.l1 * 0.1233344697274758;
         let t_7 = self.l2 * 0.1233344697274758;
         let t_8 = t_6 * t_6 + t_7 * t_7;
-        let r0 = ::dh_robot::runtime::solve_pair(
+        let q1_plus_q2_plus_q3_roots = ::dh_robot::runtime::solve_pair(
             1.0,
             0.0,
             t[0][0],
@@ -247,27 +247,31 @@ impl Planar3r {
             t[0][1],
             1e-11,
         );
-        if !r0.is_regular() {
-            attempt.note(r0.outcome, free, "q1 + q2 + q3", 1.0, "");
+        if !q1_plus_q2_plus_q3_roots.is_regular() {
+            attempt
+                .note(q1_plus_q2_plus_q3_roots.outcome, free, "q1 + q2 + q3", 1.0, "");
         }
-        let free = if r0.is_free() {
-            attempt.degenerate = true;
+        let free = if q1_plus_q2_plus_q3_roots.is_free() {
             free.union(::dh_robot::FreeJoints::of(&[0, 1, 2]))
         } else {
             free
         };
-        for (i0, &[c123, s123]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
-            let a0 = ::dh_robot::runtime::atan2(s123, c123);
-            let r1 = ::dh_robot::runtime::solve_sincos(
+        for (q1_plus_q2_plus_q3_root, &[c123, s123]) in q1_plus_q2_plus_q3_roots
+            .or_if_free(pick.angle(0))
+            .iter()
+            .enumerate()
+        {
+            let q1_plus_q2_plus_q3 = ::dh_robot::runtime::atan2(s123, c123);
+            let q2_roots = ::dh_robot::runtime::solve_sincos(
                 2.0 * t_6 * t_7,
                 0.0,
                 t_3 * t_3 + t_4 * t_4 + t_5 * t_5 - t_8,
                 1e-11,
             );
-            if !r1.is_regular() {
+            if !q2_roots.is_regular() {
                 attempt
                     .note_law(
-                        r1.outcome,
+                        q2_roots.outcome,
                         free,
                         "elbow q2",
                         [t_8, t_3 * t_3 + t_4 * t_4 + t_5 * t_5 - t_8],
@@ -276,17 +280,20 @@ impl Planar3r {
                         "m",
                     );
             }
-            let free = if r1.is_free() {
-                attempt.degenerate = true;
+            let free = if q2_roots.is_free() {
                 free.union(::dh_robot::FreeJoints::of(&[1]))
             } else {
                 free
             };
-            for (i1, &[c2, s2]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::runtime::atan2(s2, c2);
+            for (q2_root, &[c2, s2]) in q2_roots
+                .or_if_free(pick.angle(1))
+                .iter()
+                .enumerate()
+            {
+                let q2 = ::dh_robot::runtime::atan2(s2, c2);
                 let t_9 = t_6 + t_7 * c2;
                 let t_10 = t_7 * s2;
-                let r2 = ::dh_robot::runtime::solve_pair(
+                let q1_roots = ::dh_robot::runtime::solve_pair(
                     t_9,
                     -t_10,
                     t_3,
@@ -295,27 +302,30 @@ impl Planar3r {
                     t_4,
                     1e-11,
                 );
-                if !r2.is_regular() {
-                    attempt.note(r2.outcome, free, "q1", 1.0, "");
+                if !q1_roots.is_regular() {
+                    attempt.note(q1_roots.outcome, free, "q1", 1.0, "");
                 }
-                let free = if r2.is_free() {
-                    attempt.degenerate = true;
+                let free = if q1_roots.is_free() {
                     free.union(::dh_robot::FreeJoints::of(&[0]))
                 } else {
                     free
                 };
-                for (i2, &[c1, s1]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::runtime::atan2(s1, c1);
+                for (q1_root, &[c1, s1]) in q1_roots
+                    .or_if_free(pick.angle(2))
+                    .iter()
+                    .enumerate()
+                {
+                    let q1 = ::dh_robot::runtime::atan2(s1, c1);
                     let branch = ::dh_robot::Branch::ANY
-                        .with_step(0, i1)
+                        .with_step(0, q2_root)
                         .with_elbow(
-                            if i1 == 0 {
+                            if q2_root == 0 {
                                 ::dh_robot::Elbow::Up
                             } else {
                                 ::dh_robot::Elbow::Down
                             },
                         );
-                    found([a2, a1, a0 - a1 - a2], branch, free);
+                    found([q1, q2, q1_plus_q2_plus_q3 - q2 - q1], branch, free);
                 }
             }
         }

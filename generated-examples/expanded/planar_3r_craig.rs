@@ -168,9 +168,9 @@ impl Planar3rCraig {
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// Plan:
-    /// 1. `q1 + q2 + q3`: two equations in its sine and cosine: one value.
-    /// 2. `q2`: a cos + b sin = c: two values.
-    /// 3. `q1`: two equations in its sine and cosine: one value.
+    /// 1. `q1 + q2 + q3`: sine and cosine (two equations a cos + b sin = c, one value).
+    /// 2. `q2`: the law of cosines (a cos + b sin = c, two values).
+    /// 3. `q1`: sine and cosine (two equations a cos + b sin = c, one value).
     #[must_use]
     pub fn inverse(&self, target: (f64, f64, f64)) -> ::dh_robot::Solutions<f64, 3, 2> {
         let (x, y, phi): (f64, f64, f64) = (
@@ -217,7 +217,7 @@ impl Planar3rCraig {
         let t_3 = self.l1 * 0.14107434153130033;
         let t_4 = self.l2 * 0.14107434153130033;
         let t_5 = t_3 * t_3 + t_4 * t_4;
-        let r0 = ::dh_robot::runtime::solve_pair(
+        let q1_plus_q2_plus_q3_roots = ::dh_robot::runtime::solve_pair(
             1.0,
             0.0,
             t[0][0],
@@ -226,27 +226,31 @@ impl Planar3rCraig {
             t[0][1],
             1e-11,
         );
-        if !r0.is_regular() {
-            attempt.note(r0.outcome, free, "q1 + q2 + q3", 1.0, "");
+        if !q1_plus_q2_plus_q3_roots.is_regular() {
+            attempt
+                .note(q1_plus_q2_plus_q3_roots.outcome, free, "q1 + q2 + q3", 1.0, "");
         }
-        let free = if r0.is_free() {
-            attempt.degenerate = true;
+        let free = if q1_plus_q2_plus_q3_roots.is_free() {
             free.union(::dh_robot::FreeJoints::of(&[0, 1, 2]))
         } else {
             free
         };
-        for (i0, &[c123, s123]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
-            let a0 = ::dh_robot::runtime::atan2(s123, c123);
-            let r1 = ::dh_robot::runtime::solve_sincos(
+        for (q1_plus_q2_plus_q3_root, &[c123, s123]) in q1_plus_q2_plus_q3_roots
+            .or_if_free(pick.angle(0))
+            .iter()
+            .enumerate()
+        {
+            let q1_plus_q2_plus_q3 = ::dh_robot::runtime::atan2(s123, c123);
+            let q2_roots = ::dh_robot::runtime::solve_sincos(
                 2.0 * t_3 * t_4,
                 0.0,
                 t_2 - t_5,
                 1e-11,
             );
-            if !r1.is_regular() {
+            if !q2_roots.is_regular() {
                 attempt
                     .note_law(
-                        r1.outcome,
+                        q2_roots.outcome,
                         free,
                         "elbow q2",
                         [t_5, t_2 - t_5],
@@ -255,17 +259,20 @@ impl Planar3rCraig {
                         "m",
                     );
             }
-            let free = if r1.is_free() {
-                attempt.degenerate = true;
+            let free = if q2_roots.is_free() {
                 free.union(::dh_robot::FreeJoints::of(&[1]))
             } else {
                 free
             };
-            for (i1, &[c2, s2]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::runtime::atan2(s2, c2);
+            for (q2_root, &[c2, s2]) in q2_roots
+                .or_if_free(pick.angle(1))
+                .iter()
+                .enumerate()
+            {
+                let q2 = ::dh_robot::runtime::atan2(s2, c2);
                 let t_6 = t_3 + t_4 * c2;
                 let t_7 = t_4 * s2;
-                let r2 = ::dh_robot::runtime::solve_pair(
+                let q1_roots = ::dh_robot::runtime::solve_pair(
                     t_6,
                     -t_7,
                     t[0][3],
@@ -274,27 +281,30 @@ impl Planar3rCraig {
                     t[1][3],
                     1e-11,
                 );
-                if !r2.is_regular() {
-                    attempt.note(r2.outcome, free, "q1", 1.0, "");
+                if !q1_roots.is_regular() {
+                    attempt.note(q1_roots.outcome, free, "q1", 1.0, "");
                 }
-                let free = if r2.is_free() {
-                    attempt.degenerate = true;
+                let free = if q1_roots.is_free() {
                     free.union(::dh_robot::FreeJoints::of(&[0]))
                 } else {
                     free
                 };
-                for (i2, &[c1, s1]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::runtime::atan2(s1, c1);
+                for (q1_root, &[c1, s1]) in q1_roots
+                    .or_if_free(pick.angle(2))
+                    .iter()
+                    .enumerate()
+                {
+                    let q1 = ::dh_robot::runtime::atan2(s1, c1);
                     let branch = ::dh_robot::Branch::ANY
-                        .with_step(0, i1)
+                        .with_step(0, q2_root)
                         .with_elbow(
-                            if i1 == 0 {
+                            if q2_root == 0 {
                                 ::dh_robot::Elbow::Up
                             } else {
                                 ::dh_robot::Elbow::Down
                             },
                         );
-                    found([a2, a1, a0 - a1 - a2], branch, free);
+                    found([q1, q2, q1_plus_q2_plus_q3 - q2 - q1], branch, free);
                 }
             }
         }

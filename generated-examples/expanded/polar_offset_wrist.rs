@@ -321,7 +321,7 @@ impl PolarOffsetWrist {
     /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
     ///
     /// Plan:
-    /// 1. `q1`, `q2`, `q3`, `q4`, `q5`, `q6`: elimination of the general six-axis arm (Raghavan and Roth).
+    /// 1. `q1`, `q2`, `q3`, `q4`, `q5`, `q6`: the general elimination (Raghavan and Roth) (a polynomial of degree 16).
     #[must_use]
     pub fn inverse(
         &self,
@@ -359,67 +359,77 @@ impl PolarOffsetWrist {
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
-        let r0 = ::dh_robot::runtime::General6R::with_slides(
-                &[
-                    [
-                        [1.0, 0.0, 0.0, 0.0],
-                        [0.0, 0.0, 1.0, 0.0],
-                        [0.0, -1.0, 0.0, 0.5607476635514018],
-                    ],
-                    [
-                        [1.0, 0.0, 0.0, 0.04672897196261683],
-                        [0.0, 0.0, -1.0, 0.0],
-                        [0.0, 1.0, 0.0, 0.11214953271028037],
-                    ],
-                    [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]],
-                    [
-                        [1.0, 0.0, 0.0, 0.028037383177570093],
-                        [0.0, 0.0, 1.0, 0.0],
-                        [0.0, -1.0, 0.0, 0.09345794392523366],
-                    ],
-                    [
-                        [1.0, 0.0, 0.0, 0.07476635514018691],
-                        [0.0, 0.0, -1.0, 0.0],
-                        [0.0, 1.0, 0.0, 0.0],
-                    ],
-                    [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]],
-                ],
-                &[false, false, true, false, false, false],
+        let joints_roots = ::dh_robot::runtime::solve_general(
+            &[
                 [
-                    ::dh_robot::runtime::Choice::new(54),
-                    ::dh_robot::runtime::Choice::new(59),
-                    ::dh_robot::runtime::Choice::new(12),
+                    [1.0, 0.0, 0.0, 0.0],
+                    [0.0, 0.0, 1.0, 0.0],
+                    [0.0, -1.0, 0.0, 0.5607476635514018],
                 ],
-            )
-            .find(
-                &[
-                    [t[0][0], t[0][1], t[0][2], t[0][3] - t[0][2] * 0.08411214953271028],
-                    [t[1][0], t[1][1], t[1][2], t[1][3] - t[1][2] * 0.08411214953271028],
-                    [t[2][0], t[2][1], t[2][2], t[2][3] - t[2][2] * 0.08411214953271028],
+                [
+                    [1.0, 0.0, 0.0, 0.04672897196261683],
+                    [0.0, 0.0, -1.0, 0.0],
+                    [0.0, 1.0, 0.0, 0.11214953271028037],
                 ],
-            );
-        if !r0.is_regular() {
-            attempt.note(r0.outcome, free, "q1, q2, q3, q4, q5, q6", 1.0, "");
+                [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]],
+                [
+                    [1.0, 0.0, 0.0, 0.028037383177570093],
+                    [0.0, 0.0, 1.0, 0.0],
+                    [0.0, -1.0, 0.0, 0.09345794392523366],
+                ],
+                [
+                    [1.0, 0.0, 0.0, 0.07476635514018691],
+                    [0.0, 0.0, -1.0, 0.0],
+                    [0.0, 1.0, 0.0, 0.0],
+                ],
+                [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]],
+            ],
+            &[
+                [t[0][0], t[0][1], t[0][2], t[0][3] - t[0][2] * 0.08411214953271028],
+                [t[1][0], t[1][1], t[1][2], t[1][3] - t[1][2] * 0.08411214953271028],
+                [t[2][0], t[2][1], t[2][2], t[2][3] - t[2][2] * 0.08411214953271028],
+            ],
+            &[false, false, true, false, false, false],
+            [54, 59, 12],
+        );
+        if !joints_roots.is_regular() {
+            attempt.note(joints_roots.outcome, free, "q1, q2, q3, q4, q5, q6", 1.0, "");
         }
-        let free = if r0.is_free() {
-            attempt.degenerate = true;
+        let free = if joints_roots.is_free() {
             free.union(::dh_robot::FreeJoints::of(&[0, 1, 2, 3, 4, 5]))
         } else {
             free
         };
-        for (i0, &[[c1, s1], [c2, s2], [q3, _], [c4, s4], [c5, s5], [c6, s6]]) in r0
-            .or_if_free([[1.0, 0.0]; 6])
-            .iter()
-            .enumerate()
-        {
-            let a0 = ::dh_robot::runtime::atan2(s1, c1);
-            let a1 = ::dh_robot::runtime::atan2(s2, c2);
-            let a2 = q3 * 1.07;
-            let a3 = ::dh_robot::runtime::atan2(s4, c4);
-            let a4 = ::dh_robot::runtime::atan2(s5, c5);
-            let a5 = ::dh_robot::runtime::atan2(s6, c6);
-            let branch = ::dh_robot::Branch::ANY.with_step(0, i0);
-            found([a0, a1, a2, a3, a4, a5], branch, free);
+        for (
+            joints_root,
+            &[[c1,
+            s1,
+            ],
+            [c2,
+            s2,
+            ],
+            [q3_scaled,
+            _,
+            ],
+            [c4,
+            s4,
+            ],
+            [c5,
+            s5,
+            ],
+            [c6,
+            s6,
+            ],
+            ],
+        ) in joints_roots.or_if_free([[1.0, 0.0]; 6]).iter().enumerate() {
+            let q1 = ::dh_robot::runtime::atan2(s1, c1);
+            let q2 = ::dh_robot::runtime::atan2(s2, c2);
+            let q3 = q3_scaled * 1.07;
+            let q4 = ::dh_robot::runtime::atan2(s4, c4);
+            let q5 = ::dh_robot::runtime::atan2(s5, c5);
+            let q6 = ::dh_robot::runtime::atan2(s6, c6);
+            let branch = ::dh_robot::Branch::ANY.with_step(0, joints_root);
+            found([q1, q2, q3, q4, q5, q6], branch, free);
         }
         attempt
     }

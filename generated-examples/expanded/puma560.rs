@@ -307,12 +307,12 @@ impl Puma560 {
     /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
     ///
     /// Plan:
-    /// 1. `q1`: a cos + b sin = c: two values.
-    /// 2. `q3`: a cos + b sin = c: two values.
-    /// 3. `q2`: two equations in its sine and cosine: one value.
-    /// 4. `q4`: a cos + b sin = 0: two values half a turn apart.
-    /// 5. `q5`: two equations in its sine and cosine: one value.
-    /// 6. `q6`: two equations in its sine and cosine: one value.
+    /// 1. `q1`: an equation in sine and cosine (a cos + b sin = c, two values).
+    /// 2. `q3`: the law of cosines (a cos + b sin = c, two values).
+    /// 3. `q2`: sine and cosine (two equations a cos + b sin = c, one value).
+    /// 4. `q4`: a ratio of sine and cosine (a cos + b sin = 0, two values half a turn apart).
+    /// 5. `q5`: sine and cosine (two equations a cos + b sin = c, one value).
+    /// 6. `q6`: sine and cosine (two equations a cos + b sin = c, one value).
     #[must_use]
     pub fn inverse(
         &self,
@@ -359,18 +359,18 @@ impl Puma560 {
         let t_6 = self.a3 * 0.9507065940252585;
         let t_7 = self.d4 * 0.9507065940252585;
         let t_8 = t_4 * t_4 + t_6 * t_6 + t_3 * t_3 + t_7 * t_7;
-        let r0 = ::dh_robot::runtime::solve_sincos(-t[1][3], t[0][3], -t_3, 1e-11);
-        if !r0.is_regular() {
-            attempt.note(r0.outcome, free, "shoulder q1", 1.0518492311766083, "m");
+        let q1_roots = ::dh_robot::runtime::solve_sincos(-t[1][3], t[0][3], -t_3, 1e-11);
+        if !q1_roots.is_regular() {
+            attempt.note(q1_roots.outcome, free, "shoulder q1", 1.0518492311766083, "m");
         }
-        let free = if r0.is_free() {
-            attempt.degenerate = true;
+        let free = if q1_roots.is_free() {
             free.union(::dh_robot::FreeJoints::of(&[0]))
         } else {
             free
         };
-        for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
-            let a0 = ::dh_robot::runtime::atan2(s1, c1);
+        for (q1_root, &[c1, s1]) in q1_roots.or_if_free(pick.angle(0)).iter().enumerate()
+        {
+            let q1 = ::dh_robot::runtime::atan2(s1, c1);
             let t_9 = t[0][3] * c1 + t[1][3] * s1;
             let t_10 = t[0][0] * c1 + t[1][0] * s1;
             let t_11 = t[0][0] * s1 - t[1][0] * c1;
@@ -378,16 +378,16 @@ impl Puma560 {
             let t_13 = t[0][1] * s1 - t[1][1] * c1;
             let t_14 = t[0][2] * c1 + t[1][2] * s1;
             let t_15 = t[0][2] * s1 - t[1][2] * c1;
-            let r1 = ::dh_robot::runtime::solve_sincos(
+            let q3_roots = ::dh_robot::runtime::solve_sincos(
                 t_5 * t_6,
                 -t_5 * t_7,
                 t_2 - t_8,
                 1e-11,
             );
-            if !r1.is_regular() {
+            if !q3_roots.is_regular() {
                 attempt
                     .note_law(
-                        r1.outcome,
+                        q3_roots.outcome,
                         free,
                         "elbow q3",
                         [t_8, t_2 - t_8],
@@ -396,15 +396,18 @@ impl Puma560 {
                         "m",
                     );
             }
-            let free = if r1.is_free() {
-                attempt.degenerate = true;
+            let free = if q3_roots.is_free() {
                 free.union(::dh_robot::FreeJoints::of(&[2]))
             } else {
                 free
             };
-            for (i1, &[c3, s3]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::runtime::atan2(s3, c3);
-                let r2 = ::dh_robot::runtime::solve_pair(
+            for (q3_root, &[c3, s3]) in q3_roots
+                .or_if_free(pick.angle(1))
+                .iter()
+                .enumerate()
+            {
+                let q3 = ::dh_robot::runtime::atan2(s3, c3);
+                let q2_roots = ::dh_robot::runtime::solve_pair(
                     -t_9,
                     t[2][3],
                     -(t_4 + t_6 * c3 - t_7 * s3),
@@ -413,17 +416,20 @@ impl Puma560 {
                     -(t_6 * s3 + t_7 * c3),
                     1e-11,
                 );
-                if !r2.is_regular() {
-                    attempt.note(r2.outcome, free, "q2", 1.0, "");
+                if !q2_roots.is_regular() {
+                    attempt.note(q2_roots.outcome, free, "q2", 1.0, "");
                 }
-                let free = if r2.is_free() {
-                    attempt.degenerate = true;
+                let free = if q2_roots.is_free() {
                     free.union(::dh_robot::FreeJoints::of(&[1]))
                 } else {
                     free
                 };
-                for (i2, &[c2, s2]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::runtime::atan2(s2, c2);
+                for (q2_root, &[c2, s2]) in q2_roots
+                    .or_if_free(pick.angle(2))
+                    .iter()
+                    .enumerate()
+                {
+                    let q2 = ::dh_robot::runtime::atan2(s2, c2);
                     let t_16 = c3 * c2 - s3 * s2;
                     let t_17 = c3 * s2 + s3 * c2;
                     let t_18 = t_10 * t_16 - t[2][0] * t_17;
@@ -431,25 +437,29 @@ impl Puma560 {
                     let t_20 = t_12 * t_16 - t[2][1] * t_17;
                     let t_21 = t_12 * t_17 + t[2][1] * t_16;
                     let t_22 = t_14 * t_16 - t[2][2] * t_17;
-                    let r3 = ::dh_robot::runtime::solve_sincos(-t_15, t_22, 0.0, 1e-11);
-                    if !r3.is_regular() {
-                        attempt.note(r3.outcome, free, "wrist q4", 1.0, "");
+                    let q4_roots = ::dh_robot::runtime::solve_sincos(
+                        -t_15,
+                        t_22,
+                        0.0,
+                        1e-11,
+                    );
+                    if !q4_roots.is_regular() {
+                        attempt.note(q4_roots.outcome, free, "wrist q4", 1.0, "");
                     }
-                    let free = if r3.is_free() {
-                        attempt.degenerate = true;
+                    let free = if q4_roots.is_free() {
                         free.union(::dh_robot::FreeJoints::of(&[3]))
                     } else {
                         free
                     };
-                    for (i3, &[c4, s4]) in r3
+                    for (q4_root, &[c4, s4]) in q4_roots
                         .or_if_free(pick.angle(3))
                         .iter()
                         .enumerate()
                     {
-                        let a3 = ::dh_robot::runtime::atan2(s4, c4);
+                        let q4 = ::dh_robot::runtime::atan2(s4, c4);
                         let t_23 = t_18 * c4 + t_11 * s4;
                         let t_24 = t_20 * c4 + t_13 * s4;
-                        let r4 = ::dh_robot::runtime::solve_pair(
+                        let q5_roots = ::dh_robot::runtime::solve_pair(
                             0.0,
                             -1.0,
                             t_22 * c4 + t_15 * s4,
@@ -458,22 +468,21 @@ impl Puma560 {
                             -(t_14 * t_17 + t[2][2] * t_16),
                             1e-11,
                         );
-                        if !r4.is_regular() {
-                            attempt.note(r4.outcome, free, "q5", 1.0, "");
+                        if !q5_roots.is_regular() {
+                            attempt.note(q5_roots.outcome, free, "q5", 1.0, "");
                         }
-                        let free = if r4.is_free() {
-                            attempt.degenerate = true;
+                        let free = if q5_roots.is_free() {
                             free.union(::dh_robot::FreeJoints::of(&[4]))
                         } else {
                             free
                         };
-                        for (i4, &[c5, s5]) in r4
+                        for (q5_root, &[c5, s5]) in q5_roots
                             .or_if_free(pick.angle(4))
                             .iter()
                             .enumerate()
                         {
-                            let a4 = ::dh_robot::runtime::atan2(s5, c5);
-                            let r5 = ::dh_robot::runtime::solve_pair(
+                            let q5 = ::dh_robot::runtime::atan2(s5, c5);
+                            let q6_roots = ::dh_robot::runtime::solve_pair(
                                 1.0,
                                 0.0,
                                 t_23 * c5 - t_19 * s5,
@@ -482,47 +491,46 @@ impl Puma560 {
                                 t_24 * c5 - t_21 * s5,
                                 1e-11,
                             );
-                            if !r5.is_regular() {
-                                attempt.note(r5.outcome, free, "q6", 1.0, "");
+                            if !q6_roots.is_regular() {
+                                attempt.note(q6_roots.outcome, free, "q6", 1.0, "");
                             }
-                            let free = if r5.is_free() {
-                                attempt.degenerate = true;
+                            let free = if q6_roots.is_free() {
                                 free.union(::dh_robot::FreeJoints::of(&[5]))
                             } else {
                                 free
                             };
-                            for (i5, &[c6, s6]) in r5
+                            for (q6_root, &[c6, s6]) in q6_roots
                                 .or_if_free(pick.angle(5))
                                 .iter()
                                 .enumerate()
                             {
-                                let a5 = ::dh_robot::runtime::atan2(s6, c6);
+                                let q6 = ::dh_robot::runtime::atan2(s6, c6);
                                 let branch = ::dh_robot::Branch::ANY
-                                    .with_step(0, i0)
+                                    .with_step(0, q1_root)
                                     .with_shoulder(
-                                        if i0 == 1 {
+                                        if q1_root == 1 {
                                             ::dh_robot::Shoulder::Left
                                         } else {
                                             ::dh_robot::Shoulder::Right
                                         },
                                     )
-                                    .with_step(1, i1)
+                                    .with_step(1, q3_root)
                                     .with_elbow(
-                                        if (i1 == 1) == (i0 == 0) {
+                                        if (q3_root == 1) == (q1_root == 0) {
                                             ::dh_robot::Elbow::Up
                                         } else {
                                             ::dh_robot::Elbow::Down
                                         },
                                     )
-                                    .with_step(2, i3)
+                                    .with_step(2, q4_root)
                                     .with_wrist(
-                                        if i3 == 0 {
+                                        if q4_root == 0 {
                                             ::dh_robot::Wrist::NoFlip
                                         } else {
                                             ::dh_robot::Wrist::Flip
                                         },
                                     );
-                                found([a0, a2, a1, a3, a4, a5], branch, free);
+                                found([q1, q2, q3, q4, q5, q6], branch, free);
                             }
                         }
                     }
@@ -565,29 +573,29 @@ impl Puma560 {
         let mut all = [::dh_robot::Branch::ANY; 8];
         let mut l = 0;
         while l < 8 {
-            let i0 = l / 1 % 2;
-            let i1 = l / 2 % 2;
-            let i3 = l / 4 % 2;
+            let q1_root = l / 1 % 2;
+            let q3_root = l / 2 % 2;
+            let q4_root = l / 4 % 2;
             all[l] = ::dh_robot::Branch::ANY
-                .with_step(0, i0)
+                .with_step(0, q1_root)
                 .with_shoulder(
-                    if i0 == 1 {
+                    if q1_root == 1 {
                         ::dh_robot::Shoulder::Left
                     } else {
                         ::dh_robot::Shoulder::Right
                     },
                 )
-                .with_step(1, i1)
+                .with_step(1, q3_root)
                 .with_elbow(
-                    if (i1 == 1) == (i0 == 0) {
+                    if (q3_root == 1) == (q1_root == 0) {
                         ::dh_robot::Elbow::Up
                     } else {
                         ::dh_robot::Elbow::Down
                     },
                 )
-                .with_step(2, i3)
+                .with_step(2, q4_root)
                 .with_wrist(
-                    if i3 == 0 {
+                    if q4_root == 0 {
                         ::dh_robot::Wrist::NoFlip
                     } else {
                         ::dh_robot::Wrist::Flip

@@ -148,8 +148,8 @@ impl RpParallel {
     /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
     ///
     /// Plan:
-    /// 1. `q2`: a linear equation.
-    /// 2. `q1`: two equations in its sine and cosine: one value.
+    /// 1. `q2`: a linear equation (a d + b = 0, one value).
+    /// 2. `q1`: sine and cosine (two equations a cos + b sin = c, one value).
     #[must_use]
     pub fn inverse(
         &self,
@@ -186,19 +186,22 @@ impl RpParallel {
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
-        let r0 = ::dh_robot::runtime::solve_quadratic(0.0, 1.0, -t[2][3], 1e-11);
-        if !r0.is_regular() {
-            attempt.note(r0.outcome, free, "q2", 0.50565, "m");
+        let q2_roots = ::dh_robot::runtime::solve_quadratic(0.0, 1.0, -t[2][3], 1e-11);
+        if !q2_roots.is_regular() {
+            attempt.note(q2_roots.outcome, free, "q2", 0.50565, "m");
         }
-        let free = if r0.is_free() {
-            attempt.degenerate = true;
+        let free = if q2_roots.is_free() {
             free.union(::dh_robot::FreeJoints::of(&[1]))
         } else {
             free
         };
-        for (i0, &q2) in r0.or_if_free(pick.length(0)).iter().enumerate() {
-            let a0 = q2 * 0.50565;
-            let r1 = ::dh_robot::runtime::solve_pair(
+        for (q2_root, &q2_scaled) in q2_roots
+            .or_if_free(pick.length(0))
+            .iter()
+            .enumerate()
+        {
+            let q2 = q2_scaled * 0.50565;
+            let q1_roots = ::dh_robot::runtime::solve_pair(
                 1.0,
                 0.0,
                 t[0][0],
@@ -207,19 +210,22 @@ impl RpParallel {
                 t[0][1],
                 1e-11,
             );
-            if !r1.is_regular() {
-                attempt.note(r1.outcome, free, "q1", 1.0, "");
+            if !q1_roots.is_regular() {
+                attempt.note(q1_roots.outcome, free, "q1", 1.0, "");
             }
-            let free = if r1.is_free() {
-                attempt.degenerate = true;
+            let free = if q1_roots.is_free() {
                 free.union(::dh_robot::FreeJoints::of(&[0]))
             } else {
                 free
             };
-            for (i1, &[c1, s1]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::runtime::atan2(s1, c1);
+            for (q1_root, &[c1, s1]) in q1_roots
+                .or_if_free(pick.angle(1))
+                .iter()
+                .enumerate()
+            {
+                let q1 = ::dh_robot::runtime::atan2(s1, c1);
                 let branch = ::dh_robot::Branch::ANY;
-                found([a1, a0], branch, free);
+                found([q1, q2], branch, free);
             }
         }
         attempt
@@ -277,10 +283,10 @@ impl RpParallel {
         let mut error_ = [0.0; 1];
         let r0 = (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs()
             + (1.0 - t[2][2]).abs();
-        let (q2, m0) = ::dh_robot::runtime::lanes::linear(1.0, -t[2][3]);
-        let q2 = q2;
-        let g0 = q2 * 0.50565;
-        let r1 = (q2 - t[2][3]).abs();
+        let (q2_scaled, m0) = ::dh_robot::runtime::lanes::linear(1.0, -t[2][3]);
+        let q2_scaled = q2_scaled;
+        let g0 = q2_scaled * 0.50565;
+        let r1 = (q2_scaled - t[2][3]).abs();
         let [c1, s1] = ::dh_robot::runtime::lanes::unit(t[0][0], -t[0][1]);
         let g1 = ::dh_robot::runtime::lanes::angle(s1, c1);
         let r2 = (-s1 - t[0][1]).abs() + (c1 - t[1][1]).abs()

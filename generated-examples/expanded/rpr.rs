@@ -161,9 +161,9 @@ impl Rpr {
     /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
     ///
     /// Plan:
-    /// 1. `q2`: a linear equation.
-    /// 2. `q1`: two equations in its sine and cosine: one value.
-    /// 3. `q3`: two equations in its sine and cosine: one value.
+    /// 1. `q2`: a linear equation (a d + b = 0, one value).
+    /// 2. `q1`: sine and cosine (two equations a cos + b sin = c, one value).
+    /// 3. `q3`: sine and cosine (two equations a cos + b sin = c, one value).
     #[must_use]
     pub fn inverse(
         &self,
@@ -203,24 +203,27 @@ impl Rpr {
         let t_2 = self.l2 * 2.472065658063878;
         let t_3 = t[0][2] * (t[0][3] - t[0][2] * t_2)
             + t[1][2] * (t[1][3] - t[1][2] * t_2);
-        let r0 = ::dh_robot::runtime::solve_quadratic(
+        let q2_roots = ::dh_robot::runtime::solve_quadratic(
             0.0,
             -1.0,
             t_3 + t[2][2] * (t[2][3] - t[2][2] * t_2),
             1e-11,
         );
-        if !r0.is_regular() {
-            attempt.note(r0.outcome, free, "q2", 0.40452000000000005, "m");
+        if !q2_roots.is_regular() {
+            attempt.note(q2_roots.outcome, free, "q2", 0.40452000000000005, "m");
         }
-        let free = if r0.is_free() {
-            attempt.degenerate = true;
+        let free = if q2_roots.is_free() {
             free.union(::dh_robot::FreeJoints::of(&[1]))
         } else {
             free
         };
-        for (i0, &q2) in r0.or_if_free(pick.length(0)).iter().enumerate() {
-            let a0 = q2 * 0.40452000000000005;
-            let r1 = ::dh_robot::runtime::solve_pair(
+        for (q2_root, &q2_scaled) in q2_roots
+            .or_if_free(pick.length(0))
+            .iter()
+            .enumerate()
+        {
+            let q2 = q2_scaled * 0.40452000000000005;
+            let q1_roots = ::dh_robot::runtime::solve_pair(
                 0.0,
                 1.0,
                 t[0][2],
@@ -229,18 +232,21 @@ impl Rpr {
                 t[1][2],
                 1e-11,
             );
-            if !r1.is_regular() {
-                attempt.note(r1.outcome, free, "q1", 1.0, "");
+            if !q1_roots.is_regular() {
+                attempt.note(q1_roots.outcome, free, "q1", 1.0, "");
             }
-            let free = if r1.is_free() {
-                attempt.degenerate = true;
+            let free = if q1_roots.is_free() {
                 free.union(::dh_robot::FreeJoints::of(&[0]))
             } else {
                 free
             };
-            for (i1, &[c1, s1]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::runtime::atan2(s1, c1);
-                let r2 = ::dh_robot::runtime::solve_pair(
+            for (q1_root, &[c1, s1]) in q1_roots
+                .or_if_free(pick.angle(1))
+                .iter()
+                .enumerate()
+            {
+                let q1 = ::dh_robot::runtime::atan2(s1, c1);
+                let q3_roots = ::dh_robot::runtime::solve_pair(
                     1.0,
                     0.0,
                     t[0][0] * c1 + t[1][0] * s1,
@@ -249,19 +255,22 @@ impl Rpr {
                     t[0][1] * c1 + t[1][1] * s1,
                     1e-11,
                 );
-                if !r2.is_regular() {
-                    attempt.note(r2.outcome, free, "q3", 1.0, "");
+                if !q3_roots.is_regular() {
+                    attempt.note(q3_roots.outcome, free, "q3", 1.0, "");
                 }
-                let free = if r2.is_free() {
-                    attempt.degenerate = true;
+                let free = if q3_roots.is_free() {
                     free.union(::dh_robot::FreeJoints::of(&[2]))
                 } else {
                     free
                 };
-                for (i2, &[c3, s3]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::runtime::atan2(s3, c3);
+                for (q3_root, &[c3, s3]) in q3_roots
+                    .or_if_free(pick.angle(2))
+                    .iter()
+                    .enumerate()
+                {
+                    let q3 = ::dh_robot::runtime::atan2(s3, c3);
                     let branch = ::dh_robot::Branch::ANY;
-                    found([a1, a0, a2], branch, free);
+                    found([q1, q2, q3], branch, free);
                 }
             }
         }
@@ -321,13 +330,13 @@ impl Rpr {
         let mut valid_ = [0.0; 1];
         let mut error_ = [0.0; 1];
         let r0 = (0.0 - t[2][2]).abs() + (0.0 - t[2][3]).abs();
-        let (q2, m0) = ::dh_robot::runtime::lanes::linear(
+        let (q2_scaled, m0) = ::dh_robot::runtime::lanes::linear(
             -1.0,
             t_3 + t[2][2] * (t[2][3] - t[2][2] * t_2),
         );
-        let q2 = q2;
-        let g0 = q2 * 0.40452000000000005;
-        let t_4 = t_2 + q2;
+        let q2_scaled = q2_scaled;
+        let g0 = q2_scaled * 0.40452000000000005;
+        let t_4 = t_2 + q2_scaled;
         let [c1, s1] = ::dh_robot::runtime::lanes::unit(-t[1][2], t[0][2]);
         let g1 = ::dh_robot::runtime::lanes::angle(s1, c1);
         let r2 = (s1 - t[0][2]).abs() + (-c1 - t[1][2]).abs()

@@ -195,9 +195,9 @@ impl RrrIntersecting {
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// Plan:
-    /// 1. `q1`: a cos + b sin = c: two values.
-    /// 2. `q3`: a cos + b sin = c: two values.
-    /// 3. `q2`: two equations in its sine and cosine: one value.
+    /// 1. `q1`: an equation in sine and cosine (a cos + b sin = c, two values).
+    /// 2. `q3`: the law of cosines (a cos + b sin = c, two values).
+    /// 3. `q2`: sine and cosine (two equations a cos + b sin = c, one value).
     #[must_use]
     pub fn inverse(
         &self,
@@ -243,29 +243,29 @@ impl RrrIntersecting {
         let t_4 = self.l2 * 0.9367557098744688;
         let t_5 = self.l3 * 0.9367557098744688;
         let t_6 = t_3 * t_3 + t_4 * t_4 + t_5 * t_5;
-        let r0 = ::dh_robot::runtime::solve_sincos(-t[1][3], t[0][3], -t_3, 1e-11);
-        if !r0.is_regular() {
-            attempt.note(r0.outcome, free, "shoulder q1", 1.0675141762776192, "m");
+        let q1_roots = ::dh_robot::runtime::solve_sincos(-t[1][3], t[0][3], -t_3, 1e-11);
+        if !q1_roots.is_regular() {
+            attempt.note(q1_roots.outcome, free, "shoulder q1", 1.0675141762776192, "m");
         }
-        let free = if r0.is_free() {
-            attempt.degenerate = true;
+        let free = if q1_roots.is_free() {
             free.union(::dh_robot::FreeJoints::of(&[0]))
         } else {
             free
         };
-        for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
-            let a0 = ::dh_robot::runtime::atan2(s1, c1);
+        for (q1_root, &[c1, s1]) in q1_roots.or_if_free(pick.angle(0)).iter().enumerate()
+        {
+            let q1 = ::dh_robot::runtime::atan2(s1, c1);
             let t_7 = t[0][3] * c1 + t[1][3] * s1;
-            let r1 = ::dh_robot::runtime::solve_sincos(
+            let q3_roots = ::dh_robot::runtime::solve_sincos(
                 2.0 * t_4 * t_5,
                 0.0,
                 t_2 - t_6,
                 1e-11,
             );
-            if !r1.is_regular() {
+            if !q3_roots.is_regular() {
                 attempt
                     .note_law(
-                        r1.outcome,
+                        q3_roots.outcome,
                         free,
                         "elbow q3",
                         [t_6, t_2 - t_6],
@@ -274,15 +274,18 @@ impl RrrIntersecting {
                         "m",
                     );
             }
-            let free = if r1.is_free() {
-                attempt.degenerate = true;
+            let free = if q3_roots.is_free() {
                 free.union(::dh_robot::FreeJoints::of(&[2]))
             } else {
                 free
             };
-            for (i1, &[c3, s3]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::runtime::atan2(s3, c3);
-                let r2 = ::dh_robot::runtime::solve_pair(
+            for (q3_root, &[c3, s3]) in q3_roots
+                .or_if_free(pick.angle(1))
+                .iter()
+                .enumerate()
+            {
+                let q3 = ::dh_robot::runtime::atan2(s3, c3);
+                let q2_roots = ::dh_robot::runtime::solve_pair(
                     -t_7,
                     t[2][3],
                     -(t_4 + t_5 * c3),
@@ -291,35 +294,38 @@ impl RrrIntersecting {
                     -t_5 * s3,
                     1e-11,
                 );
-                if !r2.is_regular() {
-                    attempt.note(r2.outcome, free, "q2", 1.0, "");
+                if !q2_roots.is_regular() {
+                    attempt.note(q2_roots.outcome, free, "q2", 1.0, "");
                 }
-                let free = if r2.is_free() {
-                    attempt.degenerate = true;
+                let free = if q2_roots.is_free() {
                     free.union(::dh_robot::FreeJoints::of(&[1]))
                 } else {
                     free
                 };
-                for (i2, &[c2, s2]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::runtime::atan2(s2, c2);
+                for (q2_root, &[c2, s2]) in q2_roots
+                    .or_if_free(pick.angle(2))
+                    .iter()
+                    .enumerate()
+                {
+                    let q2 = ::dh_robot::runtime::atan2(s2, c2);
                     let branch = ::dh_robot::Branch::ANY
-                        .with_step(0, i0)
+                        .with_step(0, q1_root)
                         .with_shoulder(
-                            if i0 == 0 {
+                            if q1_root == 0 {
                                 ::dh_robot::Shoulder::Left
                             } else {
                                 ::dh_robot::Shoulder::Right
                             },
                         )
-                        .with_step(1, i1)
+                        .with_step(1, q3_root)
                         .with_elbow(
-                            if i1 == 0 {
+                            if q3_root == 0 {
                                 ::dh_robot::Elbow::Up
                             } else {
                                 ::dh_robot::Elbow::Down
                             },
                         );
-                    found([a0, a2, a1], branch, free);
+                    found([q1, q2, q3], branch, free);
                 }
             }
         }

@@ -195,10 +195,10 @@ impl ScaraRrrp {
     /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
     ///
     /// Plan:
-    /// 1. `q4`: a linear equation.
-    /// 2. `q1 + q2 + q3`: two equations in its sine and cosine: one value.
-    /// 3. `q2`: a cos + b sin = c: two values.
-    /// 4. `q1`: two equations in its sine and cosine: one value.
+    /// 1. `q4`: a linear equation (a d + b = 0, one value).
+    /// 2. `q1 + q2 + q3`: sine and cosine (two equations a cos + b sin = c, one value).
+    /// 3. `q2`: the law of cosines (a cos + b sin = c, two values).
+    /// 4. `q1`: sine and cosine (two equations a cos + b sin = c, one value).
     #[must_use]
     pub fn inverse(
         &self,
@@ -241,27 +241,30 @@ impl ScaraRrrp {
         let t_5 = self.a2 * 0.7567958730994166;
         let t_6 = t_3 * (t_3 + t_2 * 2.0);
         let t_7 = t_4 * t_4 + t_5 * t_5 + t_2 * t_2;
-        let r0 = ::dh_robot::runtime::solve_quadratic(
+        let q4_roots = ::dh_robot::runtime::solve_quadratic(
             0.0,
             1.0,
             -(t[2][3] - (t_2 + t_3)),
             1e-11,
         );
-        if !r0.is_regular() {
-            attempt.note(r0.outcome, free, "q4", 1.321360271039209, "m");
+        if !q4_roots.is_regular() {
+            attempt.note(q4_roots.outcome, free, "q4", 1.321360271039209, "m");
         }
-        let free = if r0.is_free() {
-            attempt.degenerate = true;
+        let free = if q4_roots.is_free() {
             free.union(::dh_robot::FreeJoints::of(&[3]))
         } else {
             free
         };
-        for (i0, &q4) in r0.or_if_free(pick.length(0)).iter().enumerate() {
-            let a0 = q4 * 1.321360271039209;
-            let t_8 = t[0][3] - t[0][2] * q4;
-            let t_9 = t[1][3] - t[1][2] * q4;
-            let t_10 = t[2][3] - t[2][2] * q4;
-            let r1 = ::dh_robot::runtime::solve_pair(
+        for (q4_root, &q4_scaled) in q4_roots
+            .or_if_free(pick.length(0))
+            .iter()
+            .enumerate()
+        {
+            let q4 = q4_scaled * 1.321360271039209;
+            let t_8 = t[0][3] - t[0][2] * q4_scaled;
+            let t_9 = t[1][3] - t[1][2] * q4_scaled;
+            let t_10 = t[2][3] - t[2][2] * q4_scaled;
+            let q1_plus_q2_plus_q3_roots = ::dh_robot::runtime::solve_pair(
                 1.0,
                 0.0,
                 t[0][0],
@@ -270,27 +273,37 @@ impl ScaraRrrp {
                 t[0][1],
                 1e-11,
             );
-            if !r1.is_regular() {
-                attempt.note(r1.outcome, free, "q1 + q2 + q3", 1.0, "");
+            if !q1_plus_q2_plus_q3_roots.is_regular() {
+                attempt
+                    .note(
+                        q1_plus_q2_plus_q3_roots.outcome,
+                        free,
+                        "q1 + q2 + q3",
+                        1.0,
+                        "",
+                    );
             }
-            let free = if r1.is_free() {
-                attempt.degenerate = true;
+            let free = if q1_plus_q2_plus_q3_roots.is_free() {
                 free.union(::dh_robot::FreeJoints::of(&[0, 1, 2]))
             } else {
                 free
             };
-            for (i1, &[c123, s123]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::runtime::atan2(s123, c123);
-                let r2 = ::dh_robot::runtime::solve_sincos(
+            for (q1_plus_q2_plus_q3_root, &[c123, s123]) in q1_plus_q2_plus_q3_roots
+                .or_if_free(pick.angle(1))
+                .iter()
+                .enumerate()
+            {
+                let q1_plus_q2_plus_q3 = ::dh_robot::runtime::atan2(s123, c123);
+                let q2_roots = ::dh_robot::runtime::solve_sincos(
                     2.0 * t_4 * t_5,
                     0.0,
                     -(t_6 - (t_8 * t_8 + t_9 * t_9 + t_10 * t_10 - t_7)),
                     1e-11,
                 );
-                if !r2.is_regular() {
+                if !q2_roots.is_regular() {
                     attempt
                         .note_law(
-                            r2.outcome,
+                            q2_roots.outcome,
                             free,
                             "elbow q2",
                             [
@@ -302,17 +315,20 @@ impl ScaraRrrp {
                             "m",
                         );
                 }
-                let free = if r2.is_free() {
-                    attempt.degenerate = true;
+                let free = if q2_roots.is_free() {
                     free.union(::dh_robot::FreeJoints::of(&[1]))
                 } else {
                     free
                 };
-                for (i2, &[c2, s2]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::runtime::atan2(s2, c2);
+                for (q2_root, &[c2, s2]) in q2_roots
+                    .or_if_free(pick.angle(2))
+                    .iter()
+                    .enumerate()
+                {
+                    let q2 = ::dh_robot::runtime::atan2(s2, c2);
                     let t_11 = t_4 + t_5 * c2;
                     let t_12 = t_5 * s2;
-                    let r3 = ::dh_robot::runtime::solve_pair(
+                    let q1_roots = ::dh_robot::runtime::solve_pair(
                         t_11,
                         -t_12,
                         t_8,
@@ -321,31 +337,30 @@ impl ScaraRrrp {
                         t_9,
                         1e-11,
                     );
-                    if !r3.is_regular() {
-                        attempt.note(r3.outcome, free, "q1", 1.0, "");
+                    if !q1_roots.is_regular() {
+                        attempt.note(q1_roots.outcome, free, "q1", 1.0, "");
                     }
-                    let free = if r3.is_free() {
-                        attempt.degenerate = true;
+                    let free = if q1_roots.is_free() {
                         free.union(::dh_robot::FreeJoints::of(&[0]))
                     } else {
                         free
                     };
-                    for (i3, &[c1, s1]) in r3
+                    for (q1_root, &[c1, s1]) in q1_roots
                         .or_if_free(pick.angle(3))
                         .iter()
                         .enumerate()
                     {
-                        let a3 = ::dh_robot::runtime::atan2(s1, c1);
+                        let q1 = ::dh_robot::runtime::atan2(s1, c1);
                         let branch = ::dh_robot::Branch::ANY
-                            .with_step(0, i2)
+                            .with_step(0, q2_root)
                             .with_elbow(
-                                if i2 == 0 {
+                                if q2_root == 0 {
                                     ::dh_robot::Elbow::Up
                                 } else {
                                     ::dh_robot::Elbow::Down
                                 },
                             );
-                        found([a3, a2, a1 - a2 - a3, a0], branch, free);
+                        found([q1, q2, q1_plus_q2_plus_q3 - q2 - q1, q4], branch, free);
                     }
                 }
             }
@@ -386,11 +401,15 @@ impl ScaraRrrp {
         let mut all = [::dh_robot::Branch::ANY; 2];
         let mut l = 0;
         while l < 2 {
-            let i2 = l / 1 % 2;
+            let q2_root = l / 1 % 2;
             all[l] = ::dh_robot::Branch::ANY
-                .with_step(0, i2)
+                .with_step(0, q2_root)
                 .with_elbow(
-                    if i2 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                    if q2_root == 0 {
+                        ::dh_robot::Elbow::Up
+                    } else {
+                        ::dh_robot::Elbow::Down
+                    },
                 );
             l += 1;
         }
@@ -413,13 +432,13 @@ impl ScaraRrrp {
         let t_8 = t_5 * t_5 + t_6 * t_6 + t_2 * t_2;
         let r0 = (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs()
             + (1.0 - t[2][2]).abs();
-        let (q4, m0) = ::dh_robot::runtime::lanes::linear(1.0, -(t[2][3] - t_4));
-        let q4 = q4;
-        let g0 = q4 * 1.321360271039209;
-        let t_9 = t[0][3] - t[0][2] * q4;
-        let t_10 = t[1][3] - t[1][2] * q4;
-        let t_11 = t[2][3] - t[2][2] * q4;
-        let r1 = (t_4 + q4 - t[2][3]).abs();
+        let (q4_scaled, m0) = ::dh_robot::runtime::lanes::linear(1.0, -(t[2][3] - t_4));
+        let q4_scaled = q4_scaled;
+        let g0 = q4_scaled * 1.321360271039209;
+        let t_9 = t[0][3] - t[0][2] * q4_scaled;
+        let t_10 = t[1][3] - t[1][2] * q4_scaled;
+        let t_11 = t[2][3] - t[2][2] * q4_scaled;
+        let r1 = (t_4 + q4_scaled - t[2][3]).abs();
         let [c123, s123] = ::dh_robot::runtime::lanes::unit(t[0][0], -t[0][1]);
         let g1 = ::dh_robot::runtime::lanes::angle(s123, c123);
         let r2 = (-s123 - t[0][1]).abs() + (c123 - t[1][1]).abs();

@@ -290,12 +290,12 @@ impl Stanford {
     /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
     ///
     /// Plan:
-    /// 1. `q1`: a cos + b sin = c: two values.
-    /// 2. `q2`: a cos + b sin = 0: two values half a turn apart.
-    /// 3. `q3`: a linear equation.
-    /// 4. `q6`: a cos + b sin = 0: two values half a turn apart.
-    /// 5. `q4`: two equations in its sine and cosine: one value.
-    /// 6. `q5`: two equations in its sine and cosine: one value.
+    /// 1. `q1`: an equation in sine and cosine (a cos + b sin = c, two values).
+    /// 2. `q2`: a ratio of sine and cosine (a cos + b sin = 0, two values half a turn apart).
+    /// 3. `q3`: a linear equation (a d + b = 0, one value).
+    /// 4. `q6`: a ratio of sine and cosine (a cos + b sin = 0, two values half a turn apart).
+    /// 5. `q4`: sine and cosine (two equations a cos + b sin = c, one value).
+    /// 6. `q5`: sine and cosine (two equations a cos + b sin = c, one value).
     #[must_use]
     pub fn inverse(
         &self,
@@ -336,23 +336,23 @@ impl Stanford {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
         let free = ::dh_robot::FreeJoints::NONE;
         let t_2 = t[2][3] - 0.7027119222241174;
-        let r0 = ::dh_robot::runtime::solve_sincos(
+        let q1_roots = ::dh_robot::runtime::solve_sincos(
             -t[1][3],
             t[0][3],
             -0.22804025243049636,
             1e-11,
         );
-        if !r0.is_regular() {
-            attempt.note(r0.outcome, free, "shoulder q1", 0.5862999999999999, "m");
+        if !q1_roots.is_regular() {
+            attempt.note(q1_roots.outcome, free, "shoulder q1", 0.5862999999999999, "m");
         }
-        let free = if r0.is_free() {
-            attempt.degenerate = true;
+        let free = if q1_roots.is_free() {
             free.union(::dh_robot::FreeJoints::of(&[0]))
         } else {
             free
         };
-        for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
-            let a0 = ::dh_robot::runtime::atan2(s1, c1);
+        for (q1_root, &[c1, s1]) in q1_roots.or_if_free(pick.angle(0)).iter().enumerate()
+        {
+            let q1 = ::dh_robot::runtime::atan2(s1, c1);
             let t_3 = t[0][3] * c1 + t[1][3] * s1;
             let t_4 = t[0][0] * c1 + t[1][0] * s1;
             let t_5 = t[0][0] * s1 - t[1][0] * c1;
@@ -360,60 +360,66 @@ impl Stanford {
             let t_7 = t[0][1] * s1 - t[1][1] * c1;
             let t_8 = t[0][2] * c1 + t[1][2] * s1;
             let t_9 = t[0][2] * s1 - t[1][2] * c1;
-            let r1 = ::dh_robot::runtime::solve_sincos(-t_3, t_2, 0.0, 1e-11);
-            if !r1.is_regular() {
-                attempt.note(r1.outcome, free, "elbow q2", 0.5862999999999999, "m");
+            let q2_roots = ::dh_robot::runtime::solve_sincos(-t_3, t_2, 0.0, 1e-11);
+            if !q2_roots.is_regular() {
+                attempt
+                    .note(q2_roots.outcome, free, "elbow q2", 0.5862999999999999, "m");
             }
-            let free = if r1.is_free() {
-                attempt.degenerate = true;
+            let free = if q2_roots.is_free() {
                 free.union(::dh_robot::FreeJoints::of(&[1]))
             } else {
                 free
             };
-            for (i1, &[c2, s2]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::runtime::atan2(s2, c2);
+            for (q2_root, &[c2, s2]) in q2_roots
+                .or_if_free(pick.angle(1))
+                .iter()
+                .enumerate()
+            {
+                let q2 = ::dh_robot::runtime::atan2(s2, c2);
                 let t_10 = t_4 * c2 - t[2][0] * s2;
                 let t_11 = t_6 * c2 - t[2][1] * s2;
                 let t_12 = t_8 * c2 - t[2][2] * s2;
-                let r2 = ::dh_robot::runtime::solve_quadratic(
+                let q3_roots = ::dh_robot::runtime::solve_quadratic(
                     0.0,
                     -1.0,
                     t_3 * s2 + t_2 * c2,
                     1e-11,
                 );
-                if !r2.is_regular() {
-                    attempt.note(r2.outcome, free, "q3", 0.5862999999999999, "m");
+                if !q3_roots.is_regular() {
+                    attempt.note(q3_roots.outcome, free, "q3", 0.5862999999999999, "m");
                 }
-                let free = if r2.is_free() {
-                    attempt.degenerate = true;
+                let free = if q3_roots.is_free() {
                     free.union(::dh_robot::FreeJoints::of(&[2]))
                 } else {
                     free
                 };
-                for (i2, &q3) in r2.or_if_free(pick.length(2)).iter().enumerate() {
-                    let a2 = q3 * 0.5862999999999999;
-                    let r3 = ::dh_robot::runtime::solve_sincos(
+                for (q3_root, &q3_scaled) in q3_roots
+                    .or_if_free(pick.length(2))
+                    .iter()
+                    .enumerate()
+                {
+                    let q3 = q3_scaled * 0.5862999999999999;
+                    let q6_roots = ::dh_robot::runtime::solve_sincos(
                         t_6 * s2 + t[2][1] * c2,
                         t_4 * s2 + t[2][0] * c2,
                         0.0,
                         1e-11,
                     );
-                    if !r3.is_regular() {
-                        attempt.note(r3.outcome, free, "wrist q6", 1.0, "");
+                    if !q6_roots.is_regular() {
+                        attempt.note(q6_roots.outcome, free, "wrist q6", 1.0, "");
                     }
-                    let free = if r3.is_free() {
-                        attempt.degenerate = true;
+                    let free = if q6_roots.is_free() {
                         free.union(::dh_robot::FreeJoints::of(&[5]))
                     } else {
                         free
                     };
-                    for (i3, &[c6, s6]) in r3
+                    for (q6_root, &[c6, s6]) in q6_roots
                         .or_if_free(pick.angle(3))
                         .iter()
                         .enumerate()
                     {
-                        let a3 = ::dh_robot::runtime::atan2(s6, c6);
-                        let r4 = ::dh_robot::runtime::solve_pair(
+                        let q6 = ::dh_robot::runtime::atan2(s6, c6);
+                        let q4_roots = ::dh_robot::runtime::solve_pair(
                             0.0,
                             -1.0,
                             t_5 * s6 + t_7 * c6,
@@ -422,24 +428,23 @@ impl Stanford {
                             t_10 * s6 + t_11 * c6,
                             1e-11,
                         );
-                        if !r4.is_regular() {
-                            attempt.note(r4.outcome, free, "q4", 1.0, "");
+                        if !q4_roots.is_regular() {
+                            attempt.note(q4_roots.outcome, free, "q4", 1.0, "");
                         }
-                        let free = if r4.is_free() {
-                            attempt.degenerate = true;
+                        let free = if q4_roots.is_free() {
                             free.union(::dh_robot::FreeJoints::of(&[3]))
                         } else {
                             free
                         };
-                        for (i4, &[c4, s4]) in r4
+                        for (q4_root, &[c4, s4]) in q4_roots
                             .or_if_free(pick.angle(4))
                             .iter()
                             .enumerate()
                         {
-                            let a4 = ::dh_robot::runtime::atan2(s4, c4);
+                            let q4 = ::dh_robot::runtime::atan2(s4, c4);
                             let t_13 = c6 * (t_5 * c4 + t_10 * s4)
                                 - s6 * (t_7 * c4 + t_11 * s4);
-                            let r5 = ::dh_robot::runtime::solve_pair(
+                            let q5_roots = ::dh_robot::runtime::solve_pair(
                                 1.0,
                                 0.0,
                                 t_13,
@@ -448,47 +453,46 @@ impl Stanford {
                                 -(t_9 * c4 + t_12 * s4),
                                 1e-11,
                             );
-                            if !r5.is_regular() {
-                                attempt.note(r5.outcome, free, "q5", 1.0, "");
+                            if !q5_roots.is_regular() {
+                                attempt.note(q5_roots.outcome, free, "q5", 1.0, "");
                             }
-                            let free = if r5.is_free() {
-                                attempt.degenerate = true;
+                            let free = if q5_roots.is_free() {
                                 free.union(::dh_robot::FreeJoints::of(&[4]))
                             } else {
                                 free
                             };
-                            for (i5, &[c5, s5]) in r5
+                            for (q5_root, &[c5, s5]) in q5_roots
                                 .or_if_free(pick.angle(5))
                                 .iter()
                                 .enumerate()
                             {
-                                let a5 = ::dh_robot::runtime::atan2(s5, c5);
+                                let q5 = ::dh_robot::runtime::atan2(s5, c5);
                                 let branch = ::dh_robot::Branch::ANY
-                                    .with_step(0, i0)
+                                    .with_step(0, q1_root)
                                     .with_shoulder(
-                                        if i0 == 1 {
+                                        if q1_root == 1 {
                                             ::dh_robot::Shoulder::Left
                                         } else {
                                             ::dh_robot::Shoulder::Right
                                         },
                                     )
-                                    .with_step(1, i1)
+                                    .with_step(1, q2_root)
                                     .with_elbow(
-                                        if i1 == 0 {
+                                        if q2_root == 0 {
                                             ::dh_robot::Elbow::Up
                                         } else {
                                             ::dh_robot::Elbow::Down
                                         },
                                     )
-                                    .with_step(2, i3)
+                                    .with_step(2, q6_root)
                                     .with_wrist(
-                                        if i3 == 0 {
+                                        if q6_root == 0 {
                                             ::dh_robot::Wrist::NoFlip
                                         } else {
                                             ::dh_robot::Wrist::Flip
                                         },
                                     );
-                                found([a0, a1, a2, a4, a5, a3], branch, free);
+                                found([q1, q2, q3, q4, q5, q6], branch, free);
                             }
                         }
                     }
@@ -531,25 +535,29 @@ impl Stanford {
         let mut all = [::dh_robot::Branch::ANY; 8];
         let mut l = 0;
         while l < 8 {
-            let i0 = l / 1 % 2;
-            let i1 = l / 2 % 2;
-            let i3 = l / 4 % 2;
+            let q1_root = l / 1 % 2;
+            let q2_root = l / 2 % 2;
+            let q6_root = l / 4 % 2;
             all[l] = ::dh_robot::Branch::ANY
-                .with_step(0, i0)
+                .with_step(0, q1_root)
                 .with_shoulder(
-                    if i0 == 1 {
+                    if q1_root == 1 {
                         ::dh_robot::Shoulder::Left
                     } else {
                         ::dh_robot::Shoulder::Right
                     },
                 )
-                .with_step(1, i1)
+                .with_step(1, q2_root)
                 .with_elbow(
-                    if i1 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                    if q2_root == 0 {
+                        ::dh_robot::Elbow::Up
+                    } else {
+                        ::dh_robot::Elbow::Down
+                    },
                 )
-                .with_step(2, i3)
+                .with_step(2, q6_root)
                 .with_wrist(
-                    if i3 == 0 {
+                    if q6_root == 0 {
                         ::dh_robot::Wrist::NoFlip
                     } else {
                         ::dh_robot::Wrist::Flip
@@ -645,17 +653,20 @@ impl Stanford {
             let t_12 = v47 * c2 - t[2][0] * s2;
             let t_13 = v53 * c2 - t[2][1] * s2;
             let t_14 = v59 * c2 - t[2][2] * s2;
-            let (q3, m2) = ::dh_robot::runtime::lanes::linear(-1.0, v39 * s2 + t_2 * c2);
-            let q3 = q3;
-            let g2 = q3 * 0.5862999999999999;
+            let (q3_scaled, m2) = ::dh_robot::runtime::lanes::linear(
+                -1.0,
+                v39 * s2 + t_2 * c2,
+            );
+            let q3_scaled = q3_scaled;
+            let g2 = q3_scaled * 0.5862999999999999;
             let c1 = c1_[l];
             let s1 = s1_[l];
             let v272 = v272_[l];
             let v275 = v275_[l];
-            let t_15 = s2 * q3;
+            let t_15 = s2 * q3_scaled;
             let r3 = (c1 * t_15 - v272 - t[0][3]).abs()
                 + (s1 * t_15 + v275 - t[1][3]).abs()
-                + (0.7027119222241174 + c2 * q3 - t[2][3]).abs();
+                + (0.7027119222241174 + c2 * q3_scaled - t[2][3]).abs();
             let ([c6, s6], m3) = ::dh_robot::runtime::lanes::half_turn([
                 [v53 * s2 + t[2][1] * c2, v47 * s2 + t[2][0] * c2],
             ]);

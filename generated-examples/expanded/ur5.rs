@@ -307,12 +307,12 @@ impl Ur5 {
     /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
     ///
     /// Plan:
-    /// 1. `q1`: a cos + b sin = c: two values.
-    /// 2. `q2 + q3 + q4`: a cos + b sin = 0: two values half a turn apart.
-    /// 3. `q5`: two equations in its sine and cosine: one value.
-    /// 4. `q6`: two equations in its sine and cosine: one value.
-    /// 5. `q3`: a cos + b sin = c: two values.
-    /// 6. `q2`: two equations in its sine and cosine: one value.
+    /// 1. `q1`: an equation in sine and cosine (a cos + b sin = c, two values).
+    /// 2. `q2 + q3 + q4`: a ratio of sine and cosine (a cos + b sin = 0, two values half a turn apart).
+    /// 3. `q5`: sine and cosine (two equations a cos + b sin = c, one value).
+    /// 4. `q6`: sine and cosine (two equations a cos + b sin = c, one value).
+    /// 5. `q3`: the law of cosines (a cos + b sin = c, two values).
+    /// 6. `q2`: sine and cosine (two equations a cos + b sin = c, one value).
     #[must_use]
     pub fn inverse(
         &self,
@@ -356,23 +356,23 @@ impl Ur5 {
         let t_3 = t[1][3] - t[1][2] * 0.06899679663718164;
         let t_4 = t[2][3] - t[2][2] * 0.06899679663718164;
         let t_5 = t_4 - 0.07499859575170878;
-        let r0 = ::dh_robot::runtime::solve_sincos(
+        let q1_roots = ::dh_robot::runtime::solve_sincos(
             -t_3,
             t_2,
             0.09150668715611636,
             1e-11,
         );
-        if !r0.is_regular() {
-            attempt.note(r0.outcome, free, "shoulder q1", 1.192809, "m");
+        if !q1_roots.is_regular() {
+            attempt.note(q1_roots.outcome, free, "shoulder q1", 1.192809, "m");
         }
-        let free = if r0.is_free() {
-            attempt.degenerate = true;
+        let free = if q1_roots.is_free() {
             free.union(::dh_robot::FreeJoints::of(&[0]))
         } else {
             free
         };
-        for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
-            let a0 = ::dh_robot::runtime::atan2(s1, c1);
+        for (q1_root, &[c1, s1]) in q1_roots.or_if_free(pick.angle(0)).iter().enumerate()
+        {
+            let q1 = ::dh_robot::runtime::atan2(s1, c1);
             let t_6 = t_2 * c1 + t_3 * s1;
             let t_7 = t_2 * s1 - t_3 * c1;
             let t_8 = t[0][0] * c1 + t[1][0] * s1;
@@ -380,19 +380,34 @@ impl Ur5 {
             let t_10 = t[0][1] * c1 + t[1][1] * s1;
             let t_11 = t[0][1] * s1 - t[1][1] * c1;
             let t_12 = t[0][2] * c1 + t[1][2] * s1;
-            let r1 = ::dh_robot::runtime::solve_sincos(-t[2][2], t_12, 0.0, 1e-11);
-            if !r1.is_regular() {
-                attempt.note(r1.outcome, free, "wrist q2 + q3 + q4", 1.0, "");
+            let q2_plus_q3_plus_q4_roots = ::dh_robot::runtime::solve_sincos(
+                -t[2][2],
+                t_12,
+                0.0,
+                1e-11,
+            );
+            if !q2_plus_q3_plus_q4_roots.is_regular() {
+                attempt
+                    .note(
+                        q2_plus_q3_plus_q4_roots.outcome,
+                        free,
+                        "wrist q2 + q3 + q4",
+                        1.0,
+                        "",
+                    );
             }
-            let free = if r1.is_free() {
-                attempt.degenerate = true;
+            let free = if q2_plus_q3_plus_q4_roots.is_free() {
                 free.union(::dh_robot::FreeJoints::of(&[1, 2, 3]))
             } else {
                 free
             };
-            for (i1, &[c234, s234]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::runtime::atan2(s234, c234);
-                let r2 = ::dh_robot::runtime::solve_many(
+            for (q2_plus_q3_plus_q4_root, &[c234, s234]) in q2_plus_q3_plus_q4_roots
+                .or_if_free(pick.angle(1))
+                .iter()
+                .enumerate()
+            {
+                let q2_plus_q3_plus_q4 = ::dh_robot::runtime::atan2(s234, c234);
+                let q5_roots = ::dh_robot::runtime::solve_many(
                     &[
                         [-1.0, 0.0, -(t[0][2] * s1 - t[1][2] * c1)],
                         [0.0, -s234, t[2][2]],
@@ -400,21 +415,24 @@ impl Ur5 {
                     ],
                     1e-11,
                 );
-                if !r2.is_regular() {
-                    attempt.note(r2.outcome, free, "q5", 1.0, "");
+                if !q5_roots.is_regular() {
+                    attempt.note(q5_roots.outcome, free, "q5", 1.0, "");
                 }
-                let free = if r2.is_free() {
-                    attempt.degenerate = true;
+                let free = if q5_roots.is_free() {
                     free.union(::dh_robot::FreeJoints::of(&[4]))
                 } else {
                     free
                 };
-                for (i2, &[c5, s5]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::runtime::atan2(s5, c5);
+                for (q5_root, &[c5, s5]) in q5_roots
+                    .or_if_free(pick.angle(2))
+                    .iter()
+                    .enumerate()
+                {
+                    let q5 = ::dh_robot::runtime::atan2(s5, c5);
                     let c234c5 = c234 * c5;
                     let t_13 = t_12 * c5;
                     let t_14 = t[2][2] * c5;
-                    let r3 = ::dh_robot::runtime::solve_pair(
+                    let q6_roots = ::dh_robot::runtime::solve_pair(
                         c234c5,
                         -s234,
                         t_8,
@@ -423,21 +441,20 @@ impl Ur5 {
                         t_10,
                         1e-11,
                     );
-                    if !r3.is_regular() {
-                        attempt.note(r3.outcome, free, "q6", 1.0, "");
+                    if !q6_roots.is_regular() {
+                        attempt.note(q6_roots.outcome, free, "q6", 1.0, "");
                     }
-                    let free = if r3.is_free() {
-                        attempt.degenerate = true;
+                    let free = if q6_roots.is_free() {
                         free.union(::dh_robot::FreeJoints::of(&[5]))
                     } else {
                         free
                     };
-                    for (i3, &[c6, s6]) in r3
+                    for (q6_root, &[c6, s6]) in q6_roots
                         .or_if_free(pick.angle(3))
                         .iter()
                         .enumerate()
                     {
-                        let a3 = ::dh_robot::runtime::atan2(s6, c6);
+                        let q6 = ::dh_robot::runtime::atan2(s6, c6);
                         let t_15 = (t[2][0] * s6 + t[2][1] * c6) * 0.07935050791870282;
                         let t_16 = t_6 + (t_8 * s6 + t_10 * c6) * 0.07935050791870282;
                         let t_17 = t_7 + (t_9 * s6 + t_11 * c6) * 0.07935050791870282;
@@ -448,16 +465,16 @@ impl Ur5 {
                             * ((t_8 * c6 - t_10 * s6) * s5 + t_13);
                         let t_21 = 0.09150668715611636
                             * ((t[2][0] * c6 - t[2][1] * s6) * s5 + t_14);
-                        let r4 = ::dh_robot::runtime::solve_sincos(
+                        let q3_roots = ::dh_robot::runtime::solve_sincos(
                             0.23433656705012487,
                             0.0,
                             t_19,
                             1e-11,
                         );
-                        if !r4.is_regular() {
+                        if !q3_roots.is_regular() {
                             attempt
                                 .note_law(
-                                    r4.outcome,
+                                    q3_roots.outcome,
                                     free,
                                     "elbow q3",
                                     [0.2434638836493361, t_19],
@@ -466,21 +483,20 @@ impl Ur5 {
                                     "m",
                                 );
                         }
-                        let free = if r4.is_free() {
-                            attempt.degenerate = true;
+                        let free = if q3_roots.is_free() {
                             free.union(::dh_robot::FreeJoints::of(&[2]))
                         } else {
                             free
                         };
-                        for (i4, &[c3, s3]) in r4
+                        for (q3_root, &[c3, s3]) in q3_roots
                             .or_if_free(pick.angle(4))
                             .iter()
                             .enumerate()
                         {
-                            let a4 = ::dh_robot::runtime::atan2(s3, c3);
+                            let q3 = ::dh_robot::runtime::atan2(s3, c3);
                             let t_22 = 0.3563018052345346 + 0.32884560730175577 * c3;
                             let t_23 = 0.32884560730175577 * s3;
-                            let r5 = ::dh_robot::runtime::solve_many(
+                            let q2_roots = ::dh_robot::runtime::solve_many(
                                 &[
                                     [-t_22, t_23, t_16 - t_20],
                                     [-t_23, -t_22, t_18 - t_21],
@@ -488,47 +504,50 @@ impl Ur5 {
                                 ],
                                 1e-11,
                             );
-                            if !r5.is_regular() {
-                                attempt.note(r5.outcome, free, "q2", 1.0, "");
+                            if !q2_roots.is_regular() {
+                                attempt.note(q2_roots.outcome, free, "q2", 1.0, "");
                             }
-                            let free = if r5.is_free() {
-                                attempt.degenerate = true;
+                            let free = if q2_roots.is_free() {
                                 free.union(::dh_robot::FreeJoints::of(&[1]))
                             } else {
                                 free
                             };
-                            for (i5, &[c2, s2]) in r5
+                            for (q2_root, &[c2, s2]) in q2_roots
                                 .or_if_free(pick.angle(5))
                                 .iter()
                                 .enumerate()
                             {
-                                let a5 = ::dh_robot::runtime::atan2(s2, c2);
+                                let q2 = ::dh_robot::runtime::atan2(s2, c2);
                                 let branch = ::dh_robot::Branch::ANY
-                                    .with_step(0, i0)
+                                    .with_step(0, q1_root)
                                     .with_shoulder(
-                                        if i0 == 0 {
+                                        if q1_root == 0 {
                                             ::dh_robot::Shoulder::Left
                                         } else {
                                             ::dh_robot::Shoulder::Right
                                         },
                                     )
-                                    .with_step(1, i1)
+                                    .with_step(1, q2_plus_q3_plus_q4_root)
                                     .with_wrist(
-                                        if i1 == 0 {
+                                        if q2_plus_q3_plus_q4_root == 0 {
                                             ::dh_robot::Wrist::NoFlip
                                         } else {
                                             ::dh_robot::Wrist::Flip
                                         },
                                     )
-                                    .with_step(2, i4)
+                                    .with_step(2, q3_root)
                                     .with_elbow(
-                                        if (i4 == 0) == (i0 == 0) {
+                                        if (q3_root == 0) == (q1_root == 0) {
                                             ::dh_robot::Elbow::Up
                                         } else {
                                             ::dh_robot::Elbow::Down
                                         },
                                     );
-                                found([a0, a5, a4, a1 - a4 - a5, a2, a3], branch, free);
+                                found(
+                                    [q1, q2, q3, q2_plus_q3_plus_q4 - q3 - q2, q5, q6],
+                                    branch,
+                                    free,
+                                );
                             }
                         }
                     }
@@ -571,29 +590,29 @@ impl Ur5 {
         let mut all = [::dh_robot::Branch::ANY; 8];
         let mut l = 0;
         while l < 8 {
-            let i0 = l / 1 % 2;
-            let i1 = l / 2 % 2;
-            let i4 = l / 4 % 2;
+            let q1_root = l / 1 % 2;
+            let q2_plus_q3_plus_q4_root = l / 2 % 2;
+            let q3_root = l / 4 % 2;
             all[l] = ::dh_robot::Branch::ANY
-                .with_step(0, i0)
+                .with_step(0, q1_root)
                 .with_shoulder(
-                    if i0 == 0 {
+                    if q1_root == 0 {
                         ::dh_robot::Shoulder::Left
                     } else {
                         ::dh_robot::Shoulder::Right
                     },
                 )
-                .with_step(1, i1)
+                .with_step(1, q2_plus_q3_plus_q4_root)
                 .with_wrist(
-                    if i1 == 0 {
+                    if q2_plus_q3_plus_q4_root == 0 {
                         ::dh_robot::Wrist::NoFlip
                     } else {
                         ::dh_robot::Wrist::Flip
                     },
                 )
-                .with_step(2, i4)
+                .with_step(2, q3_root)
                 .with_elbow(
-                    if (i4 == 0) == (i0 == 0) {
+                    if (q3_root == 0) == (q1_root == 0) {
                         ::dh_robot::Elbow::Up
                     } else {
                         ::dh_robot::Elbow::Down

@@ -200,10 +200,10 @@ impl WaferPrrr {
     /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.
     ///
     /// Plan:
-    /// 1. `q1`: a linear equation.
-    /// 2. `q2 + q3 + q4`: two equations in its sine and cosine: one value.
-    /// 3. `q3`: a cos + b sin = c: two values.
-    /// 4. `q2`: two equations in its sine and cosine: one value.
+    /// 1. `q1`: a linear equation (a d + b = 0, one value).
+    /// 2. `q2 + q3 + q4`: sine and cosine (two equations a cos + b sin = c, one value).
+    /// 3. `q3`: the law of cosines (a cos + b sin = c, two values).
+    /// 4. `q2`: sine and cosine (two equations a cos + b sin = c, one value).
     #[must_use]
     pub fn inverse(
         &self,
@@ -251,25 +251,28 @@ impl WaferPrrr {
         let t_10 = self.a3 * 1.6415283908776575;
         let t_11 = t_8 * (t_8 + t_7 * 2.0);
         let t_12 = t_9 * t_9 + t_10 * t_10 + t_7 * t_7;
-        let r0 = ::dh_robot::runtime::solve_quadratic(
+        let q1_roots = ::dh_robot::runtime::solve_quadratic(
             0.0,
             1.0,
             -(t_5 - (t_7 + t_8)),
             1e-11,
         );
-        if !r0.is_regular() {
-            attempt.note(r0.outcome, free, "q1", 0.6091883671078886, "m");
+        if !q1_roots.is_regular() {
+            attempt.note(q1_roots.outcome, free, "q1", 0.6091883671078886, "m");
         }
-        let free = if r0.is_free() {
-            attempt.degenerate = true;
+        let free = if q1_roots.is_free() {
             free.union(::dh_robot::FreeJoints::of(&[0]))
         } else {
             free
         };
-        for (i0, &q1) in r0.or_if_free(pick.length(0)).iter().enumerate() {
-            let a0 = q1 * 0.6091883671078886;
-            let t_13 = t_5 - q1;
-            let r1 = ::dh_robot::runtime::solve_pair(
+        for (q1_root, &q1_scaled) in q1_roots
+            .or_if_free(pick.length(0))
+            .iter()
+            .enumerate()
+        {
+            let q1 = q1_scaled * 0.6091883671078886;
+            let t_13 = t_5 - q1_scaled;
+            let q2_plus_q3_plus_q4_roots = ::dh_robot::runtime::solve_pair(
                 1.0,
                 0.0,
                 t[0][0],
@@ -278,27 +281,37 @@ impl WaferPrrr {
                 t[0][1],
                 1e-11,
             );
-            if !r1.is_regular() {
-                attempt.note(r1.outcome, free, "q2 + q3 + q4", 1.0, "");
+            if !q2_plus_q3_plus_q4_roots.is_regular() {
+                attempt
+                    .note(
+                        q2_plus_q3_plus_q4_roots.outcome,
+                        free,
+                        "q2 + q3 + q4",
+                        1.0,
+                        "",
+                    );
             }
-            let free = if r1.is_free() {
-                attempt.degenerate = true;
+            let free = if q2_plus_q3_plus_q4_roots.is_free() {
                 free.union(::dh_robot::FreeJoints::of(&[1, 2, 3]))
             } else {
                 free
             };
-            for (i1, &[c234, s234]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::runtime::atan2(s234, c234);
-                let r2 = ::dh_robot::runtime::solve_sincos(
+            for (q2_plus_q3_plus_q4_root, &[c234, s234]) in q2_plus_q3_plus_q4_roots
+                .or_if_free(pick.angle(1))
+                .iter()
+                .enumerate()
+            {
+                let q2_plus_q3_plus_q4 = ::dh_robot::runtime::atan2(s234, c234);
+                let q3_roots = ::dh_robot::runtime::solve_sincos(
                     2.0 * t_9 * t_10,
                     0.0,
                     -(t_11 - (t_6 + t_13 * t_13 - t_12)),
                     1e-11,
                 );
-                if !r2.is_regular() {
+                if !q3_roots.is_regular() {
                     attempt
                         .note_law(
-                            r2.outcome,
+                            q3_roots.outcome,
                             free,
                             "elbow q3",
                             [t_11 + t_12, -(t_11 - (t_6 + t_13 * t_13 - t_12))],
@@ -307,17 +320,20 @@ impl WaferPrrr {
                             "m",
                         );
                 }
-                let free = if r2.is_free() {
-                    attempt.degenerate = true;
+                let free = if q3_roots.is_free() {
                     free.union(::dh_robot::FreeJoints::of(&[2]))
                 } else {
                     free
                 };
-                for (i2, &[c3, s3]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::runtime::atan2(s3, c3);
+                for (q3_root, &[c3, s3]) in q3_roots
+                    .or_if_free(pick.angle(2))
+                    .iter()
+                    .enumerate()
+                {
+                    let q3 = ::dh_robot::runtime::atan2(s3, c3);
                     let t_14 = t_9 + t_10 * c3;
                     let t_15 = t_10 * s3;
-                    let r3 = ::dh_robot::runtime::solve_pair(
+                    let q2_roots = ::dh_robot::runtime::solve_pair(
                         t_14,
                         -t_15,
                         t_3,
@@ -326,31 +342,30 @@ impl WaferPrrr {
                         t_4,
                         1e-11,
                     );
-                    if !r3.is_regular() {
-                        attempt.note(r3.outcome, free, "q2", 1.0, "");
+                    if !q2_roots.is_regular() {
+                        attempt.note(q2_roots.outcome, free, "q2", 1.0, "");
                     }
-                    let free = if r3.is_free() {
-                        attempt.degenerate = true;
+                    let free = if q2_roots.is_free() {
                         free.union(::dh_robot::FreeJoints::of(&[1]))
                     } else {
                         free
                     };
-                    for (i3, &[c2, s2]) in r3
+                    for (q2_root, &[c2, s2]) in q2_roots
                         .or_if_free(pick.angle(3))
                         .iter()
                         .enumerate()
                     {
-                        let a3 = ::dh_robot::runtime::atan2(s2, c2);
+                        let q2 = ::dh_robot::runtime::atan2(s2, c2);
                         let branch = ::dh_robot::Branch::ANY
-                            .with_step(0, i2)
+                            .with_step(0, q3_root)
                             .with_elbow(
-                                if i2 == 0 {
+                                if q3_root == 0 {
                                     ::dh_robot::Elbow::Up
                                 } else {
                                     ::dh_robot::Elbow::Down
                                 },
                             );
-                        found([a0, a3, a2, a1 - a2 - a3], branch, free);
+                        found([q1, q2, q3, q2_plus_q3_plus_q4 - q3 - q2], branch, free);
                     }
                 }
             }
@@ -391,11 +406,15 @@ impl WaferPrrr {
         let mut all = [::dh_robot::Branch::ANY; 2];
         let mut l = 0;
         while l < 2 {
-            let i2 = l / 1 % 2;
+            let q3_root = l / 1 % 2;
             all[l] = ::dh_robot::Branch::ANY
-                .with_step(0, i2)
+                .with_step(0, q3_root)
                 .with_elbow(
-                    if i2 == 0 { ::dh_robot::Elbow::Up } else { ::dh_robot::Elbow::Down },
+                    if q3_root == 0 {
+                        ::dh_robot::Elbow::Up
+                    } else {
+                        ::dh_robot::Elbow::Down
+                    },
                 );
             l += 1;
         }
@@ -424,11 +443,11 @@ impl WaferPrrr {
         let t_14 = t_2 + t_9;
         let r0 = (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs()
             + (1.0 - t[2][2]).abs();
-        let (q1, m0) = ::dh_robot::runtime::lanes::linear(1.0, -(t_5 - t_9));
-        let q1 = q1;
-        let g0 = q1 * 0.6091883671078886;
-        let t_15 = t_5 - q1;
-        let r1 = (q1 + t_14 - t[2][3]).abs();
+        let (q1_scaled, m0) = ::dh_robot::runtime::lanes::linear(1.0, -(t_5 - t_9));
+        let q1_scaled = q1_scaled;
+        let g0 = q1_scaled * 0.6091883671078886;
+        let t_15 = t_5 - q1_scaled;
+        let r1 = (q1_scaled + t_14 - t[2][3]).abs();
         let [c234, s234] = ::dh_robot::runtime::lanes::unit(t[0][0], -t[0][1]);
         let g1 = ::dh_robot::runtime::lanes::angle(s234, c234);
         let r2 = (-s234 - t[0][1]).abs() + (c234 - t[1][1]).abs();

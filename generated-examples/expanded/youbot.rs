@@ -232,11 +232,11 @@ impl Youbot {
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// Plan:
-    /// 1. `q1`: a cos + b sin = 0: two values half a turn apart.
-    /// 2. `q2 + q3 + q4`: two equations in its sine and cosine: one value.
-    /// 3. `q3`: a cos + b sin = c: two values.
-    /// 4. `q2`: two equations in its sine and cosine: one value.
-    /// 5. `q5`: free at every pose: 0 is taken.
+    /// 1. `q1`: a ratio of sine and cosine (a cos + b sin = 0, two values half a turn apart).
+    /// 2. `q2 + q3 + q4`: sine and cosine (two equations a cos + b sin = c, one value).
+    /// 3. `q3`: the law of cosines (a cos + b sin = c, two values).
+    /// 4. `q2`: sine and cosine (two equations a cos + b sin = c, one value).
+    /// 5. `q5`: a free choice (free at every pose: 0 is taken).
     #[must_use]
     pub fn inverse(
         &self,
@@ -290,22 +290,22 @@ impl Youbot {
         let t_2 = t[2][3] - 0.21381818181818182;
         let t_3 = t_2 * t_2;
         let t_4 = t_2 * t[2][2] * 2.0;
-        let r0 = ::dh_robot::runtime::solve_half_turn(
+        let q1_roots = ::dh_robot::runtime::solve_half_turn(
             [-t[1][2], t[0][2]],
             [-t[1][3], t[0][3]],
             1e-11,
         );
-        if !r0.is_regular() {
-            attempt.note(r0.outcome, free, "shoulder q1", 0.6875, "m");
+        if !q1_roots.is_regular() {
+            attempt.note(q1_roots.outcome, free, "shoulder q1", 0.6875, "m");
         }
-        let free = if r0.is_free() {
-            attempt.degenerate = true;
+        let free = if q1_roots.is_free() {
             free.union(::dh_robot::FreeJoints::of(&[0]))
         } else {
             free
         };
-        for (i0, &[c1, s1]) in r0.or_if_free(pick.angle(0)).iter().enumerate() {
-            let a0 = ::dh_robot::runtime::atan2(s1, c1);
+        for (q1_root, &[c1, s1]) in q1_roots.or_if_free(pick.angle(0)).iter().enumerate()
+        {
+            let q1 = ::dh_robot::runtime::atan2(s1, c1);
             let t_5 = t[0][3] * c1 + t[1][3] * s1;
             let t_6 = t[0][3] * s1 - t[1][3] * c1;
             let t_7 = t[0][2] * c1 + t[1][2] * s1;
@@ -315,7 +315,7 @@ impl Youbot {
                 - (t_5 * t_5 + t_6 * t_6 + t_3 - 0.08938842975206612);
             let t_11 = 0.31636363636363635 * (t_7 * (0.096 - t_8) + t_9 - t_4) - t_10;
             let t_12 = t_5 - 0.048;
-            let r1 = ::dh_robot::runtime::solve_pair(
+            let q2_plus_q3_plus_q4_roots = ::dh_robot::runtime::solve_pair(
                 0.0,
                 -1.0,
                 t_7,
@@ -324,28 +324,38 @@ impl Youbot {
                 t[2][2],
                 1e-11,
             );
-            if !r1.is_regular() {
-                attempt.note(r1.outcome, free, "q2 + q3 + q4", 1.0, "");
+            if !q2_plus_q3_plus_q4_roots.is_regular() {
+                attempt
+                    .note(
+                        q2_plus_q3_plus_q4_roots.outcome,
+                        free,
+                        "q2 + q3 + q4",
+                        1.0,
+                        "",
+                    );
             }
-            let free = if r1.is_free() {
-                attempt.degenerate = true;
+            let free = if q2_plus_q3_plus_q4_roots.is_free() {
                 free.union(::dh_robot::FreeJoints::of(&[1, 2, 3]))
             } else {
                 free
             };
-            for (i1, &[c234, s234]) in r1.or_if_free(pick.angle(1)).iter().enumerate() {
-                let a1 = ::dh_robot::runtime::atan2(s234, c234);
+            for (q2_plus_q3_plus_q4_root, &[c234, s234]) in q2_plus_q3_plus_q4_roots
+                .or_if_free(pick.angle(1))
+                .iter()
+                .enumerate()
+            {
+                let q2_plus_q3_plus_q4 = ::dh_robot::runtime::atan2(s234, c234);
                 let t_13 = t_2 - 0.31636363636363635 * c234;
-                let r2 = ::dh_robot::runtime::solve_sincos(
+                let q3_roots = ::dh_robot::runtime::solve_sincos(
                     0.08854214876033059,
                     0.0,
                     t_11,
                     1e-11,
                 );
-                if !r2.is_regular() {
+                if !q3_roots.is_regular() {
                     attempt
                         .note_law(
-                            r2.outcome,
+                            q3_roots.outcome,
                             free,
                             "elbow q3",
                             [0.08938842975206612, t_11],
@@ -354,17 +364,20 @@ impl Youbot {
                             "m",
                         );
                 }
-                let free = if r2.is_free() {
-                    attempt.degenerate = true;
+                let free = if q3_roots.is_free() {
                     free.union(::dh_robot::FreeJoints::of(&[2]))
                 } else {
                     free
                 };
-                for (i2, &[c3, s3]) in r2.or_if_free(pick.angle(2)).iter().enumerate() {
-                    let a2 = ::dh_robot::runtime::atan2(s3, c3);
+                for (q3_root, &[c3, s3]) in q3_roots
+                    .or_if_free(pick.angle(2))
+                    .iter()
+                    .enumerate()
+                {
+                    let q3 = ::dh_robot::runtime::atan2(s3, c3);
                     let t_14 = 0.19636363636363638 * s3;
                     let t_15 = 0.22545454545454546 + 0.19636363636363638 * c3;
-                    let r3 = ::dh_robot::runtime::solve_many(
+                    let q2_roots = ::dh_robot::runtime::solve_many(
                         &[
                             [-t_14, -t_15, t_12 + 0.31636363636363635 * s234],
                             [t_15, -t_14, t_13],
@@ -372,55 +385,62 @@ impl Youbot {
                         ],
                         1e-11,
                     );
-                    if !r3.is_regular() {
-                        attempt.note(r3.outcome, free, "q2", 1.0, "");
+                    if !q2_roots.is_regular() {
+                        attempt.note(q2_roots.outcome, free, "q2", 1.0, "");
                     }
-                    let free = if r3.is_free() {
-                        attempt.degenerate = true;
+                    let free = if q2_roots.is_free() {
                         free.union(::dh_robot::FreeJoints::of(&[1]))
                     } else {
                         free
                     };
-                    for (i3, &[c2, s2]) in r3
+                    for (q2_root, &[c2, s2]) in q2_roots
                         .or_if_free(pick.angle(3))
                         .iter()
                         .enumerate()
                     {
-                        let a3 = ::dh_robot::runtime::atan2(s2, c2);
-                        let r4 = ::dh_robot::runtime::solve_sincos(0.0, 0.0, 0.0, 1e-11);
-                        if !r4.is_regular() {
-                            attempt.note(r4.outcome, free, "q5", 1.0, "");
+                        let q2 = ::dh_robot::runtime::atan2(s2, c2);
+                        let q5_roots = ::dh_robot::runtime::solve_sincos(
+                            0.0,
+                            0.0,
+                            0.0,
+                            1e-11,
+                        );
+                        if !q5_roots.is_regular() {
+                            attempt.note(q5_roots.outcome, free, "q5", 1.0, "");
                         }
-                        let free = if r4.is_free() {
-                            attempt.degenerate = true;
+                        let free = if q5_roots.is_free() {
                             free.union(::dh_robot::FreeJoints::of(&[4]))
                         } else {
                             free
                         };
-                        for (i4, &[c5, s5]) in r4
+                        for (q5_root, &[c5, s5]) in q5_roots
                             .or_if_free(pick.angle(4))
                             .iter()
                             .enumerate()
                         {
-                            let a4 = ::dh_robot::runtime::atan2(s5, c5);
+                            let q5 = ::dh_robot::runtime::atan2(s5, c5);
                             let branch = ::dh_robot::Branch::ANY
-                                .with_step(0, i0)
+                                .with_step(0, q1_root)
                                 .with_shoulder(
-                                    if i0 == 0 {
+                                    if q1_root == 0 {
                                         ::dh_robot::Shoulder::Left
                                     } else {
                                         ::dh_robot::Shoulder::Right
                                     },
                                 )
-                                .with_step(1, i2)
+                                .with_step(1, q3_root)
                                 .with_elbow(
-                                    if i2 == 0 {
+                                    if q3_root == 0 {
                                         ::dh_robot::Elbow::Up
                                     } else {
                                         ::dh_robot::Elbow::Down
                                     },
                                 );
-                            found([a0, a3, a2, a1 - a2 - a3, a4], branch, free);
+                            found(
+                                [q1, q2, q3, q2_plus_q3_plus_q4 - q3 - q2, q5],
+                                branch,
+                                free,
+                            );
                         }
                     }
                 }

@@ -209,9 +209,9 @@ impl Compiled {
                 take(std::array::from_fn(|k| q[k]), branch, free);
             }
             let mut attempt = Attempt::new();
-            (attempt.degenerate, attempt.lost, attempt.doubt) = (run.degenerate, run.lost, run.doubt);
-            attempt.grazed = run.grazed;
-            attempt.grazed = run.grazed;
+            let status = run.status;
+            (attempt.degenerate, attempt.lost) = (status.degenerate, status.lost);
+            (attempt.grazed, attempt.doubt) = (status.grazed, status.doubt);
             attempt
         };
         solve(&Model(self), setting, &goal, &frame, candidates)

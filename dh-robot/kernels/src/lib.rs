@@ -32,6 +32,7 @@ mod polish;
 pub mod pose;
 mod rescue;
 mod sincos;
+mod status;
 pub mod tolerance;
 mod trig_poly;
 mod trig_roots;
@@ -40,6 +41,7 @@ pub use bilinear::{AnglePair, solve_bilinear, solve_bilinear_choosing};
 pub use chain::Chain;
 pub use drive::Drive;
 pub use found::{Angles, Found, Outcome};
+pub use general::solve_general;
 pub use lengths::{
     LengthAngle, solve_length_and_angle, solve_length_squared_and_angle, solve_length_squared_and_angle_choosing,
     solve_quadratic, solve_two_lengths,
@@ -51,7 +53,9 @@ pub use polish::{Kinematics, Polished, Task, levenberg_marquardt, polish, polish
 pub use pose::Pose;
 pub use rescue::{add_polished, solve_from_everywhere, solve_nearby};
 pub use sincos::{solve_half_turn, solve_sincos};
+pub use status::Status;
 pub use trig_poly::TrigPoly;
+pub use trig_roots::solve_second_harmonic;
 
 #[cfg(test)]
 mod testing;

@@ -16,6 +16,11 @@ fn close(a: [f64; 2], b: [f64; 2]) -> bool {
     (a[0] - b[0]).abs() + (a[1] - b[1]).abs() < 2e-4
 }
 
+/// All roots of `constant + cos[0] cos t + cos[1] cos 2t + sin[0] sin t + sin[1] sin 2t`; `tol` is the size below which every angle is one.
+pub fn solve_second_harmonic(constant: f64, cos: [f64; 2], sin: [f64; 2], tol: f64) -> Angles<4> {
+    TrigPoly::<2> { constant, cos, sin }.roots(tol)
+}
+
 impl<const D: usize> TrigPoly<D> {
     const TABLES: Tables = {
         assert!(D >= 1 && D <= MAX_DEGREE, "degree of a trigonometric polynomial out of range");

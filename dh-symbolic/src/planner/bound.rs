@@ -4,7 +4,8 @@ use super::axes::{Axes, generic_parameter};
 use super::known::{Collected, Knowledge, Part};
 use super::mobility::Mobility;
 use super::sample::Sample;
-use super::step::{Step, StepKind};
+use super::step::Step;
+use super::steps::StepKind;
 use crate::algebra::{Point, Poly, Symbol};
 use crate::chain::{Chain, Handle};
 use std::f64::consts::TAU;
@@ -25,9 +26,9 @@ pub(super) fn bound(
 ) -> usize {
     let firm =
         |s: &Step| always_independent(&s.collected, samples) || independent_all_round(&s.collected, chain, knowledge);
-    let roots = |s: &Step| match s.kind {
-        StepKind::AtanPair if mobility.has_crossings() && !firm(s) => 2,
-        _ => s.roots,
+    let roots = |s: &Step| {
+        let may_lose_an_equation = s.kind.is_overdetermined() && mobility.has_crossings() && !firm(s);
+        if may_lose_an_equation { 2 } else { s.roots }
     };
     steps.iter().map(roots).fold(1_usize, usize::saturating_mul).clamp(1, most(axes, knowledge, steps))
 }
@@ -37,7 +38,7 @@ pub(super) fn bound(
 fn most(axes: &Axes, knowledge: &Knowledge, steps: &[Step]) -> usize {
     let open = |k: &usize| steps.iter().any(|s| s.unknown.iter().any(|f| f[*k] != 0));
     let slides = (0..axes.count()).filter(|k| !axes.turns(*k) && open(k)).count();
-    let chosen = steps.iter().any(|s| s.kind == StepKind::Choose);
+    let chosen = steps.iter().any(|s| s.kind == StepKind::Choose); // an arm that is singular everywhere
     match slides {
         2 if !chosen && knowledge.known.len() <= 6 => 8,
         3 if !chosen && knowledge.known.len() <= 6 => 2,

@@ -15,8 +15,10 @@ pub struct Known {
     pub symbols: [Symbol; 2],
     /// Does it turn?
     pub turns: bool,
-    /// Name for readers: `q1`, `q23`.
+    /// Name for readers: `q1`, `q2 + q3`.
     pub name: String,
+    /// The same as one word: `q2_plus_q3`.
+    pub label: String,
 }
 
 /// A pose of known entries: the target brought back over known joints.
@@ -76,26 +78,25 @@ impl Knowledge {
 
     /// Text of a form, `q2 + q3`.
     pub fn form_name(&self, axes: &Axes, form: &[i8]) -> String {
+        self.joined(axes, form, ["-", " - ", " + "], "*")
+    }
+
+    /// The names in a form, with words for its signs: a minus in front, minus, plus; and for a factor.
+    fn joined(&self, axes: &Axes, form: &[i8], [first, minus, plus]: [&str; 3], times: &str) -> String {
         let mut out = String::new();
         for (i, k) in form.iter().enumerate().filter(|(_, k)| **k != 0) {
             let name = match axes.coordinates[i] {
                 Coordinate::Angle(v) => self.ring.angle_name(v),
                 Coordinate::Length(s) => self.ring.symbol_name(s),
             };
-            let sign = if *k < 0 { "-" } else { "+" };
             out.push_str(match (out.is_empty(), *k < 0) {
                 (true, false) => "",
-                (true, true) => "-",
-                _ => {
-                    if sign == "-" {
-                        " - "
-                    } else {
-                        " + "
-                    }
-                }
+                (true, true) => first,
+                (false, true) => minus,
+                (false, false) => plus,
             });
             if k.unsigned_abs() > 1 {
-                out.push_str(&format!("{}*", k.unsigned_abs()));
+                out.push_str(&format!("{}{times}", k.unsigned_abs()));
             }
             out.push_str(name);
         }
@@ -130,7 +131,8 @@ impl Knowledge {
             }
         };
         self.span.add(&numbers(form));
-        self.known.push(Known { form: form.to_vec(), symbols, turns, name });
+        let label = self.joined(axes, form, ["minus_", "_minus_", "_plus_"], "x");
+        self.known.push(Known { form: form.to_vec(), symbols, turns, name, label });
         &self.known[self.known.len() - 1]
     }
 

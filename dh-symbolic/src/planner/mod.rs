@@ -7,7 +7,7 @@
 //! depends on. As long as something is unknown, [`search`] takes the cheapest equations with one unknown combination (or two
 //! equations with two unknowns); what they give is known from then on. No arm is recognised by name.
 //!
-//! **Never here:** prose, tokens. Reasons are data; `render` words them.
+//! **Never here:** tokens; prose but for what each kind of step is called (`steps`). Reasons are data; `render` words them.
 
 mod axes;
 mod bound;
@@ -24,6 +24,7 @@ mod search;
 mod slides;
 mod span;
 mod step;
+mod steps;
 mod structure;
 
 pub use axes::{Axes, Hop};
@@ -37,5 +38,9 @@ pub(crate) use sample::joint_vectors;
 pub use scalar::{Equation, Scalar};
 pub use search::search;
 pub use span::{Form, combination};
-pub use step::{Plan, Step, StepKind};
+pub use step::{Plan, Step};
+pub use steps::{
+    Argument, BatchedKernel, BatchedRoots, Call, Coefficient, Kernel, ReachLimit, Representative, Roots, Slot,
+    StepKind, Unknown, Wording, Words,
+};
 pub use structure::{Neighbours, Pair, Structure};

@@ -4,31 +4,7 @@ use super::axes::Axes;
 use super::known::{Collected, Knowledge};
 use super::scalar::Equation;
 use super::span::Form;
-
-/// What kind of equations a step solves. Every collected equation reads "sum = 0".
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum StepKind {
-    /// a d + b = 0.
-    Linear,
-    /// a d^2 + b d + c = 0.
-    Quadratic,
-    /// a cos u + b sin u = 0: a half turn apart, never out of reach. A second such equation decides where the first one vanishes.
-    HalfTurn,
-    /// a cos u + b sin u + c = 0.
-    SinCos,
-    /// Two or more such equations in the same angle.
-    AtanPair,
-    /// A trigonometric polynomial of second degree.
-    SecondHarmonic,
-    /// Two equations, each linear in (1, cos u, sin u) and in (1, cos v, sin v).
-    Bilinear,
-    /// Two equations in a sliding joint d (up to d^2) and an angle v.
-    SlideAndTurn,
-    /// The elimination for six turning joints in general position.
-    General,
-    /// The combination is free at every pose: a value is chosen.
-    Choose,
-}
+use super::steps::StepKind;
 
 /// One step.
 #[derive(Clone, Debug)]

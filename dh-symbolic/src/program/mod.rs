@@ -12,11 +12,8 @@ mod identity;
 mod interpret;
 mod inverse;
 mod jacobian;
-mod law;
 mod links;
-mod names;
 mod proof;
-mod solve;
 mod vector;
 mod waves;
 
@@ -24,10 +21,11 @@ pub use cost::Cost;
 pub use graph::{Graph, Node, Value};
 pub use identity::test_identities;
 pub use interpret::Inputs;
-pub use inverse::{Inverse, Solver};
-pub use names::Names;
+pub use inverse::{
+    Attempt, Candidate, Choice, Distance, Indicator, Instruction, Inverse, Loop, Naming, Report, Sequence, Solve,
+    TOLERANCE, Yield,
+};
 pub use proof::{Disproof, prove_frames, prove_jacobian, prove_pose};
-pub use solve::{Attempt, Candidate, NOISE};
 
 use crate::algebra::LinearAngle;
 use crate::chain::{Chain, Elementary};

@@ -1,5 +1,8 @@
 //! Languages that prose is written in.
 
+#[cfg(feature = "documents")]
+use crate::planner::Wording;
+
 /// Language of a note or message.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Language {
@@ -11,6 +14,15 @@ pub enum Language {
 }
 
 impl Language {
+    /// The words in this language.
+    #[cfg(feature = "documents")]
+    pub(in crate::render) fn of(self, wording: Wording) -> &'static str {
+        match self {
+            Language::English => wording.english,
+            Language::Chinese => wording.chinese,
+        }
+    }
+
     /// Language tag.
     pub fn tag(self) -> &'static str {
         match self {

@@ -31,7 +31,7 @@ mod solve_pairs;
 pub use arm::General6R;
 pub use choice::Choice;
 pub use ranking::{Ranked, rank};
-pub use solve::Solved;
+pub use solve::{Solved, solve_general};
 
 #[cfg(test)]
 mod tests;

@@ -192,3 +192,14 @@ pub(super) fn is_singular(arm: &Chain<6>, q: &[f64; 6]) -> bool {
     }
     false
 }
+
+/// All joint vectors, as `[cos, sin]` (or `[d, d]` where a joint slides), that bring an arm to a target. `links` are the constant transforms
+/// behind its joints, `prismatic` says which of these slide, `cuts` are the numbers of the [`Choice`]s that are tried in turn.
+pub fn solve_general(
+    links: &[Pose; 6],
+    target: &Pose,
+    prismatic: &[bool; 6],
+    cuts: [u8; 3],
+) -> Found<[[f64; 2]; 6], 16> {
+    General6R::with_slides(links, prismatic, cuts.map(Choice::new)).find(target)
+}

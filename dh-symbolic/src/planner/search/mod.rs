@@ -1,13 +1,12 @@
 //! The search for a plan: which equations next.
 //!
-//! Rule, in order: a combination that two or more equations fix (one solution); one equation without a constant term (two solutions,
-//! never out of reach); a linear slide; one equation in sine and cosine; a quadratic; a second harmonic; then two equations in two
-//! unknowns; at last the general elimination. Ties go to the shorter formula. One unknown: `one`; two: `two`; the rest: `last`.
+//! Every kind of step (`planner/steps`) offers its ways to find one unknown combination of joints; the best offer is taken, in the order of
+//! [`Rank`](super::steps::Rank), ties going to the shorter formula. Where there is none, two equations in two unknowns; at last what the
+//! kinds fall back on.
 
-mod last;
-mod one;
-mod same;
-mod two;
+mod dedup;
+mod single_unknown;
+mod two_unknowns;
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -15,17 +14,17 @@ use std::rc::Rc;
 use super::axes::Axes;
 use super::bound::bound;
 use super::equation::{exact, weight};
-use super::known::{Collected, Knowledge};
+use super::known::Knowledge;
 use super::mobility::Mobility;
 use super::pool::{Family, families};
 use super::refusal::{self, Refusal};
-use super::sample::{Sample, joint_vectors};
 use super::scalar::{Equation, Scalar, fold};
 use super::span::{Form, Span, numbers};
 use super::step::{Plan, Step};
+use super::steps::{Offer, Scene, StepKind};
 use crate::algebra::Poly;
-use crate::chain::{Chain, Handle, Role};
-use same::{Probes, Values, same};
+use crate::chain::Chain;
+use dedup::{Probes, Values, is_same};
 
 /// Most equations of one kind with the same unknowns that are looked at.
 const LOOK: usize = 14;
@@ -60,19 +59,14 @@ pub fn search(chain: &Chain) -> Result<Plan, Refusal> {
     let given = s.knowledge.known.len();
     while !s.done() {
         // What a task leaves open is only solved for where nothing else helps.
-        if s.one_unknown(false)
-            || s.two_unknowns(false)
-            || s.one_unknown(true)
-            || s.two_unknowns(true)
-            || s.general()
-            || s.choose()
+        if s.one_unknown(false) || s.two_unknowns(false) || s.one_unknown(true) || s.two_unknowns(true) || s.fall_back()
         {
             continue;
         }
         return Err(s.refusal());
     }
     let mobility = Mobility::new(chain, &s.axes);
-    let max_solutions = bound(chain, &mobility, &s.axes, &s.knowledge, &s.steps, &s.samples(4, 0));
+    let max_solutions = bound(chain, &mobility, &s.axes, &s.knowledge, &s.steps, &s.scene().samples(4, 0));
     let few = mobility.misses_its_task();
     Ok(Plan { axes: s.axes, knowledge: s.knowledge, given, steps: s.steps, max_solutions, few })
 }
@@ -94,17 +88,21 @@ struct Search<'a> {
 /// What families still depend on, and which they are.
 type Group = (Span, Vec<usize>);
 
-/// A way to take the next step, with its rank (lower is better).
-struct Ranked {
-    rank: (usize, usize, usize),
-    step: Step,
+/// The better one of two offers; of equally good ones the first.
+fn best(known: Option<Offer>, offer: Offer) -> Option<Offer> {
+    match known {
+        Some(known) if !offer.is_better_than(&known) => Some(known),
+        _ => Some(offer),
+    }
 }
 
 impl Search<'_> {
+    fn scene(&self) -> Scene<'_> {
+        Scene { chain: self.chain, axes: &self.axes, knowledge: &self.knowledge }
+    }
+
     fn unit(&self, k: usize) -> Form {
-        let mut form = vec![0; self.axes.count()];
-        form[k] = 1;
-        form
+        self.scene().unit(k)
     }
 
     fn done(&self) -> bool {
@@ -175,7 +173,7 @@ impl Search<'_> {
         for e in fitting {
             let (folded, values) = (fold(&self.axes, &self.knowledge, &e), self.probes.values(&e));
             let known = |k: &(Equation, (usize, usize), Option<Values>)| {
-                k.1 == folded && k.2.as_ref().zip(values.as_ref()).is_some_and(|(a, b)| same(a, b))
+                k.1 == folded && k.2.as_ref().zip(values.as_ref()).is_some_and(|(a, b)| is_same(a, b))
             };
             if !kept.iter().any(known) {
                 kept.push((e, folded, values));
@@ -224,56 +222,25 @@ impl Search<'_> {
         forms
     }
 
-    fn constants(&self, p: &Poly) -> bool {
-        p.symbols().iter().all(|s| {
-            self.chain.parameters.iter().any(|x| x.handle == Handle::Length(*s) && matches!(x.role, Role::Constant(_)))
-        })
-    }
-
     /// Does a combination hold a virtual coordinate?
     fn is_virtual(&self, form: &Form) -> bool {
         form[self.axes.real.min(form.len())..].iter().any(|k| *k != 0)
     }
 
-    fn take(&mut self, best: Option<Ranked>) -> bool {
-        let Some(option) = best else { return false };
-        for form in &option.step.unknown {
+    fn take(&mut self, best: Option<Offer>) -> bool {
+        best.map(|offer| self.push(offer.step)).is_some()
+    }
+
+    fn fall_back(&mut self) -> bool {
+        let step = StepKind::ALL.iter().find_map(|kind| kind.fallback(&self.scene()));
+        step.map(|step| self.push(step)).is_some()
+    }
+
+    fn push(&mut self, step: Step) {
+        for form in &step.unknown {
             self.knowledge.learn(&self.axes, form);
         }
-        self.steps.push(option.step);
-        true
-    }
-
-    /// Numbers at joint vectors: generic ones, then special ones.
-    fn samples(&self, generic: usize, special: usize) -> Vec<Sample<'_>> {
-        joint_vectors(&self.axes, generic, special)
-            .into_iter()
-            .map(|x| Sample::new(self.chain, &self.axes, &self.knowledge, x))
-            .collect()
-    }
-
-    /// How long an equation is: its terms, and what was found before and is needed here (so that steps which depend on the target
-    /// alone come first, and errors do not pile up).
-    fn size(&self, (equation, c): &(Equation, Collected)) -> usize {
-        // An element of a known matrix is seen at once.
-        let unusual = if matches!(equation.scalar, Scalar::Across(_) | Scalar::Bridge(..)) { 12 } else { 0 };
-        let terms: usize = c.values().map(|p| p.terms().len()).sum();
-        let mut symbols: Vec<_> = c.values().flat_map(Poly::symbols).collect();
-        symbols.sort_unstable();
-        symbols.dedup();
-        let known =
-            self.knowledge.known.iter().filter(|k| k.symbols.iter().any(|s| symbols.binary_search(s).is_ok())).count();
-        let joints =
-            |a: usize, b: usize| self.axes.hops.get(a..b).unwrap_or(&[]).iter().filter(|h| h.joint.is_some()).count();
-        let folded = self
-            .knowledge
-            .poses
-            .iter()
-            .filter(|k| k.symbols().any(|s| symbols.binary_search(&s).is_ok()))
-            .map(|k| joints(0, k.left) + joints(k.right, self.axes.hops.len()))
-            .max()
-            .unwrap_or(0);
-        terms + 4 * (known + folded) + unusual
+        self.steps.push(step);
     }
 }
 

@@ -1,6 +1,5 @@
 //! Plans of known arms, and what a search takes where equations vanish.
 
-use super::super::step::StepKind;
 use super::*;
 use crate::chain::Convention;
 use crate::chain::samples::{KUKA, PUMA, UR5, chain};

@@ -1,64 +1,43 @@
-//! A plan as instructions: for each step the coefficients of its equations, computed from the target and from what is known.
+//! A plan as a program: values computed from the target and from what is known, and the tree that solves for the rest.
 //!
 //! All lengths are over the arm's reach, so that one tolerance fits all. Known combinations enter as symbols of their cosine and
 //! sine; which symbols an instruction needs tells at which depth of the search it is computed.
 
+mod branches;
 mod confirmation;
 mod general;
+mod interpret;
+mod ir;
 mod known_pose;
 mod lower;
 mod pose;
 mod row;
+mod step;
+mod text;
 
+pub use interpret::{Attempt, Candidate, TOLERANCE};
+pub use ir::{Choice, Distance, Indicator, Instruction, Loop, Naming, Report, Sequence, Solve, Yield};
+
+use super::Node;
 use super::graph::{Graph, Value, ZERO};
-use super::{Names, Node};
-use crate::algebra::{Poly, Symbol};
+use crate::algebra::Symbol;
 use crate::chain::Chain;
-use crate::planner::{self, Collected, Form, Knowledge, KnownPose, Plan, Refusal, StepKind, combination};
+use crate::planner::{self, Form, Plan, Refusal, combination};
 use lower::{Lower, Pose};
 
-/// The equations of one step, ready to be solved.
-#[derive(Clone, Debug)]
-pub struct Solver {
-    /// What kind.
-    pub kind: StepKind,
-    /// Coefficients, one row per equation; their order belongs to the kind, see [`Inverse::derive`].
-    pub rows: Vec<Vec<Value>>,
-    /// The combinations it finds: indices into the plan's knowledge.
-    pub finds: Vec<usize>,
-    /// For a law of cosines: what to add to the side without the unknown to get the squared distance, and whether the amplitude of the
-    /// other side grows with that distance.
-    pub law: Option<(Value, bool)>,
-}
-
-impl Solver {
-    /// Everything that has to be computed for the step.
-    pub fn values(&self) -> Vec<Value> {
-        self.rows.iter().flatten().copied().chain(self.law.map(|law| law.0)).collect()
-    }
-}
-
-/// A plan with its instructions.
+/// A plan as a program.
 #[derive(Clone, Debug)]
 pub struct Inverse {
     /// The plan.
     pub plan: Plan,
-    /// The instructions.
+    /// The values.
     pub graph: Graph,
     /// Symbols of the target's entries: rotation by rows, then position.
     pub target: [Symbol; 12],
-    /// The steps.
-    pub solvers: Vec<Solver>,
-    /// Each real coordinate as a combination of known ones.
-    pub joints: Vec<Vec<i8>>,
+    /// What is done with them.
+    pub body: Sequence,
     /// The pose that the known combinations give (12 values, columns first, lengths over the reach): what a branch is confirmed by.
     pub confirmation: Vec<Value>,
-    /// For the general elimination: which of its joints slide.
-    pub slides: [bool; 6],
-    /// For the general elimination: the best ways to cut the loop of joints (`dh_kernels::general::Choice`).
-    pub choices: [u8; 3],
-    /// How the roots of shoulder, elbow and wrist are named.
-    pub names: [Names; 3],
 }
 
 /// Sample poses whose joint vectors a plan must find again.
@@ -77,14 +56,7 @@ impl Inverse {
         }
     }
 
-    /// Lowers a plan. Rows are, with "sum = 0":
-    ///
-    /// * `Linear` a, b of a d + b; `Quadratic` a, b, c;
-    /// * `HalfTurn` a, b; `SinCos` and every row of `AtanPair` a, b, c of a cos u + b sin u + c;
-    /// * `SecondHarmonic` the coefficients of 1, cos u, sin u, cos 2u, sin 2u;
-    /// * `Bilinear` and `SlideAndTurn` nine: (1, cos u, sin u) or (1, d, d^2) times (1, cos v, sin v), the second factor running faster;
-    /// * `General` seven poses of twelve entries (columns, then position): the constant transforms behind joints 1 to 6, then
-    ///   the target.
+    /// Lowers a plan.
     pub fn derive(chain: &Chain, plan: Plan) -> Inverse {
         let mut plan = plan;
         let ring = &mut plan.knowledge.ring;
@@ -106,46 +78,25 @@ impl Inverse {
         // The target as the first frame and the last one see it.
         let w = l.after_inverse(w, &plan.axes.end);
         let w = l.before_inverse(w, &plan.axes.start);
-        let mut solvers = Vec::new();
-        for step in &plan.steps {
-            for pose in poses_of(&step.collected, &plan.knowledge) {
-                l.bind_pose(w, &pose, step.before);
-            }
-            let finds = (step.before..step.before + step.unknown.len()).collect();
-            let rows = match step.kind {
-                StepKind::General => l.general(w, step),
-                _ => step.collected.iter().map(|c| l.row(step.kind, c)).collect(),
-            };
-            let law = super::law::law(&plan, step).map(|law| (l.formula(&law.base), law.grows));
-            solvers.push(Solver { kind: step.kind, rows, finds, law });
-        }
-        let forms: Vec<Form> = plan.knowledge.known.iter().map(|k| k.form.clone()).collect();
-        let joints = (0..plan.axes.real)
-            .map(|k| {
-                let mut unit = vec![0i8; plan.axes.count()];
-                unit[k] = 1;
-                combination(&unit, &forms).unwrap_or_default()
-            })
-            .collect();
+        let steps: Vec<(Solve, Report)> = (0..plan.steps.len()).map(|i| l.step(w, i)).collect();
         let confirmation = l.confirmation(chain);
         let graph = l.g;
-        let (slides, choices, names) = ([false; 6], [0; 3], [Names::PLAIN; 3]);
-        let mut inverse = Inverse { graph, target, solvers, joints, confirmation, slides, choices, names, plan };
-        inverse.slides = inverse.sliding();
-        inverse.choices = inverse.best_choices(chain);
-        inverse.names = inverse.find_names(chain);
+        let body = Sequence::default();
+        let mut inverse = Inverse { graph, target, body, confirmation, plan };
+        inverse.body = inverse.tree(steps);
+        inverse.choose_cuts(chain);
+        inverse.name_branches(chain);
         inverse
     }
 
-    /// Which joints of the general elimination slide.
-    fn sliding(&self) -> [bool; 6] {
-        let mut slides = [false; 6];
-        for step in self.plan.steps.iter().filter(|s| s.kind == StepKind::General) {
-            for (slide, form) in slides.iter_mut().zip(&step.unknown) {
-                *slide = form.iter().position(|k| *k != 0).is_some_and(|k| !self.plan.axes.turns(k));
-            }
-        }
-        slides
+    /// The values of all steps.
+    pub fn values(&self) -> Vec<Value> {
+        let reports = self.body.reports();
+        let of = |solve: &Solve| -> Vec<Value> {
+            let report = reports.iter().find(|r| r.step == solve.step);
+            solve.equations.concat().into_iter().chain(report.into_iter().flat_map(|r| r.values())).collect()
+        };
+        self.body.solves().into_iter().flat_map(of).collect()
     }
 
     /// How many known combinations must be there before each node can be computed.
@@ -164,13 +115,84 @@ impl Inverse {
         }
         depth
     }
+
+    /// The tree: one loop in the other, each value as soon as it can be computed.
+    fn tree(&self, steps: Vec<(Solve, Report)>) -> Sequence {
+        let depths = self.depths();
+        let values: Vec<Value> =
+            steps.iter().flat_map(|(s, r)| s.equations.concat().into_iter().chain(r.values())).collect();
+        let live = self.graph.live(&values);
+        let compute = |known: usize| {
+            let nodes = (0..depths.len()).filter(|k| live[*k] && depths[*k] == known).map(|k| k as u32).collect();
+            Instruction::Compute { known, nodes }
+        };
+        let choices = self.plan.steps.iter().enumerate().filter(|(_, s)| s.roots > 1);
+        let branch = choices.map(|(step, _)| Choice { step, name: None }).collect();
+        let mut inner = Sequence(vec![Instruction::Yield(Yield { joints: self.joints(), branch })]);
+        for (solve, report) in steps.into_iter().rev() {
+            let (step, binds) = (solve.step, solve.finds.clone());
+            let mut body: Vec<Instruction> = binds.iter().map(|k| compute(k + 1)).collect();
+            body.append(&mut inner.0);
+            let axes = &self.plan.axes;
+            let unknown = &self.plan.steps[step].unknown;
+            let free_joints = unknown.iter().flat_map(|f| (0..axes.real).filter(|k| f[*k] != 0)).collect();
+            let over = Loop { step, binds, free_joints, body: Sequence(body) };
+            inner =
+                Sequence(vec![Instruction::Solve(solve), Instruction::Reject(report), Instruction::ForEachRoot(over)]);
+        }
+        let mut first = vec![compute(0)];
+        for known in 0..self.plan.given {
+            first.extend([Instruction::Given { known }, compute(known + 1)]);
+        }
+        first.append(&mut inner.0);
+        Sequence(first)
+    }
+
+    /// Each real coordinate as a combination of known ones.
+    fn joints(&self) -> Vec<Form> {
+        let axes = &self.plan.axes;
+        let forms: Vec<Form> = self.plan.knowledge.known.iter().map(|k| k.form.clone()).collect();
+        (0..axes.real)
+            .map(|k| {
+                let mut unit = vec![0i8; axes.count()];
+                unit[k] = 1;
+                combination(&unit, &forms).unwrap_or_default()
+            })
+            .collect()
+    }
 }
 
-/// The known poses that occur in some equations.
-fn poses_of(collected: &[Collected], knowledge: &Knowledge) -> Vec<KnownPose> {
-    let mut symbols: Vec<Symbol> = collected.iter().flat_map(|c| c.values().flat_map(Poly::symbols)).collect();
-    symbols.sort_unstable();
-    symbols.dedup();
-    let used = |k: &KnownPose| k.symbols().any(|s| symbols.binary_search(&s).is_ok());
-    knowledge.poses.iter().filter(|k| used(k)).cloned().collect()
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::chain::Convention;
+    use crate::chain::samples::{PUMA, UR5, chain};
+    use crate::chain::tests::revolute_chain;
+
+    fn program(chain: &Chain) -> String {
+        Inverse::of(chain).unwrap_or_else(|e| panic!("{e:?}")).to_string()
+    }
+
+    #[test]
+    fn program_of_a_puma() {
+        insta::assert_snapshot!(program(&chain(PUMA)));
+    }
+
+    #[test]
+    fn program_of_a_ur5() {
+        insta::assert_snapshot!(program(&chain(UR5)));
+    }
+
+    #[test]
+    fn program_of_a_general_arm() {
+        let rows = [
+            (40, "0.3", "0.1", 0),
+            (-70, "0.5", "0.2", 0),
+            (110, "0.2", "0.3", 0),
+            (55, "0.1", "0.4", 0),
+            (-85, "0.2", "0.05", 0),
+            (25, "0.1", "0.3", 0),
+        ];
+        insta::assert_snapshot!(program(&revolute_chain(Convention::Standard, &rows)));
+    }
 }

@@ -3,25 +3,12 @@
 use super::super::graph::{Graph, Value, ZERO};
 use super::lower::Lower;
 use crate::algebra::{Factor, Monomial, Poly, Rational, Symbol};
-use crate::planner::{Collected, Part, StepKind};
+use crate::planner::{Collected, Part};
 
 impl Lower<'_> {
-    /// The coefficients of an equation; see [`Inverse::derive`](super::Inverse::derive).
-    pub(super) fn row(&mut self, kind: StepKind, c: &Collected) -> Vec<Value> {
-        use Part::{Cos, One, Power, Sin};
-        let keys: Vec<Vec<Part>> = match kind {
-            StepKind::Linear => vec![vec![Power(1)], vec![One]],
-            StepKind::Quadratic => vec![vec![Power(2)], vec![Power(1)], vec![One]],
-            StepKind::HalfTurn => vec![vec![Cos(1)], vec![Sin(1)]],
-            StepKind::SinCos | StepKind::AtanPair => vec![vec![Cos(1)], vec![Sin(1)], vec![One]],
-            StepKind::SecondHarmonic => vec![vec![One], vec![Cos(1)], vec![Sin(1)], vec![Cos(2)], vec![Sin(2)]],
-            StepKind::Bilinear | StepKind::SlideAndTurn => {
-                let first = if kind == StepKind::Bilinear { [One, Cos(1), Sin(1)] } else { [One, Power(1), Power(2)] };
-                first.iter().flat_map(|u| [One, Cos(1), Sin(1)].map(|v| vec![*u, v])).collect()
-            }
-            StepKind::General | StepKind::Choose => vec![],
-        };
-        keys.iter().map(|k| c.get(k).map_or(ZERO, |p| self.formula(p))).collect()
+    /// The coefficients of an equation, in the order of some columns.
+    pub(super) fn row(&mut self, columns: &[Vec<Part>], c: &Collected) -> Vec<Value> {
+        columns.iter().map(|k| c.get(k).map_or(ZERO, |p| self.formula(p))).collect()
     }
 
     /// A coefficient, factored by the inputs that occur most often.

@@ -38,6 +38,13 @@ impl Names {
         Names { taken: reserved.iter().map(|s| (*s).to_string()).collect() }
     }
 
+    /// Keeps a name for somebody else.
+    pub(super) fn reserve(&mut self, name: &str) {
+        if !self.taken.iter().any(|n| n == name) {
+            self.taken.push(name.to_string());
+        }
+    }
+
     pub(super) fn take(&mut self, wish: &str) -> String {
         let mut name = wish.to_string();
         let mut n = 1;

@@ -1,109 +1,254 @@
-//! What both backends say of a plan's steps: names, sums of angles, branches, and what is reported where a step has no root.
+//! What the printers share of an inverse: names of variables, calls of kernels, branches, and what is reported where a step has no root.
 
-use super::body::Body;
+use super::body::{Body, Dialect};
 use super::drive::chosen;
 use super::literal;
+use super::names::Names;
 use crate::algebra::Symbol;
 use crate::chain::{Chain, Scalar};
-use crate::planner::{Form, StepKind};
-use crate::program::Inverse;
+use crate::planner::{Argument, Call, Representative};
+use crate::program::{Choice, Indicator, Inverse, Report, Solve, Value};
 
-/// Names of the target's entries and of known combinations.
-pub(in crate::render) fn inputs(inverse: &Inverse) -> Vec<(Symbol, String)> {
-    let mut inputs: Vec<(Symbol, String)> = Vec::new();
-    for (i, s) in inverse.target.iter().enumerate() {
-        let (row, column) = if i < 9 { (i / 3, i % 3) } else { (i - 9, 3) };
-        inputs.push((*s, format!("t[{row}][{column}]")));
-    }
-    for k in &inverse.plan.knowledge.known {
-        for s in k.symbols {
-            inputs.push((s, identifier(inverse.plan.knowledge.ring.symbol_name(s))));
-        }
-    }
-    inputs
+/// Names that generated functions use for something else.
+const RESERVED: [&str; 21] = [
+    "q", "s", "c", "self", "t", "angles", "found", "attempt", "given", "free", "pick", "branch", "valid", "margin",
+    "error", "frame", "target", "lane", "take", "setting", "task",
+];
+
+/// The variables of a combination of joints.
+#[derive(Clone, Debug)]
+pub(in crate::render) struct Variable {
+    /// Cosine and sine; for a length the length over the length scale, twice.
+    pub(in crate::render) pair: [String; 2],
+    /// The joint value: `q3`, `q2_plus_q3`.
+    pub(in crate::render) value: String,
+    /// Is it an angle?
+    pub(in crate::render) turns: bool,
 }
 
-/// The statements for what the caller gives: its coordinate `a0`, cosine and sine (or the length over the reach).
-pub(super) fn known_beforehand(chain: &Chain, inverse: &Inverse) -> String {
-    let (plan, mut out) = (&inverse.plan, String::new());
-    for (i, k) in plan.knowledge.known.iter().take(plan.given).enumerate() {
-        let [c, s] = k.symbols.map(|s| identifier(plan.knowledge.ring.symbol_name(s)));
-        let value = chosen(chain);
-        out.push_str(&format!("let a{i} = {value};\n"));
-        out.push_str(&if k.turns {
-            format!("let ({s}, {c}) = ::dh_robot::runtime::sin_cos(a{i});\n")
-        } else {
-            format!("let {c} = a{i} / {};\n", literal(plan.axes.reach, Scalar::F64))
+/// The variables of a step.
+#[derive(Clone, Debug)]
+pub(in crate::render) struct StepNames {
+    /// All roots.
+    pub(in crate::render) roots: String,
+    /// The number of the root at hand.
+    pub(in crate::render) root: String,
+}
+
+/// The variables of an inverse.
+#[derive(Clone, Debug)]
+pub(in crate::render) struct Variables {
+    /// Of every known combination.
+    pub(in crate::render) known: Vec<Variable>,
+    /// Of every step.
+    pub(in crate::render) steps: Vec<StepNames>,
+    symbols: Vec<(Symbol, String)>,
+}
+
+impl Variables {
+    /// Names everything.
+    pub(in crate::render) fn of(inverse: &Inverse) -> Variables {
+        let (knowledge, mut names) = (&inverse.plan.knowledge, Names::new(&RESERVED));
+        let mut symbols: Vec<(Symbol, String)> = Vec::new();
+        for (i, s) in inverse.target.iter().enumerate() {
+            let (row, column) = if i < 9 { (i / 3, i % 3) } else { (i - 9, 3) };
+            symbols.push((*s, format!("t[{row}][{column}]")));
+        }
+        let known: Vec<Variable> = knowledge
+            .known
+            .iter()
+            .map(|k| {
+                let value = names.take(&identifier(&k.label));
+                let [c, s] = k.symbols;
+                let pair = if k.turns {
+                    [c, s].map(|s| names.take(&identifier(knowledge.ring.symbol_name(s))))
+                } else {
+                    let scaled = names.take(&format!("{value}_scaled"));
+                    [scaled.clone(), scaled]
+                };
+                symbols.extend([c, s].into_iter().zip(pair.clone()));
+                Variable { pair, value, turns: k.turns }
+            })
+            .collect();
+        let step = |solve: &Solve| {
+            let found: Vec<&str> = solve.finds.iter().map(|k| known[*k].value.as_str()).collect();
+            let wish = if found.len() > 2 { "joints".to_string() } else { found.join("_and_") };
+            StepNames { roots: names.take(&format!("{wish}_roots")), root: names.take(&format!("{wish}_root")) }
+        };
+        let steps = inverse.body.solves().into_iter().map(step).collect();
+        Variables { known, steps, symbols }
+    }
+
+    /// What the program calls its inputs.
+    pub(in crate::render) fn inputs(&self) -> Vec<(Symbol, String)> {
+        self.symbols.clone()
+    }
+
+    /// The name of a symbol.
+    pub(super) fn name(&self, symbol: Symbol) -> String {
+        self.symbols.iter().find(|s| s.0 == symbol).map(|s| s.1.clone()).unwrap_or_default()
+    }
+
+    /// All names, so that nothing else takes them.
+    pub(in crate::render) fn taken(&self) -> impl Iterator<Item = &str> {
+        let known = self.known.iter().flat_map(|k| k.pair.iter().chain([&k.value]));
+        let steps = self.steps.iter().flat_map(|s| [&s.roots, &s.root]);
+        RESERVED.into_iter().chain(known.chain(steps).map(String::as_str))
+    }
+
+    /// The joint values.
+    pub(in crate::render) fn values(&self) -> Vec<String> {
+        self.known.iter().map(|k| k.value.clone()).collect()
+    }
+}
+
+/// A call of a kernel as text.
+pub(in crate::render) fn call(
+    dialect: Dialect,
+    call: &Call<Value>,
+    variables: &Variables,
+    body: &Body<'_>,
+    solve: &Solve,
+) -> String {
+    let mut arguments: Vec<String> = call
+        .arguments
+        .iter()
+        .map(|a| argument(dialect, a, &|v| body.value(*v), &representatives(dialect, variables, solve)))
+        .collect();
+    if call.kernel.takes_tolerance {
+        arguments.push(match dialect {
+            Dialect::Rust => format!("{:e}", crate::program::TOLERANCE),
+            Dialect::JavaScript => "NOISE".into(),
         });
     }
-    out
+    let name = match dialect {
+        Dialect::Rust => format!("::dh_robot::runtime::{}", call.kernel.rust),
+        Dialect::JavaScript => call.kernel.javascript.unwrap_or(call.kernel.rust).to_string(),
+    };
+    format!("{name}({})", arguments.join(", "))
 }
 
-/// How a step without roots is reported.
-pub(in crate::render) struct Reported {
-    /// What it decides, and the unknowns.
-    pub(in crate::render) name: String,
-    /// Expression of what turns the numbers of the equation into the unit.
-    pub(in crate::render) scale: String,
-    /// The unit; empty for pure numbers.
-    pub(in crate::render) unit: &'static str,
-    /// For a law of cosines: the side of the equation without the unknown, less than the squared distance by the first; does the amplitude
-    /// of the other side grow with the distance?
-    pub(in crate::render) law: Option<(String, String, bool)>,
-}
-
-/// What is said of a step without roots.
-pub(in crate::render) fn reported(chain: &Chain, inverse: &Inverse, i: usize, body: &Body<'_>) -> Reported {
-    let (plan, solver) = (&inverse.plan, &inverse.solvers[i]);
-    let step = &plan.steps[i];
-    let names: Vec<String> = step.unknown.iter().map(|f| plan.knowledge.form_name(&plan.axes, f)).collect();
-    let reach = literal(plan.axes.reach, Scalar::F64);
-    let part = inverse.part(i).map_or("", |p| ["shoulder ", "elbow ", "wrist "][p]);
-    let name = format!("{part}{}", names.join(", "));
-    if let Some((base, grows)) = solver.law {
-        let law = Some((body.value(base), body.negative(solver.rows[0][2]), grows));
-        return Reported { name, scale: reach, unit: chain.unit.name, law };
+/// An argument of a kernel as text.
+pub(in crate::render) fn argument<N>(
+    dialect: Dialect,
+    a: &Argument<N>,
+    number: &dyn Fn(&N) -> String,
+    representatives: &str,
+) -> String {
+    let list = |l: &[Argument<N>]| -> String {
+        let items: Vec<String> = l.iter().map(|a| argument(dialect, a, number, representatives)).collect();
+        format!("[{}]", items.join(", "))
+    };
+    match (a, dialect) {
+        (Argument::Number(n), _) => number(n),
+        (Argument::Reference(l), Dialect::Rust) => format!("&{}", list(l)),
+        (Argument::Array(l) | Argument::Reference(l), _) => list(l),
+        (Argument::Representatives, _) => representatives.to_string(),
+        (Argument::Elimination { prismatic, cuts }, _) => format!("&{prismatic:?}, {cuts:?}"),
     }
-    // Two equations for a cosine and a sine whose squares do not add up to 1: a pure number.
-    let length = step.kind != StepKind::AtanPair
-        && step.equations.iter().any(|e| !matches!(e.scalar, crate::planner::Scalar::Rotation(..)));
-    let (scale, unit) = if length { (reach, chain.unit.name) } else { ("1.0".into(), "") };
-    Reported { name, scale, unit, law: None }
+}
+
+/// What the unknowns of a step take where they are free.
+fn representatives(dialect: Dialect, variables: &Variables, solve: &Solve) -> String {
+    let one = |(i, k): (usize, &usize)| {
+        let kind = if variables.known[*k].turns { "angle" } else { "length" };
+        format!("pick.{kind}({})", solve.step + i)
+    };
+    let all: Vec<String> = solve.finds.iter().enumerate().map(one).collect();
+    grouped(dialect, variables, solve, &all)
+}
+
+/// One thing per unknown of a step, as its kernel groups them: alone, an array, or a tuple of a length and an angle.
+fn grouped(dialect: Dialect, variables: &Variables, solve: &Solve, all: &[String]) -> String {
+    let mixed = solve.finds.len() == 2 && solve.finds.iter().any(|k| !variables.known[*k].turns);
+    match all {
+        [one] if solve.call.kernel.unknowns == 1 => one.clone(),
+        _ if mixed && dialect == Dialect::Rust => format!("({})", all.join(", ")),
+        _ => format!("[{}]", all.join(", ")),
+    }
+}
+
+/// The roots of a step with a value for what it leaves free, as text.
+pub(in crate::render) fn with_representative(dialect: Dialect, variables: &Variables, solve: &Solve) -> String {
+    let roots = &variables.steps[solve.step].roots;
+    let representative = match solve.call.kernel.free {
+        Representative::Passed if dialect == Dialect::Rust => return roots.clone(),
+        Representative::Passed => return format!("{roots}.roots"),
+        Representative::Chosen => representatives(dialect, variables, solve),
+        Representative::Zero => format!("[[1.0, 0.0]; {}]", solve.call.kernel.unknowns),
+    };
+    match dialect {
+        Dialect::Rust => format!("{roots}.or_if_free({representative})"),
+        Dialect::JavaScript => format!("orIfFree({roots}, {representative})"),
+    }
+}
+
+/// The pattern that binds a root of a step.
+pub(in crate::render) fn pattern(dialect: Dialect, variables: &Variables, solve: &Solve) -> String {
+    let unknowns = solve.call.kernel.unknowns;
+    let one = |k: &usize| {
+        let Variable { pair: [c, s], turns, .. } = &variables.known[*k];
+        match (turns, unknowns) {
+            (true, _) => format!("[{c}, {s}]"),
+            (false, 6) => format!("[{c}, _]"),
+            (false, _) => c.clone(),
+        }
+    };
+    let mut all: Vec<String> = solve.finds.iter().map(one).collect();
+    all.resize(all.len().max(unknowns), "_".into());
+    grouped(dialect, variables, solve, &all)
+}
+
+/// The statements for what the caller gives: its coordinate, cosine and sine (or the length over the length scale).
+pub(super) fn given(chain: &Chain, variable: &Variable, scale: &str) -> String {
+    let (Variable { pair: [c, s], value, turns }, known) = (variable, chosen(chain));
+    let bound = if *turns {
+        format!("let ({s}, {c}) = ::dh_robot::runtime::sin_cos({value});\n")
+    } else {
+        format!("let {c} = {value} / {scale};\n")
+    };
+    format!("let {value} = {known};\n{bound}")
+}
+
+/// What turns the numbers of a step's equation into a unit: an expression, and the unit (empty for pure numbers).
+pub(in crate::render) fn unit<'a>(chain: &'a Chain, report: &Report, scale: &'a str) -> (&'a str, &'static str) {
+    if report.is_length || report.distance.is_some() { (scale, chain.unit.name) } else { ("1.0", "") }
+}
+
+/// The length scale as a literal.
+pub(in crate::render) fn length_scale(inverse: &Inverse) -> String {
+    literal(inverse.plan.axes.reach, Scalar::F64)
 }
 
 /// The condition under which the root of a step that decides a part has its first name; `equal` compares in the language at hand.
-pub(in crate::render) fn is_first(inverse: &Inverse, i: usize, equal: &str) -> String {
-    let names = inverse.part(i).and_then(|part| inverse.names.get(part));
-    let first = names.map_or(0, |n| n.first);
-    match names.and_then(|n| n.over) {
-        Some(shoulder) => format!("(i{i} {equal} {first}) {equal} (i{shoulder} {equal} 0)"),
-        None => format!("i{i} {equal} {first}"),
+pub(in crate::render) fn is_first(choice: &Choice, variables: &Variables, equal: &str) -> String {
+    let root = |step: usize| &variables.steps[step].root;
+    let first = choice.name.map_or(0, |n| n.first);
+    match choice.name.and_then(|n| n.flipped_by) {
+        Some(shoulder) => format!("({} {equal} {first}) {equal} ({} {equal} 0)", root(choice.step), root(shoulder)),
+        None => format!("{} {equal} {first}", root(choice.step)),
     }
 }
 
 /// Which root each step took, with the names that robot controllers use.
-pub(super) fn branch(inverse: &Inverse) -> String {
+pub(super) fn branch(choices: &[Choice], variables: &Variables) -> String {
     let mut out = String::from("::dh_robot::Branch::ANY");
-    for (place, (i, _)) in inverse.plan.steps.iter().enumerate().filter(|(_, s)| s.roots > 1).enumerate() {
+    for (place, choice) in choices.iter().enumerate() {
         if place < 8 {
-            out.push_str(&format!(".with_step({place}, i{i})"));
+            out.push_str(&format!(".with_step({place}, {})", variables.steps[choice.step].root));
         }
-        let (setter, first, second) = match inverse.part(i) {
-            Some(0) => ("shoulder", "Shoulder::Left", "Shoulder::Right"),
-            Some(1) => ("elbow", "Elbow::Up", "Elbow::Down"),
-            Some(_) => ("wrist", "Wrist::NoFlip", "Wrist::Flip"),
+        let (setter, first, second) = match choice.name.map(|n| n.indicator) {
+            Some(Indicator::Shoulder) => ("shoulder", "Shoulder::Left", "Shoulder::Right"),
+            Some(Indicator::Elbow) => ("elbow", "Elbow::Up", "Elbow::Down"),
+            Some(Indicator::Wrist) => ("wrist", "Wrist::NoFlip", "Wrist::Flip"),
             None => continue,
         };
-        let is_first = is_first(inverse, i, "==");
+        let is_first = is_first(choice, variables, "==");
         out.push_str(&format!(
             ".with_{setter}(if {is_first} {{ ::dh_robot::{first} }} else {{ ::dh_robot::{second} }})"
         ));
     }
     out
-}
-
-pub(in crate::render) fn joints_of(form: &Form, real: usize) -> Vec<usize> {
-    (0..real).filter(|k| form[*k] != 0).collect()
 }
 
 pub(in crate::render) fn combination(form: &[i8], angles: &[String]) -> String {

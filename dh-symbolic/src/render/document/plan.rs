@@ -1,7 +1,6 @@
 //! The plan of the inverse kinematics at a glance: a table of steps, and the flow from the pose to the joints.
 
 use super::explanation::{StepStory, Story};
-use super::notes::method;
 use super::notes::words::Phrase;
 use super::{Block, Document, Format, Span, Text};
 use crate::chain::Chain;
@@ -54,7 +53,7 @@ impl InversePlan {
     pub fn steps(&self) -> Vec<PlanStep> {
         let step = |s: &StepStory| PlanStep {
             finds: s.unknown.iter().map(text::math).collect(),
-            method: method(s).in_language(Language::English),
+            method: Language::English.of(s.words.name),
             needs: s.needs.clone(),
             solutions: s.roots,
         };
@@ -137,7 +136,7 @@ fn steps(story: &Story<'_>, language: Language) -> Vec<Block> {
             vec![
                 (i + 1).to_string().into(),
                 list(&s.unknown),
-                words(method(s)).into(),
+                language.of(s.words.name).into(),
                 needs.join(", ").into(),
                 s.roots.to_string().into(),
                 s.solution.radicand.as_ref().map_or(Text::default(), |m| {
@@ -198,7 +197,7 @@ fn chart(story: &Story<'_>, language: Language) -> String {
 fn label(s: &StepStory, language: Language) -> String {
     let unknown: Vec<String> = s.unknown.iter().map(text::math).collect();
     let count = if s.roots > 1 { format!(" (×{})", s.roots) } else { String::new() };
-    format!("{}: {}{count}", unknown.join(", "), method(s).in_language(language))
+    format!("{}: {}{count}", unknown.join(", "), language.of(s.words.name))
 }
 
 /// Steps that step `i` needs, without those that another needed step needs already.

@@ -3,10 +3,11 @@
 mod angles;
 
 use super::names::Names;
+use super::steps::Variables;
 use super::{literal, scaled_constant};
 use crate::algebra::{Factor, Poly, Symbol};
 use crate::chain::{Chain, Coordinate, Handle, Role, Scalar};
-use crate::program::{Graph, Node, Program, Value};
+use crate::program::{Graph, Inverse, Node, Program, Value};
 
 /// Longest expression that is not given a name.
 const INLINE: usize = 56;
@@ -53,41 +54,37 @@ impl<'a> Body<'a> {
         scalar: Scalar,
     ) -> Body<'a> {
         let outputs = program.outputs.clone();
-        let mut body = Body::in_stages(dialect, chain, &program.graph, outputs, (scalar, 1.0), Vec::new());
+        let mut body = Body::empty(dialect, chain, &program.graph, scalar);
+        body.outputs = outputs;
+        body.trigonometry();
         let depths = vec![0; program.graph.nodes().len()];
-        body.statements(&depths, 0, &[]);
+        body.statements(&depths, 0);
         body
     }
 
-    /// A graph whose statements are asked for depth by depth, see [`Body::statements`]. `inputs` names symbols.
-    pub(super) fn staged(
-        chain: &'a Chain,
-        graph: &'a Graph,
-        outputs: Vec<Value>,
-        scalar: Scalar,
-        scale: f64,
-        inputs: Vec<(Symbol, String)>,
-    ) -> Body<'a> {
-        Body::in_stages(Dialect::Rust, chain, graph, outputs, (scalar, scale), inputs)
-    }
-
-    /// The same in any language.
-    pub(in crate::render) fn in_stages(
+    /// The values of an inverse, whose statements are asked for depth by depth, see [`Body::statements`]; lengths over the length scale.
+    pub(in crate::render) fn of_inverse(
         dialect: Dialect,
         chain: &'a Chain,
-        graph: &'a Graph,
+        inverse: &'a Inverse,
         outputs: Vec<Value>,
-        (scalar, scale): (Scalar, f64),
-        inputs: Vec<(Symbol, String)>,
+        variables: &Variables,
     ) -> Body<'a> {
-        let mut names = Names::new(&["q", "s", "c", "self", "t", "angles", "found", "attempt", "given"]);
-        for (_, name) in &inputs {
-            names.take(name);
+        let mut body = Body::empty(dialect, chain, &inverse.graph, Scalar::F64);
+        (body.outputs, body.inputs, body.scale) = (outputs, variables.inputs(), 1.0 / inverse.plan.axes.reach);
+        for name in variables.taken() {
+            body.names.reserve(name);
         }
-        let text = vec![None; graph.nodes().len()];
-        let mut body = Body { dialect, chain, graph, outputs, names, scalar, scale, inputs, text, lines: Vec::new() };
         body.trigonometry();
         body
+    }
+
+    /// Nothing is asked for yet.
+    fn empty(dialect: Dialect, chain: &'a Chain, graph: &'a Graph, scalar: Scalar) -> Body<'a> {
+        let names = Names::new(&["q", "s", "c", "self", "t", "angles"]);
+        let text = vec![None; graph.nodes().len()];
+        let (outputs, inputs, lines) = (Vec::new(), Vec::new(), Vec::new());
+        Body { dialect, chain, graph, outputs, names, scalar, scale: 1.0, inputs, text, lines }
     }
 
     fn literal(&self, x: f64) -> String {
@@ -144,12 +141,9 @@ impl<'a> Body<'a> {
         self.chain.parameters.iter().any(|p| p.handle == handle && matches!(p.role, Role::Field(_)))
     }
 
-    /// Appends the statements of one depth: nodes whose inputs are known there. `extra` are values that code outside the graph uses
-    /// (each once).
-    pub(in crate::render) fn statements(&mut self, depths: &[usize], depth: usize, extra: &[Value]) {
-        let mut all = self.outputs.clone();
-        all.extend(extra);
-        let live = self.graph.live(&all);
+    /// Appends the statements of one depth: nodes whose inputs are known there.
+    pub(in crate::render) fn statements(&mut self, depths: &[usize], depth: usize) {
+        let live = self.graph.live(&self.outputs);
         let users = self.users(&live, depths);
         for (i, node) in self.graph.nodes().iter().enumerate() {
             if !live[i] || depths[i] != depth || self.text[i].is_some() {
@@ -268,11 +262,6 @@ impl<'a> Body<'a> {
         self.signed(v)
     }
 
-    /// The expression of its negative.
-    pub(in crate::render) fn negative(&self, v: Value) -> String {
-        if self.graph.as_constant(v).is_some_and(|p| p.is_zero()) { self.literal(0.0) } else { self.signed(-v) }
-    }
-
     /// Replaces the text of a node from here on.
     pub(super) fn rename(&mut self, node: usize, text: &str) {
         self.text[node] = Some((text.to_string(), false));
@@ -284,12 +273,12 @@ impl<'a> Body<'a> {
     }
 
     /// Takes the statements written so far, as text.
-    pub(super) fn take_text(&mut self) -> String {
+    pub(in crate::render) fn take_text(&mut self) -> String {
         self.take_lines().iter().fold(String::new(), |text, line| text + line + "\n")
     }
 
     /// Takes the statements written so far.
-    pub(in crate::render) fn take_lines(&mut self) -> Vec<String> {
+    fn take_lines(&mut self) -> Vec<String> {
         std::mem::take(&mut self.lines)
     }
 }
@@ -297,7 +286,7 @@ impl<'a> Body<'a> {
 /// A polynomial in constants and fields as an `f64` expression.
 pub(super) fn field_polynomial(chain: &Chain, p: &Poly) -> String {
     let graph = Graph::new(chain);
-    Body::staged(chain, &graph, Vec::new(), Scalar::F64, 1.0, Vec::new()).polynomial(p)
+    Body::empty(Dialect::Rust, chain, &graph, Scalar::F64).polynomial(p)
 }
 
 /// a + b - c, with signs pulled into the operators.

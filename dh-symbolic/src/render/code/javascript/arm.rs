@@ -25,8 +25,7 @@ pub fn class(chain: &Chain, forward: &Forward, solver: &Solver) -> String {
         ("jacobian(q)", "The geometric Jacobian, by rows: linear, then angular velocity.", jacobian(chain, forward)),
     ];
     for (head, doc, body) in functions {
-        let body = if body.contains("self.") { format!("const self = this.parameters;\n{body}") } else { body };
-        out.push_str(&format!("// {doc}\n{head} {{\n{body}}}\n\n"));
+        out.push_str(&format!("// {doc}\n{head} {{\n{}{body}}}\n\n", fields(chain)));
     }
     if let Some(Matrices { det, rows, motors, turns }) = matrices(chain) {
         out.push_str(&format!(
@@ -47,6 +46,12 @@ pub fn class(chain: &Chain, forward: &Forward, solver: &Solver) -> String {
     }
     out.push_str("}\n");
     indented(&out)
+}
+
+/// The statement that gives formulas the parameters, of an arm that has any.
+pub(super) fn fields(chain: &Chain) -> &'static str {
+    let any = chain.parameters.iter().any(|p| matches!(p.role, Role::Field(_)));
+    if any { "const self = this.parameters;\n" } else { "" }
 }
 
 fn number(x: f64) -> String {

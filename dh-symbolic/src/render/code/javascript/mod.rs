@@ -11,7 +11,7 @@ pub use arm::class;
 pub(in crate::render) use text::string;
 
 use crate::chain::{Chain, Scalar};
-use crate::planner::{Refusal, StepKind};
+use crate::planner::Refusal;
 use crate::program::{Disproof, Forward, Inverse};
 
 /// The kernels that every arm shares.
@@ -23,7 +23,7 @@ pub const RUNTIME: [&str; 3] =
 pub enum Solver {
     /// By the plan: all solutions.
     Closed(Box<Inverse>),
-    /// The plan is the elimination of the general six-axis arm, which is not ported: by Newton's method from many starts.
+    /// A kernel of the plan is not ported (that of the general six-axis arm): by Newton's method from many starts.
     Numeric,
     /// There is no plan, for this reason: the same.
     Refused(Refusal),
@@ -38,7 +38,7 @@ impl Solver {
             return Solver::Unwanted;
         }
         match Inverse::of(chain) {
-            Ok(inverse) if inverse.plan.steps.iter().any(|s| s.kind == StepKind::General) => Solver::Numeric,
+            Ok(inverse) if inverse.body.solves().iter().any(|s| s.call.kernel.javascript.is_none()) => Solver::Numeric,
             Ok(inverse) => Solver::Closed(Box::new(inverse)),
             Err(refusal) => Solver::Refused(refusal),
         }

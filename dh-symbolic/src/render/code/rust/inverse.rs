@@ -5,7 +5,6 @@ use super::lanes;
 use super::target::Target;
 use super::verify::kinematics;
 use crate::chain::{Chain, Scalar, Task};
-use crate::planner::StepKind;
 use crate::program::{Forward, Inverse};
 use crate::render::code::{literal, scalar_name};
 
@@ -85,19 +84,14 @@ fn docs(chain: &Chain, inverse: &Inverse) -> String {
     for (i, s) in inverse.plan.steps.iter().enumerate() {
         let names: Vec<String> =
             s.unknown.iter().map(|f| inverse.plan.knowledge.form_name(&inverse.plan.axes, f)).collect();
-        let how = match s.kind {
-            StepKind::Linear => "a linear equation",
-            StepKind::Quadratic => "a quadratic equation",
-            StepKind::HalfTurn => "a cos + b sin = 0: two values half a turn apart",
-            StepKind::SinCos => "a cos + b sin = c: two values",
-            StepKind::AtanPair => "two equations in its sine and cosine: one value",
-            StepKind::SecondHarmonic => "a trigonometric polynomial of second degree",
-            StepKind::Bilinear => "two equations, each linear in both sines and cosines (Pieper)",
-            StepKind::SlideAndTurn => "two equations in a length and an angle",
-            StepKind::General => "elimination of the general six-axis arm (Raghavan and Roth)",
-            StepKind::Choose => "free at every pose: 0 is taken",
-        };
-        out.push_str(&format!("/// {}. `{}`: {how}.\n", i + 1, names.join("`, `")));
+        let words = s.words();
+        out.push_str(&format!(
+            "/// {}. `{}`: {} ({}).\n",
+            i + 1,
+            names.join("`, `"),
+            words.name.english,
+            words.equation
+        ));
     }
     out
 }

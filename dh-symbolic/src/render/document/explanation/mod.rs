@@ -11,7 +11,7 @@ mod tests;
 
 use crate::algebra::{Poly, Symbol};
 use crate::chain::Chain;
-use crate::planner::{Equation, Form, Plan, Step, StepKind};
+use crate::planner::{Form, Plan, Step, Words};
 use crate::render::document::frames::Frame;
 use crate::render::formula::expression::Expression;
 use crate::render::formula::grouping::Order;
@@ -41,8 +41,8 @@ pub(crate) struct Story<'a> {
 
 /// One step.
 pub(crate) struct StepStory {
-    /// What kind of equations.
-    pub(crate) kind: StepKind,
+    /// What people call it.
+    pub(crate) words: Words,
     /// The unknowns: angles, sums of angles, lengths.
     pub(crate) unknown: Vec<Math>,
     /// Sums of angles among them, written out.
@@ -61,8 +61,6 @@ pub(crate) struct StepStory {
     pub(crate) new_extras: Vec<(Math, Math)>,
     /// Earlier steps whose results occur here.
     pub(crate) needs: Vec<usize>,
-    /// Does every equation say how far two origins are apart?
-    pub(crate) is_distance: bool,
     /// Sines and cosines in the equations, for the legend.
     pub(crate) expressions: Vec<Expression>,
 }
@@ -123,7 +121,7 @@ impl<'a> Story<'a> {
             equations.push((name.clone(), right));
         }
         StepStory {
-            kind: step.kind,
+            words: step.words(),
             unknown: step.unknown.iter().map(|f| self.unknown(f)).collect(),
             sums: step.unknown.iter().filter_map(|f| self.sum(f)).collect(),
             sources: self.sources(&step.equations),
@@ -133,7 +131,6 @@ impl<'a> Story<'a> {
             new_poses,
             new_extras,
             needs: self.needs(step, &symbols),
-            is_distance: !step.equations.is_empty() && step.equations.iter().all(is_distance),
             expressions: rows.iter().flat_map(rows::Row::expressions).collect(),
         }
     }
@@ -203,8 +200,4 @@ impl<'a> Story<'a> {
     pub(crate) fn notation(&self) -> &Notation {
         &self.notation
     }
-}
-
-fn is_distance(e: &Equation) -> bool {
-    e.scalar == crate::planner::Scalar::Distance
 }

@@ -3,7 +3,7 @@
 use super::{Block, Equation, Math, Phrase, Sign, Span, Text, Writer};
 use crate::algebra::Transform;
 use crate::chain::Task;
-use crate::planner::StepKind;
+use crate::planner::Slot;
 use crate::program::Inverse;
 use crate::render::document::explanation::{Source, StepStory, Story};
 use crate::render::document::frames::Frame;
@@ -115,10 +115,10 @@ impl Writer<'_> {
         let mut title = Text::from(self.words(Phrase::StepTitle).replace("{}", &number.to_string()));
         title.0.extend(listed(&step.unknown));
         let colon = if self.options.language == Language::Chinese { "，" } else { " from " };
-        title.0.push(Span::Plain(format!("{colon}{}", self.words(method(step)))));
+        title.0.push(Span::Plain(format!("{colon}{}", self.options.language.of(step.words.name))));
         self.blocks.push(Block::Heading(2, title));
         self.poses(story, step);
-        if !step.equations.is_empty() && step.kind != StepKind::General {
+        if !step.equations.is_empty() {
             self.sources(step);
             let list: Vec<Equation> = step.equations.iter().map(|(l, r)| self.equation(l.clone(), r.clone())).collect();
             self.blocks.push(Block::Equations(list));
@@ -183,19 +183,19 @@ impl Writer<'_> {
                 m.clone(),
             ])
         };
-        match step.kind {
-            StepKind::Bilinear => {
-                let degree = Math::number(step.roots);
-                self.say(Phrase::Eliminate, vec![second.clone(), degree, tangent(&first), second]);
+        match step.words.sentence {
+            Some((sentence, slots)) => {
+                let piece = |slot: &Slot| match slot {
+                    Slot::First => first.clone(),
+                    Slot::Second => second.clone(),
+                    Slot::Roots => Math::number(step.roots),
+                    Slot::HalfTangent => tangent(&first),
+                    Slot::NamedHalfTangent => Math::equation(Math::Letter('t'), tangent(&first)),
+                };
+                let pieces = slots.iter().map(|slot| Span::Math(piece(slot))).collect();
+                self.blocks.push(Block::Paragraph(Text::fill(self.options.language.of(sentence), pieces)));
             }
-            StepKind::SecondHarmonic => {
-                let t = Math::equation(Math::Letter('t'), tangent(&first));
-                self.say(Phrase::SecondHarmonic, vec![t]);
-            }
-            StepKind::SlideAndTurn => self.say(Phrase::SlideAndTurn, vec![second, first]),
-            StepKind::General => self.say(Phrase::Elimination, vec![]),
-            StepKind::Choose => self.say(Phrase::Choose, vec![]),
-            _ => {
+            None => {
                 let solved = s.formulas.iter().all(|f| step.equations.contains(f));
                 if !solved {
                     self.say(Phrase::Hence, vec![]);
@@ -267,21 +267,4 @@ pub(super) fn listed(list: &[Math]) -> Vec<Span> {
         out.push(Span::Math(m.clone()));
     }
     out
-}
-
-/// The textbook's name of a step.
-pub(in crate::render) fn method(step: &StepStory) -> Phrase {
-    match step.kind {
-        StepKind::Linear => Phrase::MethodLinear,
-        StepKind::Quadratic => Phrase::MethodQuadratic,
-        StepKind::HalfTurn => Phrase::MethodHalfTurn,
-        StepKind::SinCos if step.is_distance => Phrase::MethodCosines,
-        StepKind::SinCos => Phrase::MethodSinCos,
-        StepKind::AtanPair => Phrase::MethodPair,
-        StepKind::SecondHarmonic => Phrase::MethodSecond,
-        StepKind::Bilinear => Phrase::MethodBilinear,
-        StepKind::SlideAndTurn => Phrase::MethodSlide,
-        StepKind::General => Phrase::MethodGeneral,
-        StepKind::Choose => Phrase::MethodChoose,
-    }
 }

@@ -20,7 +20,6 @@ mod tree;
 pub(super) mod words;
 mod workspace;
 
-pub(super) use inverse::method;
 pub use options::{Options, Part};
 
 use super::{Block, Document, Equation, Span, Text};

@@ -138,25 +138,6 @@ phrases! {
     AxesPoint: "axes {}, {} and {} pass through one point", "轴 {}、{}、{} 交于一点";
     PlanPose: "the given pose", "已知位姿";
     NoInverse: "There is no inverse in closed form:", "没有封闭形式的逆解：";
-    Eliminate: "The two equations are linear in sine and cosine of either angle. Eliminating {} leaves a polynomial of degree {} in {}; each of its real roots gives one {}.",
-        "两个方程对每个角的正弦和余弦都是线性的。消去 {} 得到次数为 {} 的关于 {} 的多项式；每个实根给出一个 {}。";
-    SecondHarmonic: "With {} this is a polynomial of degree 4, whose real roots are found.", "令 {}，得到 4 次多项式，求其实根。";
-    SlideAndTurn: "Eliminating {} leaves a polynomial in {}.", "消去 {} 得到关于 {} 的多项式。";
-    Elimination: "No equation holds fewer than all six joints. The elimination of Raghavan and Roth (1990) leaves a polynomial of degree 16 in the tangent of half an angle; its real roots give all solutions.",
-        "没有方程只含少数关节。按 Raghavan 与 Roth（1990）的消元法得到半角正切的 16 次多项式，其实根给出所有解。";
-    Choose: "This combination is free at every pose; a value is chosen.", "该组合在任何位姿下都可任取；选定一个值。";
-    /// Names of methods.
-    MethodLinear: "a linear equation", "线性方程";
-    MethodQuadratic: "a quadratic equation", "二次方程";
-    MethodHalfTurn: "a ratio of sine and cosine", "正弦与余弦之比";
-    MethodSinCos: "an equation in sine and cosine", "正弦余弦方程";
-    MethodCosines: "the law of cosines", "余弦定理";
-    MethodPair: "sine and cosine", "同时得到正弦和余弦";
-    MethodSecond: "a trigonometric polynomial of degree two", "二次三角多项式";
-    MethodBilinear: "two equations in two angles (Pieper's method)", "两角两方程（Pieper 方法）";
-    MethodSlide: "two equations in a length and an angle", "一个长度与一个角的两个方程";
-    MethodGeneral: "the general elimination (Raghavan and Roth)", "一般消元法（Raghavan 与 Roth）";
-    MethodChoose: "a free choice", "任取";
     Jacobian: "Geometric Jacobian", "几何雅可比矩阵";
     JacobianIs: "Column {} holds the velocity of the last frame's origin and its angular velocity, in base axes, for unit speed of joint {}.",
         "第 {} 列是关节 {} 以单位速度运动时末端坐标系原点的线速度和角速度（在基座坐标系中表示）。";

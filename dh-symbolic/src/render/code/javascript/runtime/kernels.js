@@ -5,6 +5,9 @@ const BOUNDARY = 1e-9, DOUBLE = 1e-14, TOUCH = 1e-10, RANK = 1e-9, CONTRADICTION
 const FREE = "free", REGULAR = "regular", TOUCHING = "touching", OUT_OF_REACH = "out of reach", NO_ROOT = "no real root";
 const found = (outcome, roots = [], more = {}) => ({ outcome, roots, ...more });
 const outOfReach = (needed, available) => found(OUT_OF_REACH, [], { needed, available });
+// Is a step without a root possibly one with a root that rounding hides? Is it beyond what is available by the error of a double root before?
+const mayHideARoot = (f) => f.outcome === NO_ROOT || (f.outcome === OUT_OF_REACH && !(f.needed > 1.05 * f.available && f.available > 1e-4));
+const justMissesARoot = (f) => f.outcome === OUT_OF_REACH && f.needed > f.available && f.needed <= f.available * (1 + 1e-4);
 const orIfFree = (f, root) => (f.outcome === FREE && f.roots.length === 0 ? [root] : f.roots);
 const largest = (list) => list.reduce((m, x) => Math.max(m, Math.abs(x)), 0);
 const finite = (list) => list.every(Number.isFinite);

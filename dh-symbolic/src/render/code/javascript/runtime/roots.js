@@ -115,6 +115,9 @@ class TrigPoly {
   }
 }
 
+// constant + cos[0] cos t + cos[1] cos 2t + sin[0] sin t + sin[1] sin 2t = 0
+const solveSecondHarmonic = (constant, cos, sin, tol) => new TrigPoly(constant, cos, sin).roots(tol);
+
 const between = ([d0, d1], x) => [d0[0] + x * (d1[0] - d0[0]), d0[1] + x * (d1[1] - d0[1])];
 const squared = (d) => [d[0] * d[0] - d[1] * d[1], 2 * d[0] * d[1]];
 const point = (ends, x) => { const d = between(ends, x), n = d[0] * d[0] + d[1] * d[1]; return squared(d).map((k) => k / n); };

@@ -151,9 +151,24 @@ function pickOf(choice) {
   };
 }
 
+// What the steps of a run say about solutions that it may have missed. As in dh-kernels (status.rs).
+class Status {
+  constructor() { Object.assign(this, { degenerate: false, lost: false, grazed: false, doubt: false }); }
+
+  // A step whose outcome is not regular; `chosen`: were values chosen before for unknowns that were free?
+  note(step, chosen) {
+    if (step.outcome === FREE) this.degenerate = true;
+    else if (step.outcome === TOUCHING) this.grazed = true;
+    else if (step.outcome !== REGULAR) {
+      this.lost ||= chosen || this.grazed || justMissesARoot(step);
+      this.doubt ||= mayHideARoot(step);
+    }
+  }
+}
+
 // What a run of the plan reports beside its candidates.
 class Attempt {
-  constructor() { Object.assign(this, { degenerate: false, lost: false, why: { kind: "none" } }); }
+  constructor() { Object.assign(this, { status: new Status(), why: { kind: "none" } }); }
 
   refuse(why) {
     const known = this.why;
@@ -162,10 +177,9 @@ class Attempt {
     if (nearer) this.why = why;
   }
 
-  // A step without roots; `free` are the joints for which values were chosen before.
+  // A step that is not regular; `free` are the joints for which values were chosen before.
   note(step, free, name, scale, unit) {
-    if (step.outcome === FREE) { this.degenerate = true; return; }
-    this.lost ||= free.length > 0;
+    this.status.note(step, free.length > 0);
     if (step.outcome === OUT_OF_REACH) this.refuse({ kind: "reach", step: name, needs: step.needed * scale, has: step.available * scale, unit });
     else if (step.outcome === NO_ROOT) this.refuse({ kind: "root", step: name });
   }
@@ -173,7 +187,7 @@ class Attempt {
   // The same for a law of cosines: reports distances.
   noteDistance(step, free, name, [base, rest], grows, reach, unit) {
     if (step.outcome !== OUT_OF_REACH) return this.note(step, free, name, 1, unit);
-    this.lost ||= free.length > 0;
+    this.status.note(step, free.length > 0);
     const distance = Math.sqrt(Math.max(base + rest, 0));
     const available = rest > 0 ? step.available : -step.available;
     const half = grows ? (0.5 * available) / distance : 0;
@@ -195,7 +209,7 @@ function solve(arm, target, given) {
   }
   const frame = task.frame(target, arm), run = (t, choice, take) => arm.candidates(t, given, pickOf(choice), take);
   const attempt = run(frame, 0, (q, branch, free) => verifier.take(q, branch, free));
-  if (verifier.out.length === 0 || verifier.lost || attempt.lost) rescue(verifier, frame, attempt, run);
+  if (verifier.out.length === 0 || verifier.lost || attempt.status.lost) rescue(verifier, frame, attempt, run);
   let why = attempt.why;
   if (verifier.out.length === 0 && verifier.nearest < Infinity) why = { kind: arm.few ? "task" : "verified", by: verifier.nearest };
   return { solutions: verifier.out, why, numeric: false };
@@ -346,14 +360,14 @@ class Verifier {
 
 // Where the closed form degenerates: other values for what it left free, nearby poses, and at last a search from many starts.
 function rescue(verifier, frame, first, run) {
-  if (first.degenerate) {
+  if (first.status.degenerate) {
     for (let choice = 1; choice < 12; choice++) {
       const earlier = verifier.out.length;
       run(frame, choice, (q, branch, free) => { if (free.length > 0) verifier.takeRough(q, branch, earlier); });
     }
   }
   if (verifier.arm.few) {
-    if (first.degenerate) verifier.search(true);
+    if (first.status.degenerate) verifier.search(true);
     return;
   }
   const motions = [[0.31, -0.77, 0.52, 0.63, 0.29, -0.71], [-0.83, 0.21, 0.47, -0.37, 0.88, 0.24], [0.59, 0.67, -0.43, 0.19, -0.53, 0.79],
@@ -365,7 +379,7 @@ function rescue(verifier, frame, first, run) {
     }
     if (verifier.out.length > 0) return;
   }
-  if (first.degenerate) verifier.search(false);
+  if (first.status.degenerate) verifier.search(false);
 }
 
 // A pose after a small motion.

@@ -11,11 +11,12 @@ mod step;
 mod twin;
 mod writer;
 
+use crate::algebra::Poly;
 use crate::chain::{Chain, Scalar, Task};
-use crate::planner::StepKind;
-use crate::program::{Inverse, Solver, Value};
-use crate::render::code::body::Body;
-use crate::render::code::steps::{branch, inputs, known_beforehand};
+use crate::planner::BatchedKernel;
+use crate::program::{Inverse, Solve, Value};
+use crate::render::code::body::{Body, Dialect};
+use crate::render::code::steps::{Variables, branch, given, length_scale};
 use motors::whole_motors;
 use segments::What;
 use writer::Writer;
@@ -25,17 +26,21 @@ const MOST: usize = 16;
 
 /// Can the plan go the fast way? All steps have one or two roots by formula, and the whole pose confirms a branch.
 pub(super) fn fits(chain: &Chain, inverse: &Inverse) -> bool {
-    let simple = |s: &Solver| match s.kind {
-        StepKind::Linear | StepKind::HalfTurn | StepKind::SinCos => true,
-        StepKind::AtanPair => true, // its first two rows fix the angle at every regular pose
-        _ => false,
-    };
     chain.task == Task::Pose
-        && whole_motors(chain, &inverse.joints).is_some()
+        && inverse.body.result().is_some_and(|r| whole_motors(chain, &r.joints).is_some())
         && (chain.redundant.is_none() || chain.is_direct())
         && inverse.plan.axes.count() == chain.dof()
-        && inverse.solvers.iter().all(simple)
+        && inverse.body.solves().iter().all(|solve| kernel(inverse, solve).is_some())
         && branches(inverse) <= MOST
+}
+
+/// The batched kernel of a step.
+fn kernel(inverse: &Inverse, solve: &Solve) -> Option<BatchedKernel> {
+    let constant = |row: usize, place: usize| -> Option<i8> {
+        let p = inverse.graph.as_constant(*solve.equations.get(row)?.get(place)?)?;
+        [(0, Poly::zero()), (1, Poly::one()), (-1, -&Poly::one())].into_iter().find(|(_, n)| p == *n).map(|(n, _)| n)
+    };
+    inverse.plan.steps.get(solve.step)?.kind.batched(solve.equations.len(), &constant)
 }
 
 /// How many branches a plan has.
@@ -68,18 +73,21 @@ pub(super) fn call(chain: &Chain, inverse: &Inverse) -> String {
 /// The constant `BRANCHES` and the function `lanes`.
 pub(super) fn lanes(chain: &Chain, inverse: &Inverse) -> String {
     let plan = &inverse.plan;
-    let mut outputs: Vec<Value> = inverse.solvers.iter().flat_map(|s| s.rows.concat()).collect();
+    let mut outputs: Vec<Value> = inverse.body.solves().iter().flat_map(|s| s.equations.concat()).collect();
     let confirmation = confirmation(inverse, &outputs);
     outputs.extend(confirmation.iter().map(|(_, v)| *v));
     let live = inverse.graph.live(&outputs);
-    let mut body = Body::staged(chain, &inverse.graph, outputs, Scalar::F64, 1.0 / plan.axes.reach, inputs(inverse));
-    let mut w = Writer::new(inverse, whole_motors(chain, &inverse.joints).unwrap_or_default(), confirmation, live);
+    let variables = Variables::of(inverse);
+    let mut body = Body::of_inverse(Dialect::Rust, chain, inverse, outputs, &variables);
+    let joints = inverse.body.result().map(|r| r.joints.clone()).unwrap_or_default();
+    let motors = whole_motors(chain, &joints).unwrap_or_default();
+    let mut w = Writer::new(inverse, variables, motors, confirmation, live);
     let (n, total) = (chain.dof(), branches(inverse));
-    let given = if chain.redundant.is_some() { ", given: f64" } else { "" };
-    w.loops.out = constant(inverse, total);
+    let parameter = if chain.redundant.is_some() { ", given: f64" } else { "" };
+    w.loops.out = constant(inverse, &w.variables, total);
     w.loops.out.push_str(&format!(
         "/// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.\n\
-         #[inline]\nfn lanes(&self, t: &::dh_robot::runtime::Pose{given}, q: &mut [[f64; {total}]; {n}], valid: &mut [f64; {total}]) -> bool {{\n"
+         #[inline]\nfn lanes(&self, t: &::dh_robot::runtime::Pose{parameter}, q: &mut [[f64; {total}]; {n}], valid: &mut [f64; {total}]) -> bool {{\n"
     ));
     if let Some(k) = chain.redundant {
         // A narrower scalar is brought into its range with the others, once it is rounded.
@@ -87,13 +95,15 @@ pub(super) fn lanes(chain: &Chain, inverse: &Inverse) -> String {
             Scalar::F64 => format!("Self::JOINTS[{k}].normalize(given)"),
             Scalar::F32 => "given".into(),
         };
-        w.loops.out.push_str(&format!("{}q[{k}] = [{value}; {total}];\n", known_beforehand(chain, inverse)));
+        let known: String =
+            w.variables.known.iter().take(plan.given).map(|v| given(chain, v, &length_scale(inverse))).collect();
+        w.loops.out.push_str(&format!("{}q[{k}] = [{value}; {total}];\n", known));
         w.written.insert(k);
     }
     w.loops.enter(0, 1, false);
     // What needs nothing, or only what is given.
     for depth in 0..=plan.given {
-        body.statements(&w.depths, depth, &[]);
+        body.statements(&w.depths, depth);
         w.loops.out.push_str(&body.take_text());
         w.tell(&body, depth);
     }
@@ -119,18 +129,19 @@ pub(super) fn lanes(chain: &Chain, inverse: &Inverse) -> String {
 }
 
 /// The names of all branches, which are decided when the program is compiled.
-fn constant(inverse: &Inverse, total: usize) -> String {
+fn constant(inverse: &Inverse, variables: &Variables, total: usize) -> String {
     let (mut roots, mut before) = (String::new(), 1);
     for (i, step) in inverse.plan.steps.iter().enumerate() {
         if step.roots > 1 {
-            roots.push_str(&format!("let i{i} = l / {before} % {};\n", step.roots));
+            let root = &variables.steps[i].root;
+            roots.push_str(&format!("let {root} = l / {before} % {};\n", step.roots));
         }
         before *= step.roots;
     }
     format!(
         "const BRANCHES: [::dh_robot::Branch; {total}] = {{\nlet mut all = [::dh_robot::Branch::ANY; {total}];\nlet mut l = 0;\n\
          while l < {total} {{\n{roots}all[l] = {};\nl += 1;\n}}\nall\n}};\n",
-        branch(inverse)
+        branch(inverse.body.result().map_or(&[][..], |r| &r.branch), variables)
     )
 }
 

@@ -1,6 +1,6 @@
 //! Which steps and values of a plan share a loop over lanes.
 
-use crate::program::{Inverse, Solver};
+use crate::program::{Inverse, Solve};
 
 /// What is computed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -30,11 +30,12 @@ pub(super) fn segments(inverse: &Inverse, depths: &[usize], twin: Option<usize>)
         all.push(all[i + given] * if twin == Some(i) { 1 } else { step.roots });
     }
     let mut whole: Vec<(What, usize)> = Vec::new();
-    for (i, solver) in inverse.solvers.iter().enumerate() {
-        whole.push((What::Step(i), all[needs(solver, depths)]));
+    let solves = inverse.body.solves();
+    for (i, solve) in solves.iter().enumerate() {
+        whole.push((What::Step(i), all[needs(solve, depths)]));
         whole.push((What::Depth(given + i + 1), all[given + i + 1]));
     }
-    whole.push((What::Finish, all[given + inverse.solvers.len()]));
+    whole.push((What::Finish, all[given + solves.len()]));
     let mut items: Vec<Item> = Vec::new();
     for (what, lanes) in whole {
         let segment = items.last().map_or(0, |last| if last.lanes == lanes { last.segment } else { last.segment + 1 });
@@ -44,6 +45,6 @@ pub(super) fn segments(inverse: &Inverse, depths: &[usize], twin: Option<usize>)
 }
 
 /// How many known combinations the coefficients of a step need.
-pub(super) fn needs(solver: &Solver, depths: &[usize]) -> usize {
-    solver.rows.concat().iter().map(|v| depths[v.node as usize]).max().unwrap_or(0)
+pub(super) fn needs(solve: &Solve, depths: &[usize]) -> usize {
+    solve.equations.concat().iter().map(|v| depths[v.node as usize]).max().unwrap_or(0)
 }

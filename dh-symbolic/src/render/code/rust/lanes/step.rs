@@ -1,15 +1,15 @@
 //! One step of the plan for all lanes: its roots, and how they are spread over the lanes of the next depth.
 
+use super::kernel;
 use super::loops::Layout;
 use super::segments::What;
 use super::writer::Writer;
-use crate::algebra::Poly;
 use crate::chain::{Chain, Scalar};
-use crate::planner::StepKind;
-use crate::program::{Node, Solver};
-use crate::render::code::body::Body;
+use crate::planner::{BatchedKernel, BatchedRoots, Coefficient};
+use crate::program::{Node, Solve};
+use crate::render::code::body::{Body, Dialect};
 use crate::render::code::literal;
-use crate::render::code::steps::identifier;
+use crate::render::code::steps::argument;
 
 /// The roots of a step, as the loops name them. A slide has its length over the reach for cosine and sine both.
 struct Roots {
@@ -61,24 +61,24 @@ impl Writer<'_> {
     /// One step for all lanes that its coefficients need; cosine and sine are then spread over the lanes of the next depth.
     pub(super) fn step(&mut self, body: &mut Body<'_>, chain: &Chain, i: usize) {
         self.load_nodes(body, What::Step(i));
-        let solver = &self.inverse.solvers[i];
-        let known = &self.inverse.plan.knowledge.known[solver.finds[0]];
+        let solves = self.inverse.body.solves();
+        let (Some(solve), Some(kernel)) = (solves.get(i), solves.get(i).and_then(|s| kernel(self.inverse, s))) else {
+            return;
+        };
+        let known = &self.inverse.plan.knowledge.known[solve.finds[0]];
         let known_before = i + self.inverse.plan.given;
         let (p, before, spread) = (self.loops.lanes, self.all[known_before], self.all[known_before + 1]);
         let layout = Layout { before, roots: spread / before, p };
-        let names = known.symbols.map(|x| identifier(self.inverse.plan.knowledge.ring.symbol_name(x)));
+        let names = known.symbols.map(|x| self.variables.name(x));
         // One root in every lane of the depth needs no spreading.
         let direct = layout.roots == 1 && p == before;
         let first = if direct { names.clone() } else { [format!("x{i}"), format!("y{i}")] };
-        let second = match solver.kind {
-            StepKind::HalfTurn => [format!("-{}", first[0]), format!("-{}", first[1])],
-            _ => [format!("z{i}"), format!("w{i}")],
-        };
-        let opposite = solver.kind == StepKind::HalfTurn;
+        let opposite = kernel.roots == BatchedRoots::Opposite;
+        let second = if opposite { first.clone().map(|x| format!("-{x}")) } else { [format!("z{i}"), format!("w{i}")] };
         let reach = literal(self.inverse.plan.axes.reach, Scalar::F64);
         let roots = Roots { step: i, names, first, second, turns: known.turns, opposite, reach, layout, spread };
         self.loops.inner.push_str(&format!("// {}\n", known.name));
-        self.solve(body, chain, solver, &roots);
+        self.solve(body, chain, solve, &kernel, &roots);
         if direct {
             self.keep(chain, &roots);
         } else if p == 1 {
@@ -89,64 +89,36 @@ impl Writer<'_> {
     }
 
     /// The roots, whatever becomes of them, and how well they are determined.
-    fn solve(&mut self, body: &Body<'_>, chain: &Chain, solver: &Solver, roots: &Roots) {
+    fn solve(&mut self, body: &Body<'_>, chain: &Chain, solve: &Solve, kernel: &BatchedKernel, roots: &Roots) {
         let (i, [x, y], [z, w]) = (roots.step, &roots.first, &roots.second);
-        let v = |r: usize, k: usize| body.value(solver.rows[r][k]);
-        let minus = |r: usize, k: usize| body.negative(solver.rows[r][k]);
-        let unit = self.unit(body, solver);
-        let text = match (solver.kind, &unit) {
-            (StepKind::HalfTurn, _) => {
-                let rows: Vec<String> = (0..solver.rows.len()).map(|r| format!("[{}, {}]", v(r, 0), v(r, 1))).collect();
-                format!("let ([{x}, {y}], m{i}) = ::dh_robot::runtime::lanes::half_turn([{}]);\n", rows.join(", "))
+        let number = |c: &Coefficient| {
+            let at = |row: &usize, place: &usize| solve.equations.get(*row).and_then(|r| r.get(*place)).copied();
+            match c {
+                Coefficient::Plus(row, place) => at(row, place).map_or("0.0".into(), |v| body.value(v)),
+                Coefficient::Minus(row, place) => at(row, place).map_or("0.0".into(), |v| body.value(-v)),
+                Coefficient::Zero => "0.0".into(),
             }
-            (StepKind::SinCos, _) => {
-                let (a, b, c) = (v(0, 0), v(0, 1), minus(0, 2));
-                let kernel = if chain.scalar == Scalar::F32 { "sincos_single" } else { "sincos" };
-                format!(
-                    "let ([{x}, {y}, {z}, {w}], e{i}, m{i}) = ::dh_robot::runtime::lanes::{kernel}({a}, {b}, {c});\n"
-                )
-            }
-            (_, Some((a, b))) => format!("let [{x}, {y}] = ::dh_robot::runtime::lanes::unit({a}, {b});\n"),
-            (StepKind::AtanPair, None) => {
-                let all: Vec<String> = (0..2).flat_map(|r| [v(r, 0), v(r, 1), minus(r, 2)]).collect();
-                format!("let ([{x}, {y}], m{i}) = ::dh_robot::runtime::lanes::pair({});\n", all.join(", "))
-            }
-            _ => format!(
-                "let ({x}, m{i}) = ::dh_robot::runtime::lanes::linear({}, {});\nlet {y} = {x};\n",
-                v(0, 0),
-                v(0, 1)
-            ),
         };
-        self.loops.inner.push_str(&text);
-        if unit.is_none() {
+        let arguments: Vec<String> = kernel.arguments.iter().map(|a| argument(Dialect::Rust, a, &number, "")).collect();
+        let name = kernel.single_precision.filter(|_| chain.scalar == Scalar::F32).unwrap_or(kernel.name);
+        let call = format!("::dh_robot::runtime::lanes::{name}({})", arguments.join(", "));
+        let two = kernel.roots == BatchedRoots::Two;
+        let found = match (two, roots.turns) {
+            (true, _) => format!("[{x}, {y}, {z}, {w}]"),
+            (false, true) => format!("[{x}, {y}]"),
+            (false, false) => x.clone(),
+        };
+        let valid = if two { format!(", e{i}") } else { String::new() };
+        let pattern = if kernel.has_margin { format!("({found}{valid}, m{i})") } else { found };
+        self.loops.inner.push_str(&format!("let {pattern} = {call};\n"));
+        if !roots.turns {
+            self.loops.inner.push_str(&format!("let {y} = {x};\n"));
+        }
+        if kernel.has_margin {
             self.loops.judge(0, format!("m{i}"));
         }
-        if solver.kind == StepKind::SinCos {
+        if two {
             self.loops.judge(1, format!("e{i}"));
-        }
-    }
-
-    /// Cosine and sine of a pair of equations whose coefficients are 1, -1 and 0: each equation is one of them.
-    fn unit(&self, body: &Body<'_>, solver: &Solver) -> Option<(String, String)> {
-        if solver.kind != StepKind::AtanPair {
-            return None;
-        }
-        let whole = |r: usize, k: usize| {
-            let p = self.inverse.graph.as_constant(solver.rows[r][k])?;
-            [(0, Poly::zero()), (1, Poly::one()), (-1, -&Poly::one())]
-                .into_iter()
-                .find(|(_, n)| p == *n)
-                .map(|(n, _)| n)
-        };
-        // a x + c = 0 with a = 1 or -1.
-        let root = |r: usize, a: i64| {
-            let c = solver.rows[r][2];
-            if a > 0 { body.negative(c) } else { body.value(c) }
-        };
-        match [whole(0, 0)?, whole(0, 1)?, whole(1, 0)?, whole(1, 1)?] {
-            [a, 0, 0, b] if a * b != 0 => Some((root(0, a), root(1, b))),
-            [0, a, b, 0] if a * b != 0 => Some((root(1, b), root(0, a))),
-            _ => None,
         }
     }
 

@@ -3,8 +3,9 @@
 //! A wrist that flips is the case: with `c4, s4` negated, every later equation stays as it is or changes its sign as a whole, if some of the
 //! later sines and cosines are negated too. That is decided on the program: each value is even or odd in the change.
 
-use crate::planner::StepKind;
-use crate::program::{Inverse, Node, Solver, Value};
+use super::kernel;
+use crate::planner::Part;
+use crate::program::{Inverse, Node, Solve, Value};
 
 /// The last step with two roots, and what changes from its first root to its second.
 pub(super) struct Twin {
@@ -23,23 +24,22 @@ impl Twin {
         confirmation: &[(usize, Value)],
     ) -> Option<Self> {
         let step = inverse.plan.steps.iter().rposition(|s| s.roots == 2)?;
-        let solver = inverse.solvers.get(step)?;
+        let solves = inverse.body.solves();
         let zero = |v: Value| inverse.graph.as_constant(v).is_some_and(|p| p.is_zero());
-        let first = match (solver.kind, solver.rows.first()?.as_slice()) {
-            (StepKind::HalfTurn, _) => [true, true],
-            (StepKind::SinCos, [_, b, _]) if zero(*b) => [false, true],
-            (StepKind::SinCos, [a, _, _]) if zero(*a) => [true, false],
-            _ => return None,
-        };
+        let even = |_: Value| Some(false);
+        let all = [[true, true], [false, true], [true, false]];
+        let first = all.into_iter().find(|f| keeps(inverse, solves[step], *f, &even, &zero))?;
         let given = inverse.plan.given;
         let mut flips = vec![[false; 2]; step];
         flips.push(first);
         // Odd, or neither.
         let mut odd: Vec<Option<bool>> = depths.iter().map(|d| (*d <= given + step).then_some(false)).collect();
-        for i in step..inverse.solvers.len() {
+        for i in step..solves.len() {
             let depth = given + i + 1;
-            if let Some(solver) = inverse.solvers.get(i).filter(|_| i > step) {
-                flips.push(flip(solver, &|v| odd[v.node as usize], &zero)?);
+            if i > step {
+                let all = [[false, false], [false, true], [true, false], [true, true]];
+                let odd = |v: Value| odd[v.node as usize];
+                flips.push(all.into_iter().find(|f| keeps(inverse, solves[i], *f, &odd, &zero))?);
             }
             for (k, node) in inverse.graph.nodes().iter().enumerate().filter(|(k, _)| live[*k] && depths[*k] == depth) {
                 odd[k] = match *node {
@@ -68,24 +68,34 @@ impl Twin {
     }
 }
 
-/// Which signs of a step's one root change: those with which every row of its equations is even or odd.
-fn flip(solver: &Solver, odd: &impl Fn(Value) -> Option<bool>, zero: &impl Fn(Value) -> bool) -> Option<[bool; 2]> {
-    let rows = match solver.kind {
-        StepKind::Linear => solver.rows.get(..1)?,
-        StepKind::AtanPair => solver.rows.get(..2)?,
-        _ => return None,
-    };
-    let fits = |flip: &[bool; 2]| {
-        rows.iter().all(|row| {
-            // a x + b y + c, or a x + b.
-            let signs = if row.len() == 2 { [flip[0], false, false] } else { [flip[0], flip[1], false] };
-            let mut terms = row.iter().zip(signs).filter(|(v, _)| !zero(**v)).map(|(v, s)| odd(*v).map(|odd| odd != s));
-            let Some(first) = terms.next() else { return true };
-            first.is_some() && terms.all(|x| x == first)
+/// Is every row of a step's equations even or odd, where the signs of cosine and sine (or of a length, both) change, and what is known
+/// before is odd or not?
+fn keeps(
+    inverse: &Inverse,
+    solve: &Solve,
+    flip: [bool; 2],
+    odd: &impl Fn(Value) -> Option<bool>,
+    zero: &impl Fn(Value) -> bool,
+) -> bool {
+    let (Some(kernel), Some(step)) = (kernel(inverse, solve), inverse.plan.steps.get(solve.step)) else { return false };
+    let signs: Vec<bool> = step
+        .kind
+        .columns()
+        .iter()
+        .map(|c| match c.as_slice() {
+            [Part::Cos(k)] => flip[0] && k % 2 == 1,
+            [Part::Sin(k)] if k % 2 == 0 => flip[0] != flip[1],
+            [Part::Sin(_)] => flip[1],
+            [Part::Power(k)] => flip[0] && k % 2 == 1,
+            _ => false,
         })
+        .collect();
+    let turns = solve.finds.first().is_some_and(|k| inverse.plan.knowledge.known[*k].turns);
+    let rows = solve.equations.iter().take(kernel.equations);
+    let fits = |row: &Vec<Value>| {
+        let mut terms = row.iter().zip(&signs).filter(|(v, _)| !zero(**v)).map(|(v, s)| odd(*v).map(|odd| odd != *s));
+        let Some(first) = terms.next() else { return true };
+        first.is_some() && terms.all(|x| x == first)
     };
-    [[false, false], [false, true], [true, false], [true, true]]
-        .into_iter()
-        .filter(|f| solver.kind != StepKind::Linear || f[0] == f[1])
-        .find(fits)
+    (turns || flip[0] == flip[1]) && rows.into_iter().all(fits)
 }

@@ -11,11 +11,12 @@ use super::twin::Twin;
 use crate::chain::Chain;
 use crate::program::{Inverse, Node, Value};
 use crate::render::code::body::Body;
-use crate::render::code::steps::identifier;
+use crate::render::code::steps::Variables;
 
 /// What has been written, and what is needed where.
 pub(super) struct Writer<'a> {
     pub(super) inverse: &'a Inverse,
+    pub(super) variables: Variables,
     confirmation: Vec<(usize, Value)>,
     pub(super) depths: Vec<usize>,
     live: Vec<bool>,
@@ -34,6 +35,7 @@ pub(super) struct Writer<'a> {
 impl<'a> Writer<'a> {
     pub(super) fn new(
         inverse: &'a Inverse,
+        variables: Variables,
         motors: Vec<Motor>,
         confirmation: Vec<(usize, Value)>,
         live: Vec<bool>,
@@ -44,10 +46,11 @@ impl<'a> Writer<'a> {
             inverse.plan.steps[..known.saturating_sub(given)].iter().map(|s| s.roots).product()
         };
         let twin = Twin::of(inverse, &depths, &live, &confirmation)
-            .filter(|t| lanes(needs(&inverse.solvers[t.step], &depths)) == lanes(t.step + given));
+            .filter(|t| lanes(needs(inverse.body.solves()[t.step], &depths)) == lanes(t.step + given));
         let (all, items) = segments(inverse, &depths, twin.as_ref().map(|t| t.step));
         let mut w = Self {
             inverse,
+            variables,
             confirmation,
             depths,
             live,
@@ -71,7 +74,7 @@ impl<'a> Writer<'a> {
     /// The nodes of lanes that an item uses.
     fn uses(&self, what: What) -> Vec<usize> {
         let mut used: Vec<usize> = match what {
-            What::Step(i) => self.inverse.solvers[i].rows.concat().iter().map(|v| v.node as usize).collect(),
+            What::Step(i) => self.inverse.body.solves()[i].equations.concat().iter().map(|v| v.node as usize).collect(),
             What::Finish => Vec::new(),
             What::Depth(depth) => {
                 let nodes = self.inverse.graph.nodes().iter().enumerate();
@@ -94,7 +97,7 @@ impl<'a> Writer<'a> {
     /// Name of a node in loops that didn't compute it.
     pub(super) fn name(&self, node: usize) -> String {
         match self.inverse.graph.nodes()[node] {
-            Node::Symbol(s) => identifier(self.inverse.plan.knowledge.ring.symbol_name(s)),
+            Node::Symbol(s) => self.variables.name(s),
             _ => format!("v{node}"),
         }
     }
@@ -128,7 +131,7 @@ impl<'a> Writer<'a> {
 
     /// The values of the steps, where only one counts.
     pub(super) fn only(&self, i: usize, text: String) -> Vec<String> {
-        let mut angles = vec![String::new(); self.inverse.plan.given + self.inverse.solvers.len()];
+        let mut angles = vec![String::new(); self.inverse.plan.given + self.inverse.plan.steps.len()];
         angles[i + self.inverse.plan.given] = text;
         angles
     }
@@ -169,7 +172,7 @@ impl<'a> Writer<'a> {
     /// The values of one depth.
     pub(super) fn depth(&mut self, body: &mut Body<'_>, depth: usize) {
         self.load_nodes(body, What::Depth(depth));
-        body.statements(&self.depths, depth, &[]);
+        body.statements(&self.depths, depth);
         self.loops.inner.push_str(&body.take_text());
         for (i, node) in self.inverse.graph.nodes().iter().enumerate() {
             let here = self.live[i] && self.depths[i] == depth && !matches!(node, Node::Symbol(_));
@@ -202,8 +205,8 @@ impl<'a> Writer<'a> {
         let open: Vec<usize> = (0..self.motors.len()).filter(|k| !self.written.contains(k)).collect();
         let given = inverse.plan.given;
         let used = |known: usize| open.iter().any(|k| self.motors[*k].form[known] != 0);
-        let found = (0..inverse.solvers.len()).map(|i| format!("g{i}"));
-        let first: Vec<String> = (0..given).map(|i| format!("a{i}")).chain(found).collect();
+        let found = (0..inverse.plan.steps.len()).map(|i| format!("g{i}"));
+        let first: Vec<String> = self.variables.known[..given].iter().map(|v| v.value.clone()).chain(found).collect();
         for (_, name) in first.iter().enumerate().skip(given).filter(|(known, _)| used(*known)) {
             self.loops.load(name);
         }

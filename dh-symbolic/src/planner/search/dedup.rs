@@ -1,4 +1,4 @@
-//! Which equations say the same, told in numbers before anything is written out.
+//! Detects equivalent equations numerically, before expansion.
 //!
 //! Frames that stand on one axis, or that only a turn about one point parts, have coordinates and distances in common: of a dozen
 //! equations with the same unknowns often two are different.
@@ -32,7 +32,7 @@ impl Probes {
 }
 
 /// Are two equations the same, but perhaps for the sign?
-pub(super) fn same(a: &Values, b: &Values) -> bool {
+pub(super) fn is_same(a: &Values, b: &Values) -> bool {
     [1.0, -1.0].iter().any(|sign| a.iter().zip(b).all(|(a, b)| (a - sign * b).abs() <= EQUAL * (1.0 + a.abs())))
 }
 
@@ -73,9 +73,9 @@ mod tests {
         // Frames 1 and 2 stand on the first axis, before and after the shift along it.
         assert!(axes.hops[1].joint.is_none());
         let [before, after] = [1, 2].map(|a| values(a, 6, Scalar::Position(2)));
-        assert!(same(&before, &after) && same(&before, &after.iter().map(|x| -x).collect()));
+        assert!(is_same(&before, &after) && is_same(&before, &after.iter().map(|x| -x).collect()));
         let [before, after] = [1, 2].map(|a| values(a, 6, Scalar::Distance));
-        assert!(!same(&before, &after));
-        assert!(!same(&values(1, 6, Scalar::Position(0)), &values(1, 6, Scalar::Position(1))));
+        assert!(!is_same(&before, &after));
+        assert!(!is_same(&values(1, 6, Scalar::Position(0)), &values(1, 6, Scalar::Position(1))));
     }
 }

@@ -4,10 +4,10 @@
 //! forward or over its own shoulder; the elbow is above or below the line from shoulder to wrist. An arm whose solutions say nothing (other
 //! axes, other joints) keeps the order of its roots.
 
-use super::Inverse;
+use super::{Indicator, Inverse, Naming};
 use crate::algebra::Transform;
 use crate::chain::Chain;
-use crate::planner::{joint_vectors, numeric};
+use crate::planner::{Plan, joint_vectors, numeric};
 use dh_kernels::pose::{cross, dot};
 
 /// Parts of an arm with names for their two sides, in this order.
@@ -17,32 +17,21 @@ const POSES: usize = 2;
 /// Lengths over the reach below which two axes meet, and sines below which they are parallel.
 const NOTHING: f64 = 1e-9;
 
-/// How the roots of a step are named.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Names {
-    /// Which root has the first name (left, up, no flip); for an elbow `over` the one it has where the shoulder takes its first root.
-    pub first: usize,
-    /// The step of the shoulder, whose second root turns the names round: what was above is then below.
-    pub over: Option<usize>,
-}
+/// The indicators in their order.
+const INDICATORS: [Indicator; PARTS] = [Indicator::Shoulder, Indicator::Elbow, Indicator::Wrist];
 
-impl Names {
-    /// In the order of the roots.
-    pub(super) const PLAIN: Self = Self { first: 0, over: None };
-}
-
-impl Inverse {
-    /// Which part of an arm a step with two roots decides: 0 shoulder, 1 elbow, 2 wrist; each part once.
+impl Plan {
+    /// Which part of an arm a step with two roots decides; each part once.
     ///
     /// Of the joints that are solved for the first is the shoulder's, the second and third are the elbow's, the others the wrist's. A sum of
     /// angles belongs to its last joint: `q2 + q3 + q4` is how the hand points, not where the elbow is. Where two steps would have one name,
     /// and there are names enough, they have them in the order of their joints.
-    pub fn part(&self, step: usize) -> Option<usize> {
-        let joints = self.solved();
+    pub fn indicator(&self, step: usize) -> Option<Indicator> {
+        let joints = self.solved_joints();
         // The joint that each step with two roots decides, in order.
-        let mut places: Vec<(usize, usize)> = (0..self.plan.steps.len())
+        let mut places: Vec<(usize, usize)> = (0..self.steps.len())
             .filter_map(|i| {
-                let step = self.plan.steps.get(i).filter(|s| s.roots == 2)?;
+                let step = self.steps.get(i).filter(|s| s.roots == 2)?;
                 let form = step.unknown.first()?;
                 let place = joints.iter().rposition(|k| form.get(*k).is_some_and(|x| *x != 0))?;
                 Some((place, i))
@@ -64,27 +53,38 @@ impl Inverse {
         let part = *parts.get(own)?;
         // Of too many steps the first of the plan has the name.
         let earlier = |k: usize| parts[k] == part && places[k].1 < step;
-        (!(0..parts.len()).any(earlier)).then_some(part)
+        if (0..parts.len()).any(earlier) { None } else { INDICATORS.get(part).copied() }
     }
 
     /// The joints that are solved for.
-    fn solved(&self) -> Vec<usize> {
-        let given = self.plan.knowledge.known.get(..self.plan.given).unwrap_or_default();
+    fn solved_joints(&self) -> Vec<usize> {
+        let given = self.knowledge.known.get(..self.given).unwrap_or_default();
         let open = |k: &usize| !given.iter().any(|g| g.form.get(*k).is_some_and(|x| *x != 0));
-        (0..self.plan.axes.real).filter(open).collect()
+        (0..self.axes.real).filter(open).collect()
+    }
+}
+
+impl Inverse {
+    /// Names the roots of shoulder, elbow and wrist.
+    pub(super) fn name_branches(&mut self, chain: &Chain) {
+        let names = self.find_names(chain);
+        let indicators: Vec<Option<Indicator>> = (0..self.plan.steps.len()).map(|i| self.plan.indicator(i)).collect();
+        for choice in self.body.result_mut().map(|r| r.branch.as_mut_slice()).unwrap_or_default() {
+            choice.name = names.into_iter().find(|n| indicators.get(choice.step) == Some(&Some(n.indicator)));
+        }
     }
 
-    /// The names of the roots of shoulder, elbow and wrist.
-    pub(super) fn find_names(&self, chain: &Chain) -> [Names; PARTS] {
-        let mut names = [Names::PLAIN; PARTS];
+    /// The names of the roots of shoulder, elbow and wrist; in the order of the roots where the solutions say nothing.
+    fn find_names(&self, chain: &Chain) -> [Naming; PARTS] {
+        let mut names = INDICATORS.map(|indicator| Naming { indicator, first: 0, flipped_by: None });
         let axes = &self.plan.axes;
-        let step_of = |part: usize| (0..self.plan.steps.len()).find(|i| self.part(*i) == Some(part));
-        let steps: [Option<usize>; PARTS] = std::array::from_fn(step_of);
-        let solved = self.solved();
+        let step_of = |i: Indicator| (0..self.plan.steps.len()).find(|k| self.plan.indicator(*k) == Some(i));
+        let steps: [Option<usize>; PARTS] = INDICATORS.map(step_of);
+        let solved = self.plan.solved_joints();
         if solved.len() != 6 || axes.count() != axes.real || steps == [None; PARTS] {
             return names;
         }
-        // How often the first root is the first name: as it is, and with the shoulder's second root turning it round; of how many.
+        // Votes for the first root having the first name: as it is, flipped by the shoulder's second root, of how many.
         let mut votes = [[0usize; 3]; PARTS];
         for x in joint_vectors(axes, POSES, 0) {
             let constant = |t| numeric(chain, t, axes.reach);
@@ -112,7 +112,8 @@ impl Inverse {
             if clear(plain) {
                 names[part].first = usize::from(2 * plain < all);
             } else if clear(over) && part == 1 {
-                names[part] = Names { first: usize::from(2 * over < all), over: steps[0] };
+                names[part].first = usize::from(2 * over < all);
+                names[part].flipped_by = steps[0];
             }
         }
         names

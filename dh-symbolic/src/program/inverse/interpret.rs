@@ -1,0 +1,260 @@
+//! Runs the program of an inverse with the kernels that generated code calls: for the self-check while the macro runs, and for worked
+//! examples.
+
+use super::{Instruction, Inverse, Loop, Sequence, Solve};
+use crate::algebra::{AngleVar, Point, Symbol};
+use crate::chain::{Chain, Handle};
+use crate::planner::{Argument, Roots, Unknown};
+use crate::program::{Node, Value};
+use dh_kernels as ik;
+use ik::{Pose, Status};
+
+/// One candidate of the inverse.
+#[derive(Clone, Debug)]
+pub struct Candidate {
+    /// Joint coordinates; lengths over the reach.
+    pub x: Vec<f64>,
+    /// Which root each step took.
+    pub branch: Vec<usize>,
+    /// Known combinations that were free.
+    pub free: Vec<usize>,
+}
+
+/// How a run of the program ended.
+#[derive(Clone, Debug, Default)]
+pub struct Attempt {
+    /// What it found.
+    pub candidates: Vec<Candidate>,
+    /// What may be missing.
+    pub status: Status,
+}
+
+/// The value that a step takes for a free unknown: as an angle, and as a length.
+type Pick<'a> = &'a dyn Fn(usize) -> (Unknown, f64);
+
+/// Zero for whatever is free.
+const ZERO: fn(usize) -> (Unknown, f64) = |_| ([1.0, 0.0], 0.0);
+
+/// Absolute size (lengths over the reach) below which a computed coefficient counts as zero.
+pub const TOLERANCE: f64 = 1e-11;
+
+/// Arms on which the cuts of the general elimination are tried.
+const TRIALS: usize = 5;
+
+impl Inverse {
+    /// Takes the best cuts for the general elimination, by trial on samples of the arm; what is given varies from sample to sample.
+    pub(super) fn choose_cuts(&mut self, chain: &Chain) {
+        let solves = self.body.solves();
+        let Some((solve, prismatic)) = solves.iter().find_map(|s| Some((*s, prismatic(s)?))) else { return };
+        let step = &self.plan.steps[solve.step];
+        let samples: Vec<(ik::Chain<6>, [f64; 6])> = crate::planner::joint_vectors(&self.plan.axes, TRIALS, 0)
+            .into_iter()
+            .map(|x| {
+                let machine = Machine { inverse: self, chain, target: &ik::pose::IDENTITY, pick: &ZERO };
+                let known: Vec<Unknown> =
+                    self.plan.knowledge.known[..step.before].iter().map(|k| k.value(&x)).collect();
+                let mut values = vec![0.0; self.graph.nodes().len()];
+                // Nodes are in order, so those that need more than what is known can be computed as well: nobody asks for them.
+                let all: Vec<u32> = (0..values.len() as u32).collect();
+                machine.compute(&all, &known, &mut values);
+                let pose = |r: usize| -> Pose {
+                    let row = solve.equations.get(r).map_or(&[][..], Vec::as_slice);
+                    std::array::from_fn(|i| {
+                        std::array::from_fn(|j| row.get(3 * j + i).map_or(0.0, |v| number(*v, &values)))
+                    })
+                };
+                let open = step.unknown.iter().map(|f| f.iter().position(|k| *k != 0).map_or(0.0, |k| x[k]));
+                let mut q = [0.0; 6];
+                for (q, x) in q.iter_mut().zip(open) {
+                    *q = x;
+                }
+                (ik::Chain { links: std::array::from_fn(pose), slides: prismatic }, q)
+            })
+            .collect();
+        let ranked = ik::general::rank::<3>(&samples);
+        let best = |i: usize| ranked.as_slice().get(i).or(ranked.as_slice().first()).map_or(0, |r| r.choice.number());
+        let number = solve.step;
+        for argument in self.body.solve_mut(number).map(|s| s.call.arguments.as_mut_slice()).unwrap_or_default() {
+            if let Argument::Elimination { cuts, .. } = argument {
+                *cuts = [best(0), best(1), best(2)];
+            }
+        }
+    }
+
+    /// All candidates for a target (lengths over the reach) and given values of the known combinations.
+    pub fn solve(&self, chain: &Chain, target: &Pose, given: &[f64]) -> Vec<Candidate> {
+        self.attempt(chain, target, given, &ZERO).candidates
+    }
+
+    /// The same, with a choice of values for what steps leave free: step to `[cos, sin]` and length over the reach.
+    pub fn attempt(&self, chain: &Chain, target: &Pose, given: &[f64], pick: Pick<'_>) -> Attempt {
+        let machine = Machine { inverse: self, chain, target, pick };
+        let mut attempt = Attempt::default();
+        let values = vec![0.0; self.graph.nodes().len()];
+        machine.run(&self.body, State { values, given, ..State::default() }, &mut attempt);
+        attempt
+    }
+
+    /// Checks the plan on sample poses: every joint vector that made a pose is found again.
+    ///
+    /// # Errors
+    /// The number of samples that were not found, of how many.
+    pub fn check(&self, chain: &Chain, samples: usize) -> Result<(), (usize, usize)> {
+        let axes = &self.plan.axes;
+        let solves = self.body.solves();
+        let mut missed = 0;
+        let vectors = crate::planner::joint_vectors(axes, samples, 0);
+        for x in &vectors {
+            let frames = axes.frames_number(x);
+            let Some(last) = frames.last() else { continue };
+            let constant = |t| crate::planner::numeric(chain, t, axes.reach);
+            let target = ik::pose::compose(&ik::pose::compose(&constant(&axes.start), last), &constant(&axes.end));
+            let known = &self.plan.knowledge.known;
+            let given: Vec<f64> = known[..self.plan.given].iter().map(|k| k.at(x)).collect();
+            // What the plan chooses is chosen as in the generating joint vector, so that it must come back.
+            let pick = |step: usize| {
+                let value = solves.get(step).and_then(|s| s.finds.first()).map_or(0.0, |k| known[*k].at(x));
+                ([value.cos(), value.sin()], value)
+            };
+            let found = self.attempt(chain, &target, &given, &pick).candidates.iter().any(|c| {
+                (0..axes.real).all(|k| {
+                    let d = c.x[k] - x[k];
+                    if axes.turns(k) { (1.0 - d.cos()) < 1e-7 } else { d.abs() < 1e-4 }
+                })
+            });
+            missed += usize::from(!found);
+        }
+        if missed == 0 { Ok(()) } else { Err((missed, vectors.len())) }
+    }
+}
+
+/// What does not change during a run.
+struct Machine<'a> {
+    inverse: &'a Inverse,
+    chain: &'a Chain,
+    target: &'a Pose,
+    pick: Pick<'a>,
+}
+
+/// What is known in a branch.
+#[derive(Clone, Default)]
+struct State<'a> {
+    values: Vec<f64>,
+    given: &'a [f64],
+    known: Vec<Unknown>,
+    branch: Vec<usize>,
+    free: Vec<usize>,
+}
+
+impl Machine<'_> {
+    /// Runs a block in a state of its own.
+    fn run(&self, block: &Sequence, mut state: State<'_>, attempt: &mut Attempt) {
+        let mut last: Option<Roots> = None;
+        for instruction in &block.0 {
+            match instruction {
+                Instruction::Given { known } => {
+                    let x = state.given.get(*known).copied().unwrap_or(0.0);
+                    let turns = self.inverse.plan.knowledge.known[*known].turns;
+                    state.known.push(if turns { [x.cos(), x.sin()] } else { [x, x] });
+                }
+                Instruction::Compute { nodes, .. } => self.compute(nodes, &state.known, &mut state.values),
+                Instruction::Solve(solve) => last = Some(self.solve(solve, &state)),
+                Instruction::Reject(_) => {
+                    if let Some(found) = &last {
+                        attempt.status.note(found.outcome, !state.free.is_empty());
+                    }
+                }
+                Instruction::ForEachRoot(over) => {
+                    if let Some(found) = last.take() {
+                        self.each_root(over, &found, &state, attempt);
+                    }
+                }
+                Instruction::Yield(result) => attempt.candidates.push(self.candidate(&result.joints, &state)),
+            }
+        }
+    }
+
+    fn each_root(&self, over: &Loop, found: &Roots, state: &State<'_>, attempt: &mut Attempt) {
+        for (number, root) in found.roots.iter().enumerate() {
+            let mut inner = state.clone();
+            inner.branch.push(number);
+            inner.known.extend(root.iter().take(over.binds.len()));
+            if found.outcome == ik::Outcome::Free {
+                inner.free.extend(&over.binds);
+            }
+            self.run(&over.body, inner, attempt);
+        }
+    }
+
+    fn solve(&self, solve: &Solve, state: &State<'_>) -> Roots {
+        let known = &self.inverse.plan.knowledge.known;
+        let free: Vec<Unknown> = solve
+            .finds
+            .iter()
+            .enumerate()
+            .map(|(i, k)| {
+                let (angle, length) = (self.pick)(solve.step + i);
+                if known[*k].turns { angle } else { [length; 2] }
+            })
+            .collect();
+        solve.call.map(&|v| number(*v, &state.values)).run(&free, TOLERANCE)
+    }
+
+    /// Computes nodes from what is known.
+    fn compute(&self, nodes: &[u32], known: &[Unknown], x: &mut [f64]) {
+        let (inverse, reach) = (self.inverse, self.inverse.plan.axes.reach);
+        let symbol = |s: Symbol| -> f64 {
+            if let Some(i) = inverse.target.iter().position(|t| *t == s) {
+                return if i < 9 { self.target[i / 3][i % 3] } else { self.target[i - 9][3] };
+            }
+            for (known, value) in inverse.plan.knowledge.known.iter().zip(known) {
+                if let Some(i) = known.symbols.iter().position(|t| *t == s) {
+                    return value[i];
+                }
+            }
+            crate::planner::generic_parameter(self.chain, Handle::Length(s)) / reach
+        };
+        let angle = |v: AngleVar| crate::planner::generic_parameter(self.chain, Handle::Angle(v));
+        let at = Point { symbol: &symbol, angle: &angle };
+        for &i in nodes {
+            let wave = |w: u32| {
+                let wave = &inverse.graph.waves()[w as usize];
+                wave.terms.iter().map(|(v, k)| f64::from(*k) * angle(*v)).sum::<f64>() + wave.constant.radians()
+            };
+            x[i as usize] = match inverse.graph.nodes()[i as usize] {
+                Node::Constant(k) => inverse.graph.constants()[k as usize].evaluate(&at),
+                Node::Symbol(s) => symbol(s),
+                Node::Cos(w) => wave(w).cos(),
+                Node::Sin(w) => wave(w).sin(),
+                Node::Add(a, b) => number(a, x) + number(b, x),
+                Node::Mul(a, b) => x[a as usize] * x[b as usize],
+            };
+        }
+    }
+
+    fn candidate(&self, joints: &[Vec<i8>], state: &State<'_>) -> Candidate {
+        let known = &self.inverse.plan.knowledge.known;
+        let value = |i: usize| {
+            let [x, y] = state.known[i];
+            if known[i].turns { y.atan2(x) } else { x }
+        };
+        let joint = |form: &Vec<i8>| -> f64 {
+            form.iter().enumerate().filter(|(_, k)| **k != 0).map(|(i, k)| f64::from(*k) * value(i)).sum()
+        };
+        let x = joints.iter().map(joint).collect();
+        Candidate { x, branch: state.branch.clone(), free: state.free.clone() }
+    }
+}
+
+/// The number of a value.
+fn number(v: Value, values: &[f64]) -> f64 {
+    if v.negative { -values[v.node as usize] } else { values[v.node as usize] }
+}
+
+/// For the general elimination: which joints slide.
+fn prismatic(solve: &Solve) -> Option<[bool; 6]> {
+    solve.call.arguments.iter().find_map(|a| match a {
+        Argument::Elimination { prismatic, .. } => Some(*prismatic),
+        _ => None,
+    })
+}
