@@ -27,6 +27,8 @@ pub enum JointKind {
 pub struct Joint<T = f64> {
     /// The variable's name, as in the table: `q3`.
     pub name: &'static str,
+    /// What column `joint` of the table calls the row: `shoulder`; empty where it holds a number or nothing.
+    pub label: &'static str,
     /// Whether it turns or slides.
     pub kind: JointKind,
     /// Smallest and largest value, in radians or in the table's unit of length; `None` where the table gives none.
@@ -36,19 +38,24 @@ pub struct Joint<T = f64> {
 impl<T> Joint<T> {
     /// A turning joint without limits.
     pub const fn revolute(name: &'static str) -> Self {
-        Self { name, kind: JointKind::Revolute, range: None }
+        Self { name, label: "", kind: JointKind::Revolute, range: None }
     }
 
     /// A sliding joint without limits.
     pub const fn prismatic(name: &'static str) -> Self {
-        Self { name, kind: JointKind::Prismatic, range: None }
+        Self { name, label: "", kind: JointKind::Prismatic, range: None }
     }
 }
 
 impl<T: Copy> Joint<T> {
     /// The same joint with a range, both ends included.
     pub const fn with_range(self, least: T, greatest: T) -> Self {
-        Self { name: self.name, kind: self.kind, range: Some((least, greatest)) }
+        Self { name: self.name, label: self.label, kind: self.kind, range: Some((least, greatest)) }
+    }
+
+    /// The same joint with another label.
+    pub const fn with_label(self, label: &'static str) -> Self {
+        Self { name: self.name, label, kind: self.kind, range: self.range }
     }
 }
 
@@ -148,7 +155,7 @@ mod tests {
     const FREE: Joint = Joint::revolute("q1");
     const SHIFTED: Joint = Joint::revolute("q2").with_range(100.0 * PI / 180.0, 400.0 * PI / 180.0);
     const JOINTS: [Joint; 2] = [FREE, SHIFTED];
-    const SINGLE: Joint<f32> = Joint { name: "q1", kind: JointKind::Prismatic, range: Some((0.0, 0.2)) };
+    const SINGLE: Joint<f32> = Joint::prismatic("q1").with_range(0.0, 0.2);
 
     fn degrees(angle: f64) -> f64 {
         angle * 180.0 / PI

@@ -58,8 +58,9 @@
 //! ## Columns
 //!
 //! `alpha` (link twist), `a` (link length), `d` (link offset) and `theta` (joint angle), in any order, named by the
-//! header; `joint` (the row's number) and `range` may be left out. Which row a link's twist and length stand in is what
-//! the two conventions differ in, and the classic source of wrong robots; so there is no default:
+//! header; `joint` (the row's number, or a name such as `shoulder`, kept as [`Joint::label`]) and `range` may be left out.
+//! Which row a link's twist and length stand in is what the two conventions differ in, and the classic source of wrong robots;
+//! so there is no default:
 //!
 //! | setting | link transform | row i holds |
 //! |---------|----------------|-------------|
@@ -72,8 +73,9 @@
 //! ## Lengths
 //!
 //! `0`, `0.4318m`, `431.8mm`, `43.18cm`, `17in`, `1.5ft`, with signs, and sums of them. A bare number is in the table's unit, which is
-//! also the unit of every length in the program: metres, unless `unit = mm;` (or `cm`, `in`) says otherwise. Numbers are
-//! read digit by digit, as exact fractions.
+//! also the unit of every length in the program: metres, unless `unit = mm;` (or `cm`, `in`) says otherwise. A table
+//! without `unit` whose bare lengths reach a hundred metres, none below one, is asked for its unit. Numbers are read digit by digit, as
+//! exact fractions.
 //!
 //! ## Angles
 //!

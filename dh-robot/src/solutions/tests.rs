@@ -3,12 +3,12 @@
 use core::f64::consts::PI;
 
 use super::*;
-use crate::{Elbow, FreeJoints, JointKind};
+use crate::{Elbow, FreeJoints};
 
 static JOINTS: [Joint; 3] = [
     Joint::revolute("q1"),
     Joint::revolute("q2").with_range(-1.5 * PI, 1.5 * PI),
-    Joint { name: "q3", kind: JointKind::Prismatic, range: Some((0.0, 0.5)) },
+    Joint::prismatic("q3").with_range(0.0, 0.5),
 ];
 
 fn list(rows: &[[f64; 3]]) -> Solutions<f64, 3, 4> {

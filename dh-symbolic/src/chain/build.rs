@@ -67,7 +67,7 @@ pub(super) fn build(spec: ChainSpec) -> Chain {
             }
             link.joint = Some(number);
             drives.push(drive.terms.clone());
-            joints.push(Joint { name, row: i, coordinate, shift, range: row.range.clone() });
+            joints.push(Joint { name, row: i, coordinate, shift, range: row.range.clone(), label: row.label.clone() });
         } else {
             link.theta = b.constant_angle(&row.theta, &format!("theta{}", i + 1));
             link.d = b.length(&row.d, &format!("d{}", i + 1));

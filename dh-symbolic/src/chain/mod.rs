@@ -81,6 +81,8 @@ pub struct Joint {
     pub shift: AngleCell,
     /// Range of q, in radians or table units.
     pub range: Option<(Bound, Bound)>,
+    /// What the table calls the row, where that is not its number: `shoulder`.
+    pub label: Option<String>,
 }
 
 /// The coordinate of a joint in formulas.

@@ -45,6 +45,8 @@ pub struct RowSpec {
     pub moves: Option<Drive>,
     /// Range of the variable with this row's number, in radians or table units.
     pub range: Option<(Bound, Bound)>,
+    /// What column `joint` calls the row, where that is not its number: `shoulder`.
+    pub label: Option<String>,
 }
 
 /// The variable part of a moving cell.

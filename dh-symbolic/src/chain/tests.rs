@@ -25,7 +25,7 @@ pub(crate) fn mixed_chain(convention: Convention, kinds: &str, rows: &[(i64, &st
             d: length(d),
             theta: angle(*theta),
             moves: Some(Drive { turns: kind == 'R', terms: vec![(i, LengthCell::number(Rational::ONE))] }),
-            range: None,
+            ..RowSpec::default()
         })
         .collect();
     Chain::new(ChainSpec {

@@ -20,9 +20,10 @@ dh_robot! {
 }
 
 dh_robot! {
-    pub(crate) struct OneLine; convention = modified; ik = none; | theta | d | a | alpha | | q1 | 0 | 0 | 0 | | q2 | 0 | 1 | 0 |
+    pub(crate) struct OneLine; convention = modified; ik = none; | joint | theta | d | a | alpha | | shoulder | q1 | 0 | 0 | 0 | | 2 | q2 | 0 | 1 | 0 |
 }
 
 fn main() {
+    assert_eq!(OneLine::JOINTS.map(|j| (j.name, j.label)), [("q1", "shoulder"), ("q2", "")]);
     let _ = (Free::default().forward(&[0.0; 3]), OneLine::default().forward(&[0.0; 2]));
 }

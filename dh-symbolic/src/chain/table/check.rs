@@ -8,6 +8,7 @@ use super::origin::Column;
 use super::range::{self, Measure};
 use super::rows::{Cell, Grid, Row};
 use super::scope::{Kind, Scope};
+use super::size;
 use super::spelling::suggestion;
 use super::sum::Sum;
 use super::text;
@@ -19,6 +20,9 @@ use proc_macro2::TokenTree;
 pub(super) const MOST_ROWS: usize = 16;
 /// Most moving rows.
 const MOST_JOINTS: usize = 12;
+
+/// Longer labels are passed over.
+const LONGEST_LABEL: usize = 60;
 
 /// More columns are no table, and would only cost time.
 const MOST_COLUMNS: usize = 24;
@@ -35,6 +39,8 @@ pub(super) struct Checked {
     pub(super) joints: Vec<(usize, Column)>,
     /// Per row: its place and those of its cells.
     pub(super) places: Vec<(Place, Vec<(Column, Place)>)>,
+    /// Lengths without a unit.
+    pub(super) bare: Vec<(f64, Place)>,
 }
 
 /// Checks header, rows and numbering.
@@ -52,6 +58,8 @@ pub(super) fn grid(grid: &Grid, scope: &Scope, errors: &mut Errors) -> Checked {
     for (i, row) in grid.rows.iter().take(MOST_ROWS).enumerate() {
         let cells: Vec<(Column, &Cell)> =
             columns.iter().zip(&row.cells).filter_map(|(c, cell)| Some(((*c)?, cell))).collect();
+        let lengths = cells.iter().filter(|(c, _)| matches!(c, Column::A | Column::D));
+        out.bare.extend(lengths.filter_map(|(_, cell)| size::bare(&cell.tokens, cell.place)));
         out.places.push((row.place, cells.iter().map(|(c, cell)| (*c, cell.place)).collect()));
         let before = errors.len();
         let reader = RowReader { cells: if row.fits { cells } else { Vec::new() }, number: i + 1, scope, complete };
@@ -223,6 +231,7 @@ impl RowReader<'_> {
             spec.theta = errors.take(angle).unwrap_or_default();
         }
         self.range(&mut spec, driven, joint, errors);
+        spec.label = self.cell(Column::Joint).and_then(|cell| label(&cell.tokens));
         (spec, moving)
     }
 
@@ -236,6 +245,19 @@ impl RowReader<'_> {
         };
         spec.range = errors.take(range::read(cell, self.scope, measure, joint + 1)).flatten();
     }
+}
+
+/// What a row is called: a word or a text, but not its number.
+fn label(tokens: &[TokenTree]) -> Option<String> {
+    let text = match tokens {
+        [TokenTree::Literal(text)] => match syn::parse_str::<syn::Lit>(&text.to_string()) {
+            Ok(syn::Lit::Str(text)) => text.value(),
+            _ => return None,
+        },
+        tokens => text::of(tokens),
+    };
+    let fit = text.chars().count() <= LONGEST_LABEL && text.chars().any(char::is_alphabetic);
+    fit.then_some(text)
 }
 
 /// Does a joint variable stand among these tokens (two levels of parentheses deep)?

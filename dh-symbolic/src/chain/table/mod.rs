@@ -25,6 +25,7 @@ mod range;
 mod rows;
 mod scope;
 mod settings;
+mod size;
 mod spelling;
 mod statements;
 mod sum;
@@ -144,6 +145,9 @@ pub fn parse(input: TokenStream) -> Parsed {
         errors.take(index.and_then(|k| if known && fine { moves_alone(k, *place, &checked.rows) } else { Ok(k) }))
     });
     check_angles(&scope, &checked.rows, &base, &tool, &mut errors);
+    if errors.is_empty() && !written.settings.iter().any(|s| s.name == "unit") {
+        size::check(&checked.bare, &written.lets, &mut errors);
+    }
 
     let fields = fields(&written.lets, &scope);
     let (attributes, default) = derives::filter(std::mem::take(&mut written.head.attributes));

@@ -566,3 +566,30 @@ fn invisible_groups_are_seen_through() {
     let wrapped = parse(wrap(lex(&source).expect("tokens"))).spec.map(|s| format!("{s:?}"));
     assert_eq!((plain.is_some(), plain), (true, wrapped));
 }
+
+/// Bare numbers of a hundred and more, in a table that does not say its unit.
+#[test]
+fn millimetres_without_a_unit_are_asked_about() {
+    let rows = "| 0 | 431.8 | 0 | q1 | - | | 0 | -20.3 | 150 | q2 | - |";
+    let text = "431.8: is this a length of 431.8 metres? The table does not say its unit [write `unit = mm;`, or `unit = m;` if it is]";
+    wrong("", rows, &[text]);
+    wrong("let l: length = 500;", "| 0 | l | 0 | q1 | - |", &[&text.replace("431.8", "500")]);
+    for (lines, rows) in [
+        ("unit = m;", rows),
+        ("unit = mm;", rows),
+        ("", "| 0 | 431.8m | 0 | q1 | - |"),
+        ("", "| 0 | 574 | 0.089 | q1 | - |"),
+        ("", "| 0 | 10 | 20 | q1 | - |"),
+    ] {
+        assert_eq!(errors(&table(lines, rows)), [""; 0], "{lines} {rows}");
+    }
+}
+
+#[test]
+fn labels_of_rows() {
+    let source = "struct R; convention = standard; | joint | alpha | a | d | theta |
+        | waist | 0 | 0 | 0 | q1 | | 2 | 0 | 1 | 0 | q2 | | \"left elbow\" | 0 | 1 | 0 | q3 | | J4 | 0 | 1 | 0 | 0 | | - | 0 | 1 | 0 | q4 |";
+    let labels: Vec<Option<String>> = read(source).spec.expect("a robot").rows.into_iter().map(|r| r.label).collect();
+    let want = [Some("waist"), None, Some("left elbow"), Some("J4"), None];
+    assert_eq!(labels, want.map(|l| l.map(str::to_string)));
+}

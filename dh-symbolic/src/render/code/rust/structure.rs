@@ -101,5 +101,6 @@ fn joint(chain: &Chain, motor: usize, joint: &crate::chain::Joint) -> String {
     let range = joint.range.as_ref().map_or(String::new(), |(lo, hi)| {
         format!(".with_range({}, {})", literal(bound(lo), chain.scalar), literal(bound(hi), chain.scalar))
     });
-    format!("::dh_robot::Joint::{kind}(\"{}\"){range}", joint.name)
+    let label = joint.label.as_ref().map_or(String::new(), |text| format!(".with_label({text:?})"));
+    format!("::dh_robot::Joint::{kind}(\"{}\"){range}{label}", joint.name)
 }
