@@ -268,6 +268,7 @@ pub use nalgebra;
 pub use atan2::atan2_batch;
 pub use branch::{Branch, Elbow, Shoulder, Wrist};
 pub use free::{FreeJoints, FreeJointsIter};
+pub use inverse::Work;
 pub use joint::{Joint, JointKind};
 pub use real::Real;
 pub use robot::{ForwardKinematics, InverseKinematics, Jacobian, Robot};

@@ -175,6 +175,8 @@ impl ::dh_robot::Jacobian<4, f64> for Cobra600 {
 impl Cobra600 {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 2;
+    /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
+    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -212,33 +214,118 @@ impl Cobra600 {
         }
         ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
+    /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
+    /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
+    /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.
+    ///
+    /// # Errors
+    /// The reason why no joint values reach the target.
+    pub fn inverse_near(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        q: &[f64; 4],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 4>, ::dh_robot::Why<f64>> {
+        let frame = match ::dh_robot::runtime::frame_of(target, 0.987) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: 0.987,
+            few: true,
+            given: ::core::option::Option::None,
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 0.987),
+        );
+        let mut found = [[0.0; 2]; 4];
+        let mut valid = [0.0; 2];
+        if self.lanes(&frame, &mut found, &mut valid) {
+            let list: ::dh_robot::Solutions<_, 4, 2> = ::dh_robot::runtime::lanes::collect(
+                &Self::JOINTS,
+                &valid,
+                &found,
+                &Self::BRANCHES,
+            );
+            return ::dh_robot::runtime::nearest(&list, q, 0.987);
+        }
+        let unknowns = self.unknowns(&q.map(f64::from));
+        ::dh_robot::runtime::solve_near::<
+            _,
+            4,
+            2,
+        >(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            q,
+            unknowns,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at
+    /// neighbouring poses and along self-motions. To compare with.
+    #[must_use]
+    pub fn inverse_exhaustive(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 4, 2> {
+        let frame = match ::dh_robot::runtime::frame_of(target, 0.987) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: 0.987,
+            few: true,
+            given: ::core::option::Option::None,
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 0.987),
+        );
+        ::dh_robot::runtime::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The plan's unknowns at joint values.
+    fn unknowns(&self, q: &[f64; 4]) -> [f64; 8] {
+        [(q[2]) / 0.987, q[0] + q[1] - q[3], q[1], q[0], 0.0, 0.0, 0.0, 0.0]
+    }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::runtime::Pose,
-        pick: ::dh_robot::runtime::Pick,
-        found: &mut dyn FnMut([f64; 4], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+        sample: &::dh_robot::runtime::Sample,
+        found: &mut dyn FnMut([f64; 4], ::dh_robot::Branch, ::dh_robot::runtime::Path),
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
-        let free = ::dh_robot::FreeJoints::NONE;
+        let path = ::dh_robot::runtime::Path::START;
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
         let t_3 = t_2 - 0.3397962776479236;
         let q3_roots = ::dh_robot::runtime::solve_quadratic(
             0.0,
             -1.0,
             -(t[2][3] - 0.39209726443769),
-            1e-11,
+            sample.tolerance,
         );
         if !q3_roots.is_regular() {
-            attempt.note(q3_roots.outcome, free, "q3", 0.987, "m");
+            attempt.note(q3_roots.outcome, &path, "q3", 0.987, "m");
         }
-        let free = if q3_roots.is_free() {
-            free.union(::dh_robot::FreeJoints::of(&[2]))
+        let path = if q3_roots.is_free() {
+            attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[2]))
         } else {
-            free
+            path
         };
         for (q3_root, &q3_scaled) in q3_roots
-            .or_if_free(pick.length(0))
+            .or_if_free(sample.length(0))
             .iter()
             .enumerate()
         {
@@ -251,25 +338,25 @@ impl Cobra600 {
                 0.0,
                 1.0,
                 t[0][1],
-                1e-11,
+                sample.tolerance,
             );
             if !q1_plus_q2_minus_q4_roots.is_regular() {
                 attempt
                     .note(
                         q1_plus_q2_minus_q4_roots.outcome,
-                        free,
+                        &path,
                         "q1 + q2 - q4",
                         1.0,
                         "",
                     );
             }
-            let free = if q1_plus_q2_minus_q4_roots.is_free() {
-                free.union(::dh_robot::FreeJoints::of(&[0, 1, 3]))
+            let path = if q1_plus_q2_minus_q4_roots.is_free() {
+                attempt.choose(1, &path, ::dh_robot::FreeJoints::of(&[0, 1, 3]))
             } else {
-                free
+                path
             };
             for (q1_plus_q2_minus_q4_root, &[c12m4, s12m4]) in q1_plus_q2_minus_q4_roots
-                .or_if_free(pick.angle(1))
+                .or_if_free(sample.angle(1))
                 .iter()
                 .enumerate()
             {
@@ -278,13 +365,13 @@ impl Cobra600 {
                     0.18348972303573616,
                     0.0,
                     t_4 + t_3,
-                    1e-11,
+                    sample.tolerance,
                 );
                 if !q2_roots.is_regular() {
                     attempt
                         .note_law(
                             q2_roots.outcome,
-                            free,
+                            &path,
                             "elbow q2",
                             [-(t_4 - 0.3397962776479236), t_4 + t_3],
                             false,
@@ -292,16 +379,20 @@ impl Cobra600 {
                             "m",
                         );
                 }
-                let free = if q2_roots.is_free() {
-                    free.union(::dh_robot::FreeJoints::of(&[1]))
+                if path.is_chosen() {
+                    attempt.see(2, &path, [0.18348972303573616, 0.0, t_4 + t_3]);
+                }
+                let path = if q2_roots.is_free() {
+                    attempt.choose(2, &path, ::dh_robot::FreeJoints::of(&[1]))
                 } else {
-                    free
+                    path
                 };
                 for (q2_root, &[c2, s2]) in q2_roots
-                    .or_if_free(pick.angle(2))
+                    .or_if_free(sample.angle(2))
                     .iter()
                     .enumerate()
                 {
+                    let path = path.root(2, q2_root);
                     let q2 = ::dh_robot::runtime::atan2(s2, c2);
                     let t_5 = 0.32928064842958465 + 0.27862208713272546 * c2;
                     let t_6 = 0.27862208713272546 * s2;
@@ -312,18 +403,18 @@ impl Cobra600 {
                         t_6,
                         t_5,
                         t[1][3],
-                        1e-11,
+                        sample.tolerance,
                     );
                     if !q1_roots.is_regular() {
-                        attempt.note(q1_roots.outcome, free, "q1", 1.0, "");
+                        attempt.note(q1_roots.outcome, &path, "q1", 1.0, "");
                     }
-                    let free = if q1_roots.is_free() {
-                        free.union(::dh_robot::FreeJoints::of(&[0]))
+                    let path = if q1_roots.is_free() {
+                        attempt.choose(3, &path, ::dh_robot::FreeJoints::of(&[0]))
                     } else {
-                        free
+                        path
                     };
                     for (q1_root, &[c1, s1]) in q1_roots
-                        .or_if_free(pick.angle(3))
+                        .or_if_free(sample.angle(3))
                         .iter()
                         .enumerate()
                     {
@@ -340,7 +431,7 @@ impl Cobra600 {
                         found(
                             [q1, q2, q3, -q1_plus_q2_minus_q4 + q2 + q1],
                             branch,
-                            free,
+                            path,
                         );
                     }
                 }
@@ -370,12 +461,13 @@ impl Cobra600 {
         let task = ::dh_robot::runtime::Task::Pose(
             ::dh_robot::runtime::in_units(&frame, 0.987),
         );
-        ::dh_robot::runtime::solve(
+        ::dh_robot::runtime::solve_bounded(
             self,
             setting,
             &task,
             &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
         )
     }
     const BRANCHES: [::dh_robot::Branch; 2] = {

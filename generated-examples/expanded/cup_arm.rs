@@ -311,6 +311,8 @@ impl ::dh_robot::Jacobian<6, f64> for CupArm {
 impl CupArm {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 8;
+    /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
+    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -353,33 +355,122 @@ impl CupArm {
         }
         ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
+    /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
+    /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
+    /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.
+    ///
+    /// # Errors
+    /// The reason why no joint values reach the target.
+    pub fn inverse_near(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        q: &[f64; 6],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 6>, ::dh_robot::Why<f64>> {
+        let frame = match ::dh_robot::runtime::frame_of(target, 954.0) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: 954.0,
+            few: false,
+            given: ::core::option::Option::None,
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 954.0),
+        );
+        let mut found = [[0.0; 8]; 6];
+        let mut valid = [0.0; 8];
+        if self.lanes(&frame, &mut found, &mut valid) {
+            let list: ::dh_robot::Solutions<_, 6, 8> = ::dh_robot::runtime::lanes::collect(
+                &Self::JOINTS,
+                &valid,
+                &found,
+                &Self::BRANCHES,
+            );
+            return ::dh_robot::runtime::nearest(&list, q, 954.0);
+        }
+        let unknowns = self.unknowns(&q.map(f64::from));
+        ::dh_robot::runtime::solve_near::<
+            _,
+            6,
+            8,
+        >(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            q,
+            unknowns,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at
+    /// neighbouring poses and along self-motions. To compare with.
+    #[must_use]
+    pub fn inverse_exhaustive(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 6, 8> {
+        let frame = match ::dh_robot::runtime::frame_of(target, 954.0) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: 954.0,
+            few: false,
+            given: ::core::option::Option::None,
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 954.0),
+        );
+        ::dh_robot::runtime::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The plan's unknowns at joint values.
+    fn unknowns(&self, q: &[f64; 6]) -> [f64; 8] {
+        [q[0], q[2], q[1], q[3], q[4], q[5], 0.0, 0.0]
+    }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::runtime::Pose,
-        pick: ::dh_robot::runtime::Pick,
-        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+        sample: &::dh_robot::runtime::Sample,
+        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::runtime::Path),
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
-        let free = ::dh_robot::FreeJoints::NONE;
+        let path = ::dh_robot::runtime::Path::START;
         let t_2 = t[2][3] - 0.39098532494758914 - t[2][0] * 0.2159329140461216;
         let t_3 = t_2 * t_2;
         let q1_roots = ::dh_robot::runtime::solve_sincos(
             -(t[1][3] - t[1][0] * 0.2159329140461216),
             t[0][3] - t[0][0] * 0.2159329140461216,
             0.0,
-            1e-11,
+            sample.tolerance,
         );
         if !q1_roots.is_regular() {
-            attempt.note(q1_roots.outcome, free, "shoulder q1", 954.0, "mm");
+            attempt.note(q1_roots.outcome, &path, "shoulder q1", 954.0, "mm");
         }
-        let free = if q1_roots.is_free() {
-            free.union(::dh_robot::FreeJoints::of(&[0]))
+        let path = if q1_roots.is_free() {
+            attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[0]))
         } else {
-            free
+            path
         };
-        for (q1_root, &[c1, s1]) in q1_roots.or_if_free(pick.angle(0)).iter().enumerate()
+        for (q1_root, &[c1, s1]) in q1_roots
+            .or_if_free(sample.angle(0))
+            .iter()
+            .enumerate()
         {
+            let path = path.root(0, q1_root);
             let q1 = ::dh_robot::runtime::atan2(s1, c1);
             let t_4 = t[0][2] * c1 + t[1][2] * s1;
             let t_5 = t[0][2] * s1 - t[1][2] * c1;
@@ -396,13 +487,13 @@ impl CupArm {
                 -0.02988630020788559,
                 -0.2525392367566332,
                 t_13,
-                1e-11,
+                sample.tolerance,
             );
             if !q3_roots.is_regular() {
                 attempt
                     .note_law(
                         q3_roots.outcome,
-                        free,
+                        &path,
                         "elbow q3",
                         [0.25430164946006883, t_13],
                         false,
@@ -410,16 +501,20 @@ impl CupArm {
                         "mm",
                     );
             }
-            let free = if q3_roots.is_free() {
-                free.union(::dh_robot::FreeJoints::of(&[2]))
+            if path.is_chosen() {
+                attempt.see(1, &path, [-0.02988630020788559, -0.2525392367566332, t_13]);
+            }
+            let path = if q3_roots.is_free() {
+                attempt.choose(1, &path, ::dh_robot::FreeJoints::of(&[2]))
             } else {
-                free
+                path
             };
             for (q3_root, &[c3, s3]) in q3_roots
-                .or_if_free(pick.angle(1))
+                .or_if_free(sample.angle(1))
                 .iter()
                 .enumerate()
             {
+                let path = path.root(1, q3_root);
                 let q3 = ::dh_robot::runtime::atan2(s3, c3);
                 let t_15 = 0.35639412997903563 - 0.041928721174004195 * c3
                     - 0.35429769392033544 * s3;
@@ -430,18 +525,18 @@ impl CupArm {
                     t_2,
                     t_14,
                     -(c3 * 0.35429769392033544 - 0.041928721174004195 * s3),
-                    1e-11,
+                    sample.tolerance,
                 );
                 if !q2_roots.is_regular() {
-                    attempt.note(q2_roots.outcome, free, "q2", 1.0, "");
+                    attempt.note(q2_roots.outcome, &path, "q2", 1.0, "");
                 }
-                let free = if q2_roots.is_free() {
-                    free.union(::dh_robot::FreeJoints::of(&[1]))
+                let path = if q2_roots.is_free() {
+                    attempt.choose(2, &path, ::dh_robot::FreeJoints::of(&[1]))
                 } else {
-                    free
+                    path
                 };
                 for (q2_root, &[c2, s2]) in q2_roots
-                    .or_if_free(pick.angle(2))
+                    .or_if_free(sample.angle(2))
                     .iter()
                     .enumerate()
                 {
@@ -457,21 +552,25 @@ impl CupArm {
                         -t_9,
                         t_22,
                         0.0,
-                        1e-11,
+                        sample.tolerance,
                     );
                     if !q4_roots.is_regular() {
-                        attempt.note(q4_roots.outcome, free, "wrist q4", 1.0, "");
+                        attempt.note(q4_roots.outcome, &path, "wrist q4", 1.0, "");
                     }
-                    let free = if q4_roots.is_free() {
-                        free.union(::dh_robot::FreeJoints::of(&[3]))
+                    if path.is_chosen() {
+                        attempt.see(3, &path, [-t_9, t_22, 0.0]);
+                    }
+                    let path = if q4_roots.is_free() {
+                        attempt.choose(3, &path, ::dh_robot::FreeJoints::of(&[3]))
                     } else {
-                        free
+                        path
                     };
                     for (q4_root, &[c4, s4]) in q4_roots
-                        .or_if_free(pick.angle(3))
+                        .or_if_free(sample.angle(3))
                         .iter()
                         .enumerate()
                     {
+                        let path = path.root(3, q4_root);
                         let q4 = ::dh_robot::runtime::atan2(s4, c4);
                         let t_23 = t_18 * c4 + t_5 * s4;
                         let t_24 = t_20 * c4 + t_7 * s4;
@@ -482,18 +581,18 @@ impl CupArm {
                             1.0,
                             0.0,
                             -(t_8 * t_17 + t[2][0] * t_16),
-                            1e-11,
+                            sample.tolerance,
                         );
                         if !q5_roots.is_regular() {
-                            attempt.note(q5_roots.outcome, free, "q5", 1.0, "");
+                            attempt.note(q5_roots.outcome, &path, "q5", 1.0, "");
                         }
-                        let free = if q5_roots.is_free() {
-                            free.union(::dh_robot::FreeJoints::of(&[4]))
+                        let path = if q5_roots.is_free() {
+                            attempt.choose(4, &path, ::dh_robot::FreeJoints::of(&[4]))
                         } else {
-                            free
+                            path
                         };
                         for (q5_root, &[c5, s5]) in q5_roots
-                            .or_if_free(pick.angle(4))
+                            .or_if_free(sample.angle(4))
                             .iter()
                             .enumerate()
                         {
@@ -505,18 +604,18 @@ impl CupArm {
                                 0.0,
                                 -1.0,
                                 -(t_24 * c5 - t_21 * s5),
-                                1e-11,
+                                sample.tolerance,
                             );
                             if !q6_roots.is_regular() {
-                                attempt.note(q6_roots.outcome, free, "q6", 1.0, "");
+                                attempt.note(q6_roots.outcome, &path, "q6", 1.0, "");
                             }
-                            let free = if q6_roots.is_free() {
-                                free.union(::dh_robot::FreeJoints::of(&[5]))
+                            let path = if q6_roots.is_free() {
+                                attempt.choose(5, &path, ::dh_robot::FreeJoints::of(&[5]))
                             } else {
-                                free
+                                path
                             };
                             for (q6_root, &[c6, s6]) in q6_roots
-                                .or_if_free(pick.angle(5))
+                                .or_if_free(sample.angle(5))
                                 .iter()
                                 .enumerate()
                             {
@@ -546,7 +645,7 @@ impl CupArm {
                                             ::dh_robot::Wrist::Flip
                                         },
                                     );
-                                found([q1, q2, q3, q4, q5, q6], branch, free);
+                                found([q1, q2, q3, q4, q5, q6], branch, path);
                             }
                         }
                     }
@@ -577,12 +676,13 @@ impl CupArm {
         let task = ::dh_robot::runtime::Task::Pose(
             ::dh_robot::runtime::in_units(&frame, 954.0),
         );
-        ::dh_robot::runtime::solve(
+        ::dh_robot::runtime::solve_bounded(
             self,
             setting,
             &task,
             &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
         )
     }
     const BRANCHES: [::dh_robot::Branch; 8] = {

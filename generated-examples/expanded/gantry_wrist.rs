@@ -207,6 +207,8 @@ impl ::dh_robot::Jacobian<6, f64> for GantryWrist {
 impl GantryWrist {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 2;
+    /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
+    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -246,15 +248,109 @@ impl GantryWrist {
         }
         ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
+    /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
+    /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
+    /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.
+    ///
+    /// # Errors
+    /// The reason why no joint values reach the target.
+    pub fn inverse_near(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        q: &[f64; 6],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 6>, ::dh_robot::Why<f64>> {
+        let frame = match ::dh_robot::runtime::frame_of(target, 0.30000000000000004) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: 0.30000000000000004,
+            few: false,
+            given: ::core::option::Option::None,
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 0.30000000000000004),
+        );
+        let mut found = [[0.0; 2]; 6];
+        let mut valid = [0.0; 2];
+        if self.lanes(&frame, &mut found, &mut valid) {
+            let list: ::dh_robot::Solutions<_, 6, 2> = ::dh_robot::runtime::lanes::collect(
+                &Self::JOINTS,
+                &valid,
+                &found,
+                &Self::BRANCHES,
+            );
+            return ::dh_robot::runtime::nearest(&list, q, 0.30000000000000004);
+        }
+        let unknowns = self.unknowns(&q.map(f64::from));
+        ::dh_robot::runtime::solve_near::<
+            _,
+            6,
+            2,
+        >(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            q,
+            unknowns,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at
+    /// neighbouring poses and along self-motions. To compare with.
+    #[must_use]
+    pub fn inverse_exhaustive(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 6, 2> {
+        let frame = match ::dh_robot::runtime::frame_of(target, 0.30000000000000004) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: 0.30000000000000004,
+            few: false,
+            given: ::core::option::Option::None,
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 0.30000000000000004),
+        );
+        ::dh_robot::runtime::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The plan's unknowns at joint values.
+    fn unknowns(&self, q: &[f64; 6]) -> [f64; 8] {
+        [
+            (q[0]) / 0.30000000000000004,
+            (q[1]) / 0.30000000000000004,
+            (q[2]) / 0.30000000000000004,
+            q[5],
+            q[3],
+            q[4],
+            0.0,
+            0.0,
+        ]
+    }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::runtime::Pose,
-        pick: ::dh_robot::runtime::Pick,
-        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+        sample: &::dh_robot::runtime::Sample,
+        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::runtime::Path),
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
-        let free = ::dh_robot::FreeJoints::NONE;
+        let path = ::dh_robot::runtime::Path::START;
         let t_2 = t[0][0] * 0.8660254037844386 - t[0][1] * 0.5;
         let t_3 = t[2][0] * 0.8660254037844386 - t[2][1] * 0.5;
         let t_4 = t[0][0] * 0.5 + t[0][1] * 0.8660254037844386;
@@ -264,18 +360,18 @@ impl GantryWrist {
             0.0,
             1.0,
             -(t[2][3] - t[2][2] * 0.6666666666666666),
-            1e-11,
+            sample.tolerance,
         );
         if !q1_roots.is_regular() {
-            attempt.note(q1_roots.outcome, free, "q1", 0.30000000000000004, "m");
+            attempt.note(q1_roots.outcome, &path, "q1", 0.30000000000000004, "m");
         }
-        let free = if q1_roots.is_free() {
-            free.union(::dh_robot::FreeJoints::of(&[0]))
+        let path = if q1_roots.is_free() {
+            attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[0]))
         } else {
-            free
+            path
         };
         for (q1_root, &q1_scaled) in q1_roots
-            .or_if_free(pick.length(0))
+            .or_if_free(sample.length(0))
             .iter()
             .enumerate()
         {
@@ -284,18 +380,18 @@ impl GantryWrist {
                 0.0,
                 -1.0,
                 t[0][3] - t[0][2] * 0.6666666666666666,
-                1e-11,
+                sample.tolerance,
             );
             if !q2_roots.is_regular() {
-                attempt.note(q2_roots.outcome, free, "q2", 0.30000000000000004, "m");
+                attempt.note(q2_roots.outcome, &path, "q2", 0.30000000000000004, "m");
             }
-            let free = if q2_roots.is_free() {
-                free.union(::dh_robot::FreeJoints::of(&[1]))
+            let path = if q2_roots.is_free() {
+                attempt.choose(1, &path, ::dh_robot::FreeJoints::of(&[1]))
             } else {
-                free
+                path
             };
             for (q2_root, &q2_scaled) in q2_roots
-                .or_if_free(pick.length(1))
+                .or_if_free(sample.length(1))
                 .iter()
                 .enumerate()
             {
@@ -304,18 +400,19 @@ impl GantryWrist {
                     0.0,
                     -1.0,
                     t_6,
-                    1e-11,
+                    sample.tolerance,
                 );
                 if !q3_roots.is_regular() {
-                    attempt.note(q3_roots.outcome, free, "q3", 0.30000000000000004, "m");
+                    attempt
+                        .note(q3_roots.outcome, &path, "q3", 0.30000000000000004, "m");
                 }
-                let free = if q3_roots.is_free() {
-                    free.union(::dh_robot::FreeJoints::of(&[2]))
+                let path = if q3_roots.is_free() {
+                    attempt.choose(2, &path, ::dh_robot::FreeJoints::of(&[2]))
                 } else {
-                    free
+                    path
                 };
                 for (q3_root, &q3_scaled) in q3_roots
-                    .or_if_free(pick.length(2))
+                    .or_if_free(sample.length(2))
                     .iter()
                     .enumerate()
                 {
@@ -324,21 +421,34 @@ impl GantryWrist {
                         -(t[1][0] * 0.5 + t[1][1] * 0.8660254037844386),
                         -(t[1][0] * 0.8660254037844386 - t[1][1] * 0.5),
                         0.0,
-                        1e-11,
+                        sample.tolerance,
                     );
                     if !q6_roots.is_regular() {
-                        attempt.note(q6_roots.outcome, free, "wrist q6", 1.0, "");
+                        attempt.note(q6_roots.outcome, &path, "wrist q6", 1.0, "");
                     }
-                    let free = if q6_roots.is_free() {
-                        free.union(::dh_robot::FreeJoints::of(&[5]))
+                    if path.is_chosen() {
+                        attempt
+                            .see(
+                                3,
+                                &path,
+                                [
+                                    -(t[1][0] * 0.5 + t[1][1] * 0.8660254037844386),
+                                    -(t[1][0] * 0.8660254037844386 - t[1][1] * 0.5),
+                                    0.0,
+                                ],
+                            );
+                    }
+                    let path = if q6_roots.is_free() {
+                        attempt.choose(3, &path, ::dh_robot::FreeJoints::of(&[5]))
                     } else {
-                        free
+                        path
                     };
                     for (q6_root, &[c6, s6]) in q6_roots
-                        .or_if_free(pick.angle(3))
+                        .or_if_free(sample.angle(3))
                         .iter()
                         .enumerate()
                     {
+                        let path = path.root(3, q6_root);
                         let q6 = ::dh_robot::runtime::atan2(s6, c6);
                         let q4_roots = ::dh_robot::runtime::solve_pair(
                             0.0,
@@ -347,18 +457,18 @@ impl GantryWrist {
                             -1.0,
                             0.0,
                             -(t_2 * s6 + t_4 * c6),
-                            1e-11,
+                            sample.tolerance,
                         );
                         if !q4_roots.is_regular() {
-                            attempt.note(q4_roots.outcome, free, "q4", 1.0, "");
+                            attempt.note(q4_roots.outcome, &path, "q4", 1.0, "");
                         }
-                        let free = if q4_roots.is_free() {
-                            free.union(::dh_robot::FreeJoints::of(&[3]))
+                        let path = if q4_roots.is_free() {
+                            attempt.choose(4, &path, ::dh_robot::FreeJoints::of(&[3]))
                         } else {
-                            free
+                            path
                         };
                         for (q4_root, &[c4, s4]) in q4_roots
-                            .or_if_free(pick.angle(4))
+                            .or_if_free(sample.angle(4))
                             .iter()
                             .enumerate()
                         {
@@ -370,18 +480,18 @@ impl GantryWrist {
                                 0.0,
                                 -1.0,
                                 t[2][2] * c4 + t[0][2] * s4,
-                                1e-11,
+                                sample.tolerance,
                             );
                             if !q5_roots.is_regular() {
-                                attempt.note(q5_roots.outcome, free, "q5", 1.0, "");
+                                attempt.note(q5_roots.outcome, &path, "q5", 1.0, "");
                             }
-                            let free = if q5_roots.is_free() {
-                                free.union(::dh_robot::FreeJoints::of(&[4]))
+                            let path = if q5_roots.is_free() {
+                                attempt.choose(5, &path, ::dh_robot::FreeJoints::of(&[4]))
                             } else {
-                                free
+                                path
                             };
                             for (q5_root, &[c5, s5]) in q5_roots
-                                .or_if_free(pick.angle(5))
+                                .or_if_free(sample.angle(5))
                                 .iter()
                                 .enumerate()
                             {
@@ -395,7 +505,7 @@ impl GantryWrist {
                                             ::dh_robot::Wrist::Flip
                                         },
                                     );
-                                found([q1, q2, q3, q4, q5, q6], branch, free);
+                                found([q1, q2, q3, q4, q5, q6], branch, path);
                             }
                         }
                     }
@@ -426,12 +536,13 @@ impl GantryWrist {
         let task = ::dh_robot::runtime::Task::Pose(
             ::dh_robot::runtime::in_units(&frame, 0.30000000000000004),
         );
-        ::dh_robot::runtime::solve(
+        ::dh_robot::runtime::solve_bounded(
             self,
             setting,
             &task,
             &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
         )
     }
     const BRANCHES: [::dh_robot::Branch; 2] = {

@@ -416,6 +416,8 @@ impl ::dh_robot::Jacobian<7, f64> for Panda {
 impl Panda {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 8;
+    /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
+    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -459,16 +461,103 @@ impl Panda {
         }
         ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
+    /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
+    /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
+    /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.
+    ///
+    /// # Errors
+    /// The reason why no joint values reach the target.
+    pub fn inverse_near(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        given: f64,
+        q: &[f64; 7],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 7>, ::dh_robot::Why<f64>> {
+        let frame = match ::dh_robot::runtime::frame_of(target, 1.393) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: 1.393,
+            few: false,
+            given: ::core::option::Option::Some((6, given.into())),
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 1.393),
+        );
+        let mut found = [[0.0; 8]; 7];
+        let mut valid = [0.0; 8];
+        if self.lanes(&frame, given.into(), &mut found, &mut valid) {
+            let list: ::dh_robot::Solutions<_, 7, 8> = ::dh_robot::runtime::lanes::collect(
+                &Self::JOINTS,
+                &valid,
+                &found,
+                &Self::BRANCHES,
+            );
+            return ::dh_robot::runtime::nearest(&list, q, 1.393);
+        }
+        let unknowns = self.unknowns(&q.map(f64::from));
+        ::dh_robot::runtime::solve_near::<
+            _,
+            7,
+            8,
+        >(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            q,
+            unknowns,
+            |frame, sample, found| self.candidates(frame, given.into(), sample, found),
+        )
+    }
+    /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at
+    /// neighbouring poses and along self-motions. To compare with.
+    #[must_use]
+    pub fn inverse_exhaustive(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        given: f64,
+    ) -> ::dh_robot::Solutions<f64, 7, 8> {
+        let frame = match ::dh_robot::runtime::frame_of(target, 1.393) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: 1.393,
+            few: false,
+            given: ::core::option::Option::Some((6, given.into())),
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 1.393),
+        );
+        ::dh_robot::runtime::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, sample, found| self.candidates(frame, given.into(), sample, found),
+        )
+    }
+    /// The plan's unknowns at joint values.
+    fn unknowns(&self, q: &[f64; 7]) -> [f64; 8] {
+        [q[3], q[4], q[5], q[0], q[1], q[2], 0.0, 0.0]
+    }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::runtime::Pose,
         given: f64,
-        pick: ::dh_robot::runtime::Pick,
-        found: &mut dyn FnMut([f64; 7], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+        sample: &::dh_robot::runtime::Sample,
+        found: &mut dyn FnMut([f64; 7], ::dh_robot::Branch, ::dh_robot::runtime::Path),
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
-        let free = ::dh_robot::FreeJoints::NONE;
+        let path = ::dh_robot::runtime::Path::START;
         let t_2 = t[0][3] - t[0][2] * 0.07681263460157932;
         let t_3 = t[1][3] - t[1][2] * 0.07681263460157932;
         let t_4 = t[2][3] - t[2][2] * 0.07681263460157932;
@@ -493,13 +582,13 @@ impl Panda {
             0.11805283210226085,
             -0.05952230643526318,
             t_16,
-            1e-11,
+            sample.tolerance,
         );
         if !q4_roots.is_regular() {
             attempt
                 .note_law(
                     q4_roots.outcome,
-                    free,
+                    &path,
                     "elbow q4",
                     [0.13446604368370413, t_16],
                     false,
@@ -507,31 +596,44 @@ impl Panda {
                     "m",
                 );
         }
-        let free = if q4_roots.is_free() {
-            free.union(::dh_robot::FreeJoints::of(&[3]))
+        let path = if q4_roots.is_free() {
+            attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[3]))
         } else {
-            free
+            path
         };
-        for (q4_root, &[c4, s4]) in q4_roots.or_if_free(pick.angle(0)).iter().enumerate()
+        for (q4_root, &[c4, s4]) in q4_roots
+            .or_if_free(sample.angle(0))
+            .iter()
+            .enumerate()
         {
+            let path = path.root(0, q4_root);
             let q4 = ::dh_robot::runtime::atan2(s4, c4);
             let t_20 = 0.059224694903086864 * (1.0 - c4) - 0.22684852835606603 * s4;
             let t_21 = 0.2756640344580043 + c4 * 0.22684852835606603
                 - 0.059224694903086864 * s4;
-            let q5_roots = ::dh_robot::runtime::solve_sincos(0.0, t_20, -t_17, 1e-11);
+            let q5_roots = ::dh_robot::runtime::solve_sincos(
+                0.0,
+                t_20,
+                -t_17,
+                sample.tolerance,
+            );
             if !q5_roots.is_regular() {
-                attempt.note(q5_roots.outcome, free, "wrist q5", 1.393, "m");
+                attempt.note(q5_roots.outcome, &path, "wrist q5", 1.393, "m");
             }
-            let free = if q5_roots.is_free() {
-                free.union(::dh_robot::FreeJoints::of(&[4]))
+            if path.is_chosen() {
+                attempt.see(1, &path, [0.0, t_20, -t_17]);
+            }
+            let path = if q5_roots.is_free() {
+                attempt.choose(1, &path, ::dh_robot::FreeJoints::of(&[4]))
             } else {
-                free
+                path
             };
             for (q5_root, &[c5, s5]) in q5_roots
-                .or_if_free(pick.angle(1))
+                .or_if_free(sample.angle(1))
                 .iter()
                 .enumerate()
             {
+                let path = path.root(1, q5_root);
                 let q5 = ::dh_robot::runtime::atan2(s5, c5);
                 let t_22 = t_9 * s5;
                 let t_23 = t_10 * s5;
@@ -543,18 +645,18 @@ impl Panda {
                     -t_19,
                     t_18,
                     t_21,
-                    1e-11,
+                    sample.tolerance,
                 );
                 if !q6_roots.is_regular() {
-                    attempt.note(q6_roots.outcome, free, "q6", 1.0, "");
+                    attempt.note(q6_roots.outcome, &path, "q6", 1.0, "");
                 }
-                let free = if q6_roots.is_free() {
-                    free.union(::dh_robot::FreeJoints::of(&[5]))
+                let path = if q6_roots.is_free() {
+                    attempt.choose(2, &path, ::dh_robot::FreeJoints::of(&[5]))
                 } else {
-                    free
+                    path
                 };
                 for (q6_root, &[c6, s6]) in q6_roots
-                    .or_if_free(pick.angle(2))
+                    .or_if_free(sample.angle(2))
                     .iter()
                     .enumerate()
                 {
@@ -569,21 +671,25 @@ impl Panda {
                         -t_26,
                         t_25,
                         0.0,
-                        1e-11,
+                        sample.tolerance,
                     );
                     if !q1_roots.is_regular() {
-                        attempt.note(q1_roots.outcome, free, "shoulder q1", 1.0, "");
+                        attempt.note(q1_roots.outcome, &path, "shoulder q1", 1.0, "");
                     }
-                    let free = if q1_roots.is_free() {
-                        free.union(::dh_robot::FreeJoints::of(&[0]))
+                    if path.is_chosen() {
+                        attempt.see(3, &path, [-t_26, t_25, 0.0]);
+                    }
+                    let path = if q1_roots.is_free() {
+                        attempt.choose(3, &path, ::dh_robot::FreeJoints::of(&[0]))
                     } else {
-                        free
+                        path
                     };
                     for (q1_root, &[c1, s1]) in q1_roots
-                        .or_if_free(pick.angle(3))
+                        .or_if_free(sample.angle(3))
                         .iter()
                         .enumerate()
                     {
+                        let path = path.root(3, q1_root);
                         let q1 = ::dh_robot::runtime::atan2(s1, c1);
                         let t_28 = t[0][0] * c1 + t[1][0] * s1;
                         let t_29 = t[0][1] * c1 + t[1][1] * s1;
@@ -598,18 +704,18 @@ impl Panda {
                             1.0,
                             0.0,
                             t_27,
-                            1e-11,
+                            sample.tolerance,
                         );
                         if !q2_roots.is_regular() {
-                            attempt.note(q2_roots.outcome, free, "q2", 1.0, "");
+                            attempt.note(q2_roots.outcome, &path, "q2", 1.0, "");
                         }
-                        let free = if q2_roots.is_free() {
-                            free.union(::dh_robot::FreeJoints::of(&[1]))
+                        let path = if q2_roots.is_free() {
+                            attempt.choose(4, &path, ::dh_robot::FreeJoints::of(&[1]))
                         } else {
-                            free
+                            path
                         };
                         for (q2_root, &[c2, s2]) in q2_roots
-                            .or_if_free(pick.angle(4))
+                            .or_if_free(sample.angle(4))
                             .iter()
                             .enumerate()
                         {
@@ -629,18 +735,18 @@ impl Panda {
                                 0.0,
                                 -1.0,
                                 s5 * t_38 - c5 * t_37,
-                                1e-11,
+                                sample.tolerance,
                             );
                             if !q3_roots.is_regular() {
-                                attempt.note(q3_roots.outcome, free, "q3", 1.0, "");
+                                attempt.note(q3_roots.outcome, &path, "q3", 1.0, "");
                             }
-                            let free = if q3_roots.is_free() {
-                                free.union(::dh_robot::FreeJoints::of(&[2]))
+                            let path = if q3_roots.is_free() {
+                                attempt.choose(5, &path, ::dh_robot::FreeJoints::of(&[2]))
                             } else {
-                                free
+                                path
                             };
                             for (q3_root, &[c3, s3]) in q3_roots
-                                .or_if_free(pick.angle(5))
+                                .or_if_free(sample.angle(5))
                                 .iter()
                                 .enumerate()
                             {
@@ -670,7 +776,7 @@ impl Panda {
                                             ::dh_robot::Shoulder::Right
                                         },
                                     );
-                                found([q1, q2, q3, q4, q5, q6, q7], branch, free);
+                                found([q1, q2, q3, q4, q5, q6, q7], branch, path);
                             }
                         }
                     }
@@ -702,12 +808,13 @@ impl Panda {
         let task = ::dh_robot::runtime::Task::Pose(
             ::dh_robot::runtime::in_units(&frame, 1.393),
         );
-        ::dh_robot::runtime::solve(
+        ::dh_robot::runtime::solve_bounded(
             self,
             setting,
             &task,
             &frame,
-            |frame, pick, found| self.candidates(frame, given.into(), pick, found),
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, given.into(), sample, found),
         )
     }
     const BRANCHES: [::dh_robot::Branch; 8] = {

@@ -606,6 +606,8 @@ impl ::dh_robot::Jacobian<6, f64> for Pieper {
 impl Pieper {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 8;
+    /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
+    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -637,23 +639,98 @@ impl Pieper {
         let task = ::dh_robot::runtime::Task::Pose(
             ::dh_robot::runtime::in_units(&frame, 6.19664904810903),
         );
+        ::dh_robot::runtime::solve_bounded(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
+    /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
+    /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.
+    ///
+    /// # Errors
+    /// The reason why no joint values reach the target.
+    pub fn inverse_near(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        q: &[f64; 6],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 6>, ::dh_robot::Why<f64>> {
+        let frame = match ::dh_robot::runtime::frame_of(target, 6.19664904810903) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: 6.19664904810903,
+            few: false,
+            given: ::core::option::Option::None,
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 6.19664904810903),
+        );
+        let unknowns = self.unknowns(&q.map(f64::from));
+        ::dh_robot::runtime::solve_near::<
+            _,
+            6,
+            8,
+        >(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            q,
+            unknowns,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at
+    /// neighbouring poses and along self-motions. To compare with.
+    #[must_use]
+    pub fn inverse_exhaustive(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 6, 8> {
+        let frame = match ::dh_robot::runtime::frame_of(target, 6.19664904810903) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: 6.19664904810903,
+            few: false,
+            given: ::core::option::Option::None,
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 6.19664904810903),
+        );
         ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
             &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
+            |frame, sample, found| self.candidates(frame, sample, found),
         )
+    }
+    /// The plan's unknowns at joint values.
+    fn unknowns(&self, q: &[f64; 6]) -> [f64; 8] {
+        [q[0], q[1], q[4], q[3], q[5], 0.0, 0.0, 0.0]
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::runtime::Pose,
-        pick: ::dh_robot::runtime::Pick,
-        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+        sample: &::dh_robot::runtime::Sample,
+        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::runtime::Path),
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
-        let free = ::dh_robot::FreeJoints::NONE;
+        let path = ::dh_robot::runtime::Path::START;
         let angles = [self.alpha2, self.alpha3, self.alpha1, self.alpha4, self.alpha5];
         let (
             [s_alpha2,
@@ -716,19 +793,21 @@ impl Pieper {
                 0.0,
                 0.0,
             ],
-            [pick.angle(0), pick.angle(1)],
-            1e-11,
+            [sample.angle(0), sample.angle(1)],
+            sample.tolerance,
         );
         if !q1_and_q3_roots.is_regular() {
-            attempt.note(q1_and_q3_roots.outcome, free, "q1, q3", 6.19664904810903, "m");
+            attempt
+                .note(q1_and_q3_roots.outcome, &path, "q1, q3", 6.19664904810903, "m");
         }
-        let free = if q1_and_q3_roots.is_free() {
-            free.union(::dh_robot::FreeJoints::of(&[0, 2]))
+        let path = if q1_and_q3_roots.is_free() {
+            attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[0, 2]))
         } else {
-            free
+            path
         };
         for (q1_and_q3_root, &[[c1, s1], [c3, s3]]) in q1_and_q3_roots.iter().enumerate()
         {
+            let path = path.root(0, q1_and_q3_root);
             let q1 = ::dh_robot::runtime::atan2(s1, c1);
             let q3 = ::dh_robot::runtime::atan2(s3, c3);
             let t_25 = t[0][0] * c1 + t[1][0] * s1;
@@ -760,18 +839,18 @@ impl Pieper {
                 t_32,
                 -t_31,
                 t_45,
-                1e-11,
+                sample.tolerance,
             );
             if !q2_roots.is_regular() {
-                attempt.note(q2_roots.outcome, free, "q2", 1.0, "");
+                attempt.note(q2_roots.outcome, &path, "q2", 1.0, "");
             }
-            let free = if q2_roots.is_free() {
-                free.union(::dh_robot::FreeJoints::of(&[1]))
+            let path = if q2_roots.is_free() {
+                attempt.choose(1, &path, ::dh_robot::FreeJoints::of(&[1]))
             } else {
-                free
+                path
             };
             for (q2_root, &[c2, s2]) in q2_roots
-                .or_if_free(pick.angle(1))
+                .or_if_free(sample.angle(1))
                 .iter()
                 .enumerate()
             {
@@ -803,21 +882,34 @@ impl Pieper {
                     -s_alpha4 * s_alpha5,
                     0.0,
                     s_alpha3 * t_63 + c_alpha3 * t_57 - t_23,
-                    1e-11,
+                    sample.tolerance,
                 );
                 if !q5_roots.is_regular() {
-                    attempt.note(q5_roots.outcome, free, "wrist q5", 1.0, "");
+                    attempt.note(q5_roots.outcome, &path, "wrist q5", 1.0, "");
                 }
-                let free = if q5_roots.is_free() {
-                    free.union(::dh_robot::FreeJoints::of(&[4]))
+                if path.is_chosen() {
+                    attempt
+                        .see(
+                            2,
+                            &path,
+                            [
+                                -s_alpha4 * s_alpha5,
+                                0.0,
+                                s_alpha3 * t_63 + c_alpha3 * t_57 - t_23,
+                            ],
+                        );
+                }
+                let path = if q5_roots.is_free() {
+                    attempt.choose(2, &path, ::dh_robot::FreeJoints::of(&[4]))
                 } else {
-                    free
+                    path
                 };
                 for (q5_root, &[c5, s5]) in q5_roots
-                    .or_if_free(pick.angle(2))
+                    .or_if_free(sample.angle(2))
                     .iter()
                     .enumerate()
                 {
+                    let path = path.root(2, q5_root);
                     let q5 = ::dh_robot::runtime::atan2(s5, c5);
                     let q4_roots = ::dh_robot::runtime::solve_pair(
                         -t_62,
@@ -826,18 +918,18 @@ impl Pieper {
                         t_64,
                         t_62,
                         s_alpha5 * c_alpha4 * c5 + t_24,
-                        1e-11,
+                        sample.tolerance,
                     );
                     if !q4_roots.is_regular() {
-                        attempt.note(q4_roots.outcome, free, "q4", 1.0, "");
+                        attempt.note(q4_roots.outcome, &path, "q4", 1.0, "");
                     }
-                    let free = if q4_roots.is_free() {
-                        free.union(::dh_robot::FreeJoints::of(&[3]))
+                    let path = if q4_roots.is_free() {
+                        attempt.choose(3, &path, ::dh_robot::FreeJoints::of(&[3]))
                     } else {
-                        free
+                        path
                     };
                     for (q4_root, &[c4, s4]) in q4_roots
-                        .or_if_free(pick.angle(3))
+                        .or_if_free(sample.angle(3))
                         .iter()
                         .enumerate()
                     {
@@ -853,18 +945,18 @@ impl Pieper {
                             0.0,
                             -1.0,
                             t_70,
-                            1e-11,
+                            sample.tolerance,
                         );
                         if !q6_roots.is_regular() {
-                            attempt.note(q6_roots.outcome, free, "q6", 1.0, "");
+                            attempt.note(q6_roots.outcome, &path, "q6", 1.0, "");
                         }
-                        let free = if q6_roots.is_free() {
-                            free.union(::dh_robot::FreeJoints::of(&[5]))
+                        let path = if q6_roots.is_free() {
+                            attempt.choose(4, &path, ::dh_robot::FreeJoints::of(&[5]))
                         } else {
-                            free
+                            path
                         };
                         for (q6_root, &[c6, s6]) in q6_roots
-                            .or_if_free(pick.angle(4))
+                            .or_if_free(sample.angle(4))
                             .iter()
                             .enumerate()
                         {
@@ -879,7 +971,7 @@ impl Pieper {
                                         ::dh_robot::Wrist::Flip
                                     },
                                 );
-                            found([q1, q2, q3, q4, q5, q6], branch, free);
+                            found([q1, q2, q3, q4, q5, q6], branch, path);
                         }
                     }
                 }

@@ -315,6 +315,8 @@ impl ::dh_robot::Jacobian<6, f64> for PolarOffsetWrist {
 impl PolarOffsetWrist {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 16;
+    /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
+    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::ELIMINATION;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -342,23 +344,98 @@ impl PolarOffsetWrist {
         let task = ::dh_robot::runtime::Task::Pose(
             ::dh_robot::runtime::in_units(&frame, 1.07),
         );
+        ::dh_robot::runtime::solve_bounded(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
+    /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
+    /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.
+    ///
+    /// # Errors
+    /// The reason why no joint values reach the target.
+    pub fn inverse_near(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        q: &[f64; 6],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 6>, ::dh_robot::Why<f64>> {
+        let frame = match ::dh_robot::runtime::frame_of(target, 1.07) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: 1.07,
+            few: false,
+            given: ::core::option::Option::None,
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 1.07),
+        );
+        let unknowns = self.unknowns(&q.map(f64::from));
+        ::dh_robot::runtime::solve_near::<
+            _,
+            6,
+            16,
+        >(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            q,
+            unknowns,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at
+    /// neighbouring poses and along self-motions. To compare with.
+    #[must_use]
+    pub fn inverse_exhaustive(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 6, 16> {
+        let frame = match ::dh_robot::runtime::frame_of(target, 1.07) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: 1.07,
+            few: false,
+            given: ::core::option::Option::None,
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 1.07),
+        );
         ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
             &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
+            |frame, sample, found| self.candidates(frame, sample, found),
         )
+    }
+    /// The plan's unknowns at joint values.
+    fn unknowns(&self, q: &[f64; 6]) -> [f64; 8] {
+        [q[0], 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::runtime::Pose,
-        pick: ::dh_robot::runtime::Pick,
-        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+        sample: &::dh_robot::runtime::Sample,
+        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::runtime::Path),
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
-        let free = ::dh_robot::FreeJoints::NONE;
+        let path = ::dh_robot::runtime::Path::START;
         let joints_roots = ::dh_robot::runtime::solve_general(
             &[
                 [
@@ -393,12 +470,12 @@ impl PolarOffsetWrist {
             [54, 59, 12],
         );
         if !joints_roots.is_regular() {
-            attempt.note(joints_roots.outcome, free, "q1, q2, q3, q4, q5, q6", 1.0, "");
+            attempt.note(joints_roots.outcome, &path, "q1, q2, q3, q4, q5, q6", 1.0, "");
         }
-        let free = if joints_roots.is_free() {
-            free.union(::dh_robot::FreeJoints::of(&[0, 1, 2, 3, 4, 5]))
+        let path = if joints_roots.is_free() {
+            attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[0, 1, 2, 3, 4, 5]))
         } else {
-            free
+            path
         };
         for (
             joints_root,
@@ -422,6 +499,7 @@ impl PolarOffsetWrist {
             ],
             ],
         ) in joints_roots.or_if_free([[1.0, 0.0]; 6]).iter().enumerate() {
+            let path = path.root(0, joints_root);
             let q1 = ::dh_robot::runtime::atan2(s1, c1);
             let q2 = ::dh_robot::runtime::atan2(s2, c2);
             let q3 = q3_scaled * 1.07;
@@ -429,7 +507,7 @@ impl PolarOffsetWrist {
             let q5 = ::dh_robot::runtime::atan2(s5, c5);
             let q6 = ::dh_robot::runtime::atan2(s6, c6);
             let branch = ::dh_robot::Branch::ANY.with_step(0, joints_root);
-            found([q1, q2, q3, q4, q5, q6], branch, free);
+            found([q1, q2, q3, q4, q5, q6], branch, path);
         }
         attempt
     }

@@ -139,6 +139,8 @@ impl ::dh_robot::Jacobian<2, f64> for Rp {
 impl Rp {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 1;
+    /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
+    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -174,27 +176,117 @@ impl Rp {
         }
         ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
+    /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
+    /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
+    /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.
+    ///
+    /// # Errors
+    /// The reason why no joint values reach the target.
+    pub fn inverse_near(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        q: &[f64; 2],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 2>, ::dh_robot::Why<f64>> {
+        let frame = match ::dh_robot::runtime::frame_of(target, 1.0) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: 1.0,
+            few: true,
+            given: ::core::option::Option::None,
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 1.0),
+        );
+        let mut found = [[0.0; 1]; 2];
+        let mut valid = [0.0; 1];
+        if self.lanes(&frame, &mut found, &mut valid) {
+            let list: ::dh_robot::Solutions<_, 2, 1> = ::dh_robot::runtime::lanes::collect(
+                &Self::JOINTS,
+                &valid,
+                &found,
+                &Self::BRANCHES,
+            );
+            return ::dh_robot::runtime::nearest(&list, q, 1.0);
+        }
+        let unknowns = self.unknowns(&q.map(f64::from));
+        ::dh_robot::runtime::solve_near::<
+            _,
+            2,
+            1,
+        >(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            q,
+            unknowns,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at
+    /// neighbouring poses and along self-motions. To compare with.
+    #[must_use]
+    pub fn inverse_exhaustive(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 2, 1> {
+        let frame = match ::dh_robot::runtime::frame_of(target, 1.0) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: 1.0,
+            few: true,
+            given: ::core::option::Option::None,
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 1.0),
+        );
+        ::dh_robot::runtime::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The plan's unknowns at joint values.
+    fn unknowns(&self, q: &[f64; 2]) -> [f64; 8] {
+        [(q[1]) / 1.0, q[0], 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::runtime::Pose,
-        pick: ::dh_robot::runtime::Pick,
-        found: &mut dyn FnMut([f64; 2], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+        sample: &::dh_robot::runtime::Sample,
+        found: &mut dyn FnMut([f64; 2], ::dh_robot::Branch, ::dh_robot::runtime::Path),
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
-        let free = ::dh_robot::FreeJoints::NONE;
+        let path = ::dh_robot::runtime::Path::START;
         let t_2 = t[0][2] * t[0][3] + t[1][2] * t[1][3] + t[2][2] * t[2][3];
-        let q2_roots = ::dh_robot::runtime::solve_quadratic(0.0, -1.0, t_2, 1e-11);
+        let q2_roots = ::dh_robot::runtime::solve_quadratic(
+            0.0,
+            -1.0,
+            t_2,
+            sample.tolerance,
+        );
         if !q2_roots.is_regular() {
-            attempt.note(q2_roots.outcome, free, "q2", 1.0, "m");
+            attempt.note(q2_roots.outcome, &path, "q2", 1.0, "m");
         }
-        let free = if q2_roots.is_free() {
-            free.union(::dh_robot::FreeJoints::of(&[1]))
+        let path = if q2_roots.is_free() {
+            attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[1]))
         } else {
-            free
+            path
         };
         for (q2_root, &q2_scaled) in q2_roots
-            .or_if_free(pick.length(0))
+            .or_if_free(sample.length(0))
             .iter()
             .enumerate()
         {
@@ -206,24 +298,24 @@ impl Rp {
                 0.0,
                 -1.0,
                 t[0][2],
-                1e-11,
+                sample.tolerance,
             );
             if !q1_roots.is_regular() {
-                attempt.note(q1_roots.outcome, free, "q1", 1.0, "");
+                attempt.note(q1_roots.outcome, &path, "q1", 1.0, "");
             }
-            let free = if q1_roots.is_free() {
-                free.union(::dh_robot::FreeJoints::of(&[0]))
+            let path = if q1_roots.is_free() {
+                attempt.choose(1, &path, ::dh_robot::FreeJoints::of(&[0]))
             } else {
-                free
+                path
             };
             for (q1_root, &[c1, s1]) in q1_roots
-                .or_if_free(pick.angle(1))
+                .or_if_free(sample.angle(1))
                 .iter()
                 .enumerate()
             {
                 let q1 = ::dh_robot::runtime::atan2(s1, c1);
                 let branch = ::dh_robot::Branch::ANY;
-                found([q1, q2], branch, free);
+                found([q1, q2], branch, path);
             }
         }
         attempt
@@ -250,12 +342,13 @@ impl Rp {
         let task = ::dh_robot::runtime::Task::Pose(
             ::dh_robot::runtime::in_units(&frame, 1.0),
         );
-        ::dh_robot::runtime::solve(
+        ::dh_robot::runtime::solve_bounded(
             self,
             setting,
             &task,
             &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
         )
     }
     const BRANCHES: [::dh_robot::Branch; 1] = {

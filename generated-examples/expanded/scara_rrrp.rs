@@ -189,6 +189,8 @@ impl ::dh_robot::Jacobian<4, f64> for ScaraRrrp {
 impl ScaraRrrp {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 2;
+    /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
+    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -226,15 +228,100 @@ impl ScaraRrrp {
         }
         ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
+    /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
+    /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
+    /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.
+    ///
+    /// # Errors
+    /// The reason why no joint values reach the target.
+    pub fn inverse_near(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        q: &[f64; 4],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 4>, ::dh_robot::Why<f64>> {
+        let frame = match ::dh_robot::runtime::frame_of(target, 1.321360271039209) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: 1.321360271039209,
+            few: true,
+            given: ::core::option::Option::None,
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 1.321360271039209),
+        );
+        let mut found = [[0.0; 2]; 4];
+        let mut valid = [0.0; 2];
+        if self.lanes(&frame, &mut found, &mut valid) {
+            let list: ::dh_robot::Solutions<_, 4, 2> = ::dh_robot::runtime::lanes::collect(
+                &Self::JOINTS,
+                &valid,
+                &found,
+                &Self::BRANCHES,
+            );
+            return ::dh_robot::runtime::nearest(&list, q, 1.321360271039209);
+        }
+        let unknowns = self.unknowns(&q.map(f64::from));
+        ::dh_robot::runtime::solve_near::<
+            _,
+            4,
+            2,
+        >(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            q,
+            unknowns,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at
+    /// neighbouring poses and along self-motions. To compare with.
+    #[must_use]
+    pub fn inverse_exhaustive(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 4, 2> {
+        let frame = match ::dh_robot::runtime::frame_of(target, 1.321360271039209) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: 1.321360271039209,
+            few: true,
+            given: ::core::option::Option::None,
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 1.321360271039209),
+        );
+        ::dh_robot::runtime::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The plan's unknowns at joint values.
+    fn unknowns(&self, q: &[f64; 4]) -> [f64; 8] {
+        [(q[3]) / 1.321360271039209, q[0] + q[1] + q[2], q[1], q[0], 0.0, 0.0, 0.0, 0.0]
+    }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::runtime::Pose,
-        pick: ::dh_robot::runtime::Pick,
-        found: &mut dyn FnMut([f64; 4], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+        sample: &::dh_robot::runtime::Sample,
+        found: &mut dyn FnMut([f64; 4], ::dh_robot::Branch, ::dh_robot::runtime::Path),
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
-        let free = ::dh_robot::FreeJoints::NONE;
+        let path = ::dh_robot::runtime::Path::START;
         let t_2 = self.d1 * 0.7567958730994166;
         let t_3 = self.d2 * 0.7567958730994166;
         let t_4 = self.a1 * 0.7567958730994166;
@@ -245,18 +332,18 @@ impl ScaraRrrp {
             0.0,
             1.0,
             -(t[2][3] - (t_2 + t_3)),
-            1e-11,
+            sample.tolerance,
         );
         if !q4_roots.is_regular() {
-            attempt.note(q4_roots.outcome, free, "q4", 1.321360271039209, "m");
+            attempt.note(q4_roots.outcome, &path, "q4", 1.321360271039209, "m");
         }
-        let free = if q4_roots.is_free() {
-            free.union(::dh_robot::FreeJoints::of(&[3]))
+        let path = if q4_roots.is_free() {
+            attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[3]))
         } else {
-            free
+            path
         };
         for (q4_root, &q4_scaled) in q4_roots
-            .or_if_free(pick.length(0))
+            .or_if_free(sample.length(0))
             .iter()
             .enumerate()
         {
@@ -271,25 +358,25 @@ impl ScaraRrrp {
                 0.0,
                 -1.0,
                 t[0][1],
-                1e-11,
+                sample.tolerance,
             );
             if !q1_plus_q2_plus_q3_roots.is_regular() {
                 attempt
                     .note(
                         q1_plus_q2_plus_q3_roots.outcome,
-                        free,
+                        &path,
                         "q1 + q2 + q3",
                         1.0,
                         "",
                     );
             }
-            let free = if q1_plus_q2_plus_q3_roots.is_free() {
-                free.union(::dh_robot::FreeJoints::of(&[0, 1, 2]))
+            let path = if q1_plus_q2_plus_q3_roots.is_free() {
+                attempt.choose(1, &path, ::dh_robot::FreeJoints::of(&[0, 1, 2]))
             } else {
-                free
+                path
             };
             for (q1_plus_q2_plus_q3_root, &[c123, s123]) in q1_plus_q2_plus_q3_roots
-                .or_if_free(pick.angle(1))
+                .or_if_free(sample.angle(1))
                 .iter()
                 .enumerate()
             {
@@ -298,13 +385,13 @@ impl ScaraRrrp {
                     2.0 * t_4 * t_5,
                     0.0,
                     -(t_6 - (t_8 * t_8 + t_9 * t_9 + t_10 * t_10 - t_7)),
-                    1e-11,
+                    sample.tolerance,
                 );
                 if !q2_roots.is_regular() {
                     attempt
                         .note_law(
                             q2_roots.outcome,
-                            free,
+                            &path,
                             "elbow q2",
                             [
                                 t_6 + t_7,
@@ -315,16 +402,29 @@ impl ScaraRrrp {
                             "m",
                         );
                 }
-                let free = if q2_roots.is_free() {
-                    free.union(::dh_robot::FreeJoints::of(&[1]))
+                if path.is_chosen() {
+                    attempt
+                        .see(
+                            2,
+                            &path,
+                            [
+                                2.0 * t_4 * t_5,
+                                0.0,
+                                -(t_6 - (t_8 * t_8 + t_9 * t_9 + t_10 * t_10 - t_7)),
+                            ],
+                        );
+                }
+                let path = if q2_roots.is_free() {
+                    attempt.choose(2, &path, ::dh_robot::FreeJoints::of(&[1]))
                 } else {
-                    free
+                    path
                 };
                 for (q2_root, &[c2, s2]) in q2_roots
-                    .or_if_free(pick.angle(2))
+                    .or_if_free(sample.angle(2))
                     .iter()
                     .enumerate()
                 {
+                    let path = path.root(2, q2_root);
                     let q2 = ::dh_robot::runtime::atan2(s2, c2);
                     let t_11 = t_4 + t_5 * c2;
                     let t_12 = t_5 * s2;
@@ -335,18 +435,18 @@ impl ScaraRrrp {
                         t_12,
                         t_11,
                         t_9,
-                        1e-11,
+                        sample.tolerance,
                     );
                     if !q1_roots.is_regular() {
-                        attempt.note(q1_roots.outcome, free, "q1", 1.0, "");
+                        attempt.note(q1_roots.outcome, &path, "q1", 1.0, "");
                     }
-                    let free = if q1_roots.is_free() {
-                        free.union(::dh_robot::FreeJoints::of(&[0]))
+                    let path = if q1_roots.is_free() {
+                        attempt.choose(3, &path, ::dh_robot::FreeJoints::of(&[0]))
                     } else {
-                        free
+                        path
                     };
                     for (q1_root, &[c1, s1]) in q1_roots
-                        .or_if_free(pick.angle(3))
+                        .or_if_free(sample.angle(3))
                         .iter()
                         .enumerate()
                     {
@@ -360,7 +460,7 @@ impl ScaraRrrp {
                                     ::dh_robot::Elbow::Down
                                 },
                             );
-                        found([q1, q2, q1_plus_q2_plus_q3 - q2 - q1, q4], branch, free);
+                        found([q1, q2, q1_plus_q2_plus_q3 - q2 - q1, q4], branch, path);
                     }
                 }
             }
@@ -389,12 +489,13 @@ impl ScaraRrrp {
         let task = ::dh_robot::runtime::Task::Pose(
             ::dh_robot::runtime::in_units(&frame, 1.321360271039209),
         );
-        ::dh_robot::runtime::solve(
+        ::dh_robot::runtime::solve_bounded(
             self,
             setting,
             &task,
             &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
         )
     }
     const BRANCHES: [::dh_robot::Branch; 2] = {

@@ -194,6 +194,8 @@ impl ::dh_robot::Jacobian<4, f64> for WaferPrrr {
 impl WaferPrrr {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 2;
+    /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
+    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -231,15 +233,100 @@ impl WaferPrrr {
         }
         ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
+    /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
+    /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
+    /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.
+    ///
+    /// # Errors
+    /// The reason why no joint values reach the target.
+    pub fn inverse_near(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        q: &[f64; 4],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 4>, ::dh_robot::Why<f64>> {
+        let frame = match ::dh_robot::runtime::frame_of(target, 0.6091883671078886) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: 0.6091883671078886,
+            few: true,
+            given: ::core::option::Option::None,
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 0.6091883671078886),
+        );
+        let mut found = [[0.0; 2]; 4];
+        let mut valid = [0.0; 2];
+        if self.lanes(&frame, &mut found, &mut valid) {
+            let list: ::dh_robot::Solutions<_, 4, 2> = ::dh_robot::runtime::lanes::collect(
+                &Self::JOINTS,
+                &valid,
+                &found,
+                &Self::BRANCHES,
+            );
+            return ::dh_robot::runtime::nearest(&list, q, 0.6091883671078886);
+        }
+        let unknowns = self.unknowns(&q.map(f64::from));
+        ::dh_robot::runtime::solve_near::<
+            _,
+            4,
+            2,
+        >(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            q,
+            unknowns,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at
+    /// neighbouring poses and along self-motions. To compare with.
+    #[must_use]
+    pub fn inverse_exhaustive(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 4, 2> {
+        let frame = match ::dh_robot::runtime::frame_of(target, 0.6091883671078886) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: 0.6091883671078886,
+            few: true,
+            given: ::core::option::Option::None,
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, 0.6091883671078886),
+        );
+        ::dh_robot::runtime::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The plan's unknowns at joint values.
+    fn unknowns(&self, q: &[f64; 4]) -> [f64; 8] {
+        [(q[0]) / 0.6091883671078886, q[1] + q[2] + q[3], q[2], q[1], 0.0, 0.0, 0.0, 0.0]
+    }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::runtime::Pose,
-        pick: ::dh_robot::runtime::Pick,
-        found: &mut dyn FnMut([f64; 4], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+        sample: &::dh_robot::runtime::Sample,
+        found: &mut dyn FnMut([f64; 4], ::dh_robot::Branch, ::dh_robot::runtime::Path),
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
-        let free = ::dh_robot::FreeJoints::NONE;
+        let path = ::dh_robot::runtime::Path::START;
         let t_2 = self.d4 * 1.6415283908776575;
         let t_3 = t[0][3] - t[0][2] * t_2;
         let t_4 = t[1][3] - t[1][2] * t_2;
@@ -255,18 +342,18 @@ impl WaferPrrr {
             0.0,
             1.0,
             -(t_5 - (t_7 + t_8)),
-            1e-11,
+            sample.tolerance,
         );
         if !q1_roots.is_regular() {
-            attempt.note(q1_roots.outcome, free, "q1", 0.6091883671078886, "m");
+            attempt.note(q1_roots.outcome, &path, "q1", 0.6091883671078886, "m");
         }
-        let free = if q1_roots.is_free() {
-            free.union(::dh_robot::FreeJoints::of(&[0]))
+        let path = if q1_roots.is_free() {
+            attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[0]))
         } else {
-            free
+            path
         };
         for (q1_root, &q1_scaled) in q1_roots
-            .or_if_free(pick.length(0))
+            .or_if_free(sample.length(0))
             .iter()
             .enumerate()
         {
@@ -279,25 +366,25 @@ impl WaferPrrr {
                 0.0,
                 -1.0,
                 t[0][1],
-                1e-11,
+                sample.tolerance,
             );
             if !q2_plus_q3_plus_q4_roots.is_regular() {
                 attempt
                     .note(
                         q2_plus_q3_plus_q4_roots.outcome,
-                        free,
+                        &path,
                         "q2 + q3 + q4",
                         1.0,
                         "",
                     );
             }
-            let free = if q2_plus_q3_plus_q4_roots.is_free() {
-                free.union(::dh_robot::FreeJoints::of(&[1, 2, 3]))
+            let path = if q2_plus_q3_plus_q4_roots.is_free() {
+                attempt.choose(1, &path, ::dh_robot::FreeJoints::of(&[1, 2, 3]))
             } else {
-                free
+                path
             };
             for (q2_plus_q3_plus_q4_root, &[c234, s234]) in q2_plus_q3_plus_q4_roots
-                .or_if_free(pick.angle(1))
+                .or_if_free(sample.angle(1))
                 .iter()
                 .enumerate()
             {
@@ -306,13 +393,13 @@ impl WaferPrrr {
                     2.0 * t_9 * t_10,
                     0.0,
                     -(t_11 - (t_6 + t_13 * t_13 - t_12)),
-                    1e-11,
+                    sample.tolerance,
                 );
                 if !q3_roots.is_regular() {
                     attempt
                         .note_law(
                             q3_roots.outcome,
-                            free,
+                            &path,
                             "elbow q3",
                             [t_11 + t_12, -(t_11 - (t_6 + t_13 * t_13 - t_12))],
                             false,
@@ -320,16 +407,25 @@ impl WaferPrrr {
                             "m",
                         );
                 }
-                let free = if q3_roots.is_free() {
-                    free.union(::dh_robot::FreeJoints::of(&[2]))
+                if path.is_chosen() {
+                    attempt
+                        .see(
+                            2,
+                            &path,
+                            [2.0 * t_9 * t_10, 0.0, -(t_11 - (t_6 + t_13 * t_13 - t_12))],
+                        );
+                }
+                let path = if q3_roots.is_free() {
+                    attempt.choose(2, &path, ::dh_robot::FreeJoints::of(&[2]))
                 } else {
-                    free
+                    path
                 };
                 for (q3_root, &[c3, s3]) in q3_roots
-                    .or_if_free(pick.angle(2))
+                    .or_if_free(sample.angle(2))
                     .iter()
                     .enumerate()
                 {
+                    let path = path.root(2, q3_root);
                     let q3 = ::dh_robot::runtime::atan2(s3, c3);
                     let t_14 = t_9 + t_10 * c3;
                     let t_15 = t_10 * s3;
@@ -340,18 +436,18 @@ impl WaferPrrr {
                         t_15,
                         t_14,
                         t_4,
-                        1e-11,
+                        sample.tolerance,
                     );
                     if !q2_roots.is_regular() {
-                        attempt.note(q2_roots.outcome, free, "q2", 1.0, "");
+                        attempt.note(q2_roots.outcome, &path, "q2", 1.0, "");
                     }
-                    let free = if q2_roots.is_free() {
-                        free.union(::dh_robot::FreeJoints::of(&[1]))
+                    let path = if q2_roots.is_free() {
+                        attempt.choose(3, &path, ::dh_robot::FreeJoints::of(&[1]))
                     } else {
-                        free
+                        path
                     };
                     for (q2_root, &[c2, s2]) in q2_roots
-                        .or_if_free(pick.angle(3))
+                        .or_if_free(sample.angle(3))
                         .iter()
                         .enumerate()
                     {
@@ -365,7 +461,7 @@ impl WaferPrrr {
                                     ::dh_robot::Elbow::Down
                                 },
                             );
-                        found([q1, q2, q3, q2_plus_q3_plus_q4 - q3 - q2], branch, free);
+                        found([q1, q2, q3, q2_plus_q3_plus_q4 - q3 - q2], branch, path);
                     }
                 }
             }
@@ -394,12 +490,13 @@ impl WaferPrrr {
         let task = ::dh_robot::runtime::Task::Pose(
             ::dh_robot::runtime::in_units(&frame, 0.6091883671078886),
         );
-        ::dh_robot::runtime::solve(
+        ::dh_robot::runtime::solve_bounded(
             self,
             setting,
             &task,
             &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
         )
     }
     const BRANCHES: [::dh_robot::Branch; 2] = {

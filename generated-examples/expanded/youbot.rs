@@ -229,6 +229,8 @@ impl ::dh_robot::Jacobian<5, f64> for Youbot {
 impl Youbot {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 4;
+    /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
+    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// Plan:
@@ -270,41 +272,143 @@ impl Youbot {
             given: ::core::option::Option::None,
         };
         let task = ::dh_robot::runtime::Task::Axis(p, z);
+        ::dh_robot::runtime::solve_bounded(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
+    /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
+    /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.
+    ///
+    /// # Errors
+    /// The reason why no joint values reach the target.
+    pub fn inverse_near(
+        &self,
+        target: (
+            &::dh_robot::nalgebra::Point3<f64>,
+            &::dh_robot::nalgebra::UnitVector3<f64>,
+        ),
+        q: &[f64; 5],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 5>, ::dh_robot::Why<f64>> {
+        let p: [f64; 3] = [target.0.x.into(), target.0.y.into(), target.0.z.into()];
+        if !p.iter().all(|x: &f64| x.is_finite()) {
+            return ::core::result::Result::Err(::dh_robot::Why::NotFinite);
+        }
+        let z = match ::dh_robot::runtime::direction([
+            target.1.x.into(),
+            target.1.y.into(),
+            target.1.z.into(),
+        ]) {
+            ::core::result::Result::Ok(z) => z,
+            ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
+        };
+        let frame = ::dh_robot::runtime::frame_of_axis(p.map(|x| x / 0.6875), z);
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: 0.6875,
+            few: true,
+            given: ::core::option::Option::None,
+        };
+        let task = ::dh_robot::runtime::Task::Axis(p, z);
+        let unknowns = self.unknowns(&q.map(f64::from));
+        ::dh_robot::runtime::solve_near::<
+            _,
+            5,
+            4,
+        >(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            q,
+            unknowns,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at
+    /// neighbouring poses and along self-motions. To compare with.
+    #[must_use]
+    pub fn inverse_exhaustive(
+        &self,
+        target: (
+            &::dh_robot::nalgebra::Point3<f64>,
+            &::dh_robot::nalgebra::UnitVector3<f64>,
+        ),
+    ) -> ::dh_robot::Solutions<f64, 5, 4> {
+        let p: [f64; 3] = [target.0.x.into(), target.0.y.into(), target.0.z.into()];
+        if !p.iter().all(|x: &f64| x.is_finite()) {
+            return ::dh_robot::Solutions::none(
+                &Self::JOINTS,
+                ::dh_robot::Why::NotFinite,
+            );
+        }
+        let z = match ::dh_robot::runtime::direction([
+            target.1.x.into(),
+            target.1.y.into(),
+            target.1.z.into(),
+        ]) {
+            ::core::result::Result::Ok(z) => z,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
+        };
+        let frame = ::dh_robot::runtime::frame_of_axis(p.map(|x| x / 0.6875), z);
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: 0.6875,
+            few: true,
+            given: ::core::option::Option::None,
+        };
+        let task = ::dh_robot::runtime::Task::Axis(p, z);
         ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
             &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
+            |frame, sample, found| self.candidates(frame, sample, found),
         )
+    }
+    /// The plan's unknowns at joint values.
+    fn unknowns(&self, q: &[f64; 5]) -> [f64; 8] {
+        [q[0], q[1] + q[2] + q[3], q[2], q[1], q[4], 0.0, 0.0, 0.0]
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::runtime::Pose,
-        pick: ::dh_robot::runtime::Pick,
-        found: &mut dyn FnMut([f64; 5], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+        sample: &::dh_robot::runtime::Sample,
+        found: &mut dyn FnMut([f64; 5], ::dh_robot::Branch, ::dh_robot::runtime::Path),
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
-        let free = ::dh_robot::FreeJoints::NONE;
+        let path = ::dh_robot::runtime::Path::START;
         let t_2 = t[2][3] - 0.21381818181818182;
         let t_3 = t_2 * t_2;
         let t_4 = t_2 * t[2][2] * 2.0;
         let q1_roots = ::dh_robot::runtime::solve_half_turn(
             [-t[1][2], t[0][2]],
             [-t[1][3], t[0][3]],
-            1e-11,
+            sample.tolerance,
         );
         if !q1_roots.is_regular() {
-            attempt.note(q1_roots.outcome, free, "shoulder q1", 0.6875, "m");
+            attempt.note(q1_roots.outcome, &path, "shoulder q1", 0.6875, "m");
         }
-        let free = if q1_roots.is_free() {
-            free.union(::dh_robot::FreeJoints::of(&[0]))
+        let path = if q1_roots.is_free() {
+            attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[0]))
         } else {
-            free
+            path
         };
-        for (q1_root, &[c1, s1]) in q1_roots.or_if_free(pick.angle(0)).iter().enumerate()
+        for (q1_root, &[c1, s1]) in q1_roots
+            .or_if_free(sample.angle(0))
+            .iter()
+            .enumerate()
         {
+            let path = path.root(0, q1_root);
             let q1 = ::dh_robot::runtime::atan2(s1, c1);
             let t_5 = t[0][3] * c1 + t[1][3] * s1;
             let t_6 = t[0][3] * s1 - t[1][3] * c1;
@@ -322,25 +426,25 @@ impl Youbot {
                 1.0,
                 0.0,
                 t[2][2],
-                1e-11,
+                sample.tolerance,
             );
             if !q2_plus_q3_plus_q4_roots.is_regular() {
                 attempt
                     .note(
                         q2_plus_q3_plus_q4_roots.outcome,
-                        free,
+                        &path,
                         "q2 + q3 + q4",
                         1.0,
                         "",
                     );
             }
-            let free = if q2_plus_q3_plus_q4_roots.is_free() {
-                free.union(::dh_robot::FreeJoints::of(&[1, 2, 3]))
+            let path = if q2_plus_q3_plus_q4_roots.is_free() {
+                attempt.choose(1, &path, ::dh_robot::FreeJoints::of(&[1, 2, 3]))
             } else {
-                free
+                path
             };
             for (q2_plus_q3_plus_q4_root, &[c234, s234]) in q2_plus_q3_plus_q4_roots
-                .or_if_free(pick.angle(1))
+                .or_if_free(sample.angle(1))
                 .iter()
                 .enumerate()
             {
@@ -350,13 +454,13 @@ impl Youbot {
                     0.08854214876033059,
                     0.0,
                     t_11,
-                    1e-11,
+                    sample.tolerance,
                 );
                 if !q3_roots.is_regular() {
                     attempt
                         .note_law(
                             q3_roots.outcome,
-                            free,
+                            &path,
                             "elbow q3",
                             [0.08938842975206612, t_11],
                             false,
@@ -364,16 +468,20 @@ impl Youbot {
                             "m",
                         );
                 }
-                let free = if q3_roots.is_free() {
-                    free.union(::dh_robot::FreeJoints::of(&[2]))
+                if path.is_chosen() {
+                    attempt.see(2, &path, [0.08854214876033059, 0.0, t_11]);
+                }
+                let path = if q3_roots.is_free() {
+                    attempt.choose(2, &path, ::dh_robot::FreeJoints::of(&[2]))
                 } else {
-                    free
+                    path
                 };
                 for (q3_root, &[c3, s3]) in q3_roots
-                    .or_if_free(pick.angle(2))
+                    .or_if_free(sample.angle(2))
                     .iter()
                     .enumerate()
                 {
+                    let path = path.root(2, q3_root);
                     let q3 = ::dh_robot::runtime::atan2(s3, c3);
                     let t_14 = 0.19636363636363638 * s3;
                     let t_15 = 0.22545454545454546 + 0.19636363636363638 * c3;
@@ -383,18 +491,18 @@ impl Youbot {
                             [t_15, -t_14, t_13],
                             [t_15, -t_14, t_13],
                         ],
-                        1e-11,
+                        sample.tolerance,
                     );
                     if !q2_roots.is_regular() {
-                        attempt.note(q2_roots.outcome, free, "q2", 1.0, "");
+                        attempt.note(q2_roots.outcome, &path, "q2", 1.0, "");
                     }
-                    let free = if q2_roots.is_free() {
-                        free.union(::dh_robot::FreeJoints::of(&[1]))
+                    let path = if q2_roots.is_free() {
+                        attempt.choose(3, &path, ::dh_robot::FreeJoints::of(&[1]))
                     } else {
-                        free
+                        path
                     };
                     for (q2_root, &[c2, s2]) in q2_roots
-                        .or_if_free(pick.angle(3))
+                        .or_if_free(sample.angle(3))
                         .iter()
                         .enumerate()
                     {
@@ -403,18 +511,18 @@ impl Youbot {
                             0.0,
                             0.0,
                             0.0,
-                            1e-11,
+                            sample.tolerance,
                         );
                         if !q5_roots.is_regular() {
-                            attempt.note(q5_roots.outcome, free, "q5", 1.0, "");
+                            attempt.note(q5_roots.outcome, &path, "q5", 1.0, "");
                         }
-                        let free = if q5_roots.is_free() {
-                            free.union(::dh_robot::FreeJoints::of(&[4]))
+                        let path = if q5_roots.is_free() {
+                            attempt.choose(4, &path, ::dh_robot::FreeJoints::of(&[4]))
                         } else {
-                            free
+                            path
                         };
                         for (q5_root, &[c5, s5]) in q5_roots
-                            .or_if_free(pick.angle(4))
+                            .or_if_free(sample.angle(4))
                             .iter()
                             .enumerate()
                         {
@@ -439,7 +547,7 @@ impl Youbot {
                             found(
                                 [q1, q2, q3, q2_plus_q3_plus_q4 - q3 - q2, q5],
                                 branch,
-                                free,
+                                path,
                             );
                         }
                     }

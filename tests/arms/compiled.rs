@@ -1,6 +1,6 @@
 //! A table's inverse without compiling it: the plan in the interpreter, the candidates through the driver of generated code.
 
-use dh_robot::runtime::{Attempt, Setting, frame_of_axis, frame_of_plane, in_units, solve};
+use dh_robot::runtime::{Attempt, Path, Setting, frame_of_axis, frame_of_plane, in_units, solve};
 use dh_robot::runtime::{Drive, Kinematics, Pose, Task as Goal};
 use dh_robot::{Branch, FreeJoints, Joint, Solutions};
 use dh_symbolic::algebra::Rational;
@@ -195,9 +195,9 @@ impl Compiled {
         let scaled = |k: usize, x: f64| if self.slides[k] { x / reach } else { x + self.shifts[k] };
         let given: Vec<f64> = given.iter().map(|(k, x)| scaled(*k, *x)).collect();
         let candidates = |frame: &Pose,
-                          pick: dh_robot::runtime::Pick,
-                          take: &mut dyn FnMut([f64; N], Branch, FreeJoints)| {
-            let run = self.inverse.attempt(&self.valued, frame, &given, &|i| (pick.angle(i), pick.length(i)));
+                          sample: &dh_robot::runtime::Sample,
+                          take: &mut dyn FnMut([f64; N], Branch, Path)| {
+            let run = self.inverse.attempt(&self.valued, frame, &given, &|i| (sample.angle(i), sample.length(i)));
             for c in &run.candidates {
                 let axes = &plan.axes;
                 let x: Vec<f64> = (0..N).map(|k| if axes.turns(k) { c.x[k] } else { c.x[k] * reach }).collect();
@@ -206,7 +206,9 @@ impl Compiled {
                 let free = forms.flat_map(|f| (0..N).filter(|k| f[*k] != 0)).fold(FreeJoints::NONE, FreeJoints::with);
                 let steps = c.branch.iter().enumerate();
                 let branch = steps.fold(Branch::ANY, |b, (i, root)| b.with_step(i, *root));
-                take(std::array::from_fn(|k| q[k]), branch, free);
+                // Which step was free does not matter to the thorough search.
+                let path = if c.free.is_empty() { Path::START } else { Path::START.choose(0, free) };
+                take(std::array::from_fn(|k| q[k]), branch, path);
             }
             let mut attempt = Attempt::new();
             let status = run.status;

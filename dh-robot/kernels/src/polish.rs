@@ -80,6 +80,32 @@ impl Task {
         }
     }
 
+    /// Entry by entry, without angles: position over `reach` (three entries), then the rotation's nine, each less the target's. Entries that
+    /// the task doesn't ask for are zero.
+    pub fn difference(&self, pose: &Pose, reach: f64) -> [f64; 12] {
+        let mut out = [0.0; 12];
+        let mut set = |i: usize, j: usize, target: f64| {
+            let (place, scale) = if j == 3 { (i, reach) } else { (3 + 3 * j + i, 1.0) };
+            out[place] = (pose[i][j] - target) / scale;
+        };
+        match self {
+            Self::Pose(t) => (0..12).for_each(|k| set(k % 3, k / 3, t[k % 3][k / 3])),
+            Self::Position(p) => (0..3).for_each(|i| set(i, 3, p[i])),
+            Self::Axis(p, z) => (0..3).for_each(|i| {
+                set(i, 3, p[i]);
+                set(i, 2, z[i]);
+            }),
+            Self::Planar(x, y, phi) => {
+                let (s, c) = super::math::sin_cos(*phi);
+                set(0, 3, *x);
+                set(1, 3, *y);
+                set(0, 0, c);
+                set(1, 0, s);
+            }
+        }
+        out
+    }
+
     /// The rows of the Jacobian that belong to [`Task::error`], scaled like it.
     pub fn rows<const N: usize>(&self, pose: &Pose, mut j: [[f64; N]; 6], reach: f64) -> [[f64; N]; 6] {
         for row in &mut j[..3] {

@@ -18,10 +18,10 @@ use super::tolerance::{BLUR, BOUNDARY, DOUBLE, GRAZING};
 ///
 /// - `h` and `|c|` at most `tol`: [`Outcome::Free`], no root. `tol` is absolute, in the unit of the coefficients: take
 ///   [`ZERO`](super::tolerance::ZERO) times the size of the terms that made them.
-/// - `h` at most `tol`, `|c|` above it, or `|c|` larger than `h` by more than [`BOUNDARY`] (relative):
+/// - `h` at most `tol`, `|c|` above it, or `|c|` larger than `h` by more than [`BOUNDARY`] and `tol` (relative):
 ///   [`Outcome::OutOfReach`] with `needed = |c|`, `available = h`; input that isn't finite ends here too. [`Outcome::Free`] if neither
 ///   exceeds [`BLUR`].
-/// - `|c|` within [`BOUNDARY`] above `h`, or within [`DOUBLE`] below: one root, [`Outcome::Touching`].
+/// - `|c|` within [`BOUNDARY`] above `h`, or within [`DOUBLE`] or the square of `tol` below: one root, [`Outcome::Touching`].
 /// - otherwise two roots, [`Outcome::Regular`], or [`Outcome::Touching`] within [`GRAZING`].
 #[inline]
 pub fn solve_sincos(a: f64, b: f64, c: f64, tol: f64) -> Angles<2> {
@@ -32,7 +32,7 @@ pub fn solve_sincos(a: f64, b: f64, c: f64, tol: f64) -> Angles<2> {
     }
     let gap = h - needed;
     // Written so that NaN ends here.
-    if !(h > tol && gap >= -BOUNDARY * h && h < f64::INFINITY) {
+    if !(h > tol && gap >= -BOUNDARY.max(tol) * h && h < f64::INFINITY) {
         if h <= BLUR && needed <= BLUR {
             return Angles::none(Outcome::Free);
         }
@@ -41,7 +41,7 @@ pub fn solve_sincos(a: f64, b: f64, c: f64, tol: f64) -> Angles<2> {
     let inverse = 1.0 / h;
     let (ua, ub) = (a * inverse, b * inverse);
     let mut roots = List::new();
-    if gap <= DOUBLE * h {
+    if gap <= DOUBLE.max(tol * tol) * h {
         let sign = 1f64.copysign(c);
         roots.push([sign * ua, sign * ub]);
         return Angles { roots, outcome: Outcome::Touching };

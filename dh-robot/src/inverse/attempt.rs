@@ -1,14 +1,30 @@
-//! What generated code and the driver tell each other: which value a free unknown takes, and how a run of the plan ended.
+//! What generated code and the solvers tell each other: which value a free unknown takes, which roots a candidate took, how a run of the plan ended.
 
+use super::path::{Equation, Path};
 use crate::{FreeJoints, Why};
-use dh_kernels::Outcome;
+use dh_kernels::{List, Outcome};
 
-/// Which values the unknowns take that their equations leave free: one choice for a whole run of the plan.
+/// The values that unknowns take where their equations leave them free, for one run of the plan, and the size below which coefficients count
+/// as zero.
 ///
-/// The first choice is zero for every step; the others spread over the circle, in another order for each step: first eleven, then three
-/// between each two.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Pick(u8);
+/// The first sample is zero for every step; the others spread over the circle, in another order for each step: first eleven, then three
+/// between each two. Single steps can be given values of their own.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    nth: u8,
+    /// Coefficients up to this size (rotation entries, lengths over the reach) count as zero; a right-hand side beyond its amplitude by no
+    /// more than this (relative) counts as reached.
+    pub tolerance: f64,
+    /// The values of steps that have one of their own: an angle in radians, or a length over the reach.
+    values: [f64; STEPS],
+    /// Those steps, a bit each.
+    given: u16,
+}
+
+/// Steps that can have values of their own.
+pub(super) const STEPS: usize = 8;
+/// Rounding of the coefficients.
+const NOISE: f64 = 1e-11;
 
 /// Cosines and sines: zero, then angles of no special kind, about 30 degrees apart and far ones first.
 const ANGLES: [[f64; 2]; 12] = [
@@ -35,48 +51,92 @@ const BETWEEN: [[f64; 2]; 4] = [
 /// Lengths over the reach.
 const LENGTHS: [f64; 12] = [0.0, 0.27, -0.23, 0.51, -0.48, 0.76, -0.74, 1.03, -0.97, 1.52, -1.46, 2.1];
 
-impl Pick {
+impl Sample {
     /// Zero everywhere.
-    pub const FIRST: Self = Self(0);
+    pub const FIRST: Self = Self::nth(0);
 
-    /// Choice number `n`.
-    #[doc(hidden)]
+    /// Sample number `n`.
     #[must_use]
-    pub fn nth(n: u8) -> Self {
-        Self(n)
+    pub const fn nth(n: u8) -> Self {
+        Self { nth: n, tolerance: NOISE, values: [0.0; STEPS], given: 0 }
     }
 
-    /// All choices but the first.
+    /// These values for the first steps.
+    #[must_use]
+    pub fn of(values: [f64; STEPS]) -> Self {
+        Self { values, given: 0xff, ..Self::FIRST }
+    }
+
+    /// The same sample with this value for one step.
+    #[must_use]
+    pub fn with(mut self, step: usize, value: f64) -> Self {
+        if let Some(place) = self.values.get_mut(step) {
+            *place = value;
+            self.given |= 1 << step;
+        }
+        self
+    }
+
+    /// The same sample with another size of what counts as zero.
+    #[must_use]
+    pub fn with_tolerance(self, tolerance: f64) -> Self {
+        Self { tolerance, ..self }
+    }
+
+    /// All samples but the first.
     pub(super) fn others() -> impl Iterator<Item = Self> {
-        (1..48).map(Self)
+        (1..48).map(Self::nth)
     }
 
     /// The place in a list of twelve: each step goes through it in another order.
-    fn place(self, step: usize) -> usize {
+    fn place(&self, step: usize) -> usize {
         let stride = [1, 5, 7, 11].get(step % 4).copied().unwrap_or(1);
-        usize::from(self.0) * stride % 12
+        usize::from(self.nth) * stride % 12
     }
 
-    /// The angle, as `[cos, sin]`.
+    /// The value that a step has of its own.
+    fn own(&self, step: usize) -> Option<f64> {
+        self.values.get(step).filter(|_| self.given >> step & 1 == 1).copied()
+    }
+
+    /// The value of the one step that has its own; 0 without.
+    pub(super) fn value(&self) -> f64 {
+        self.values.get(self.given.trailing_zeros() as usize).copied().unwrap_or(0.0)
+    }
+
+    /// The angle of a step, as `[cos, sin]`.
     #[must_use]
-    pub fn angle(self, step: usize) -> [f64; 2] {
+    #[inline]
+    pub fn angle(&self, step: usize) -> [f64; 2] {
+        if self.nth == 0 && self.given == 0 {
+            return [1.0, 0.0];
+        }
+        if let Some(angle) = self.own(step) {
+            let (s, c) = crate::math::sin_cos(angle);
+            return [c, s];
+        }
         let [c, s] = ANGLES.get(self.place(step)).copied().unwrap_or([1.0, 0.0]);
-        let [x, y] = BETWEEN.get(usize::from(self.0 / 12)).copied().unwrap_or([1.0, 0.0]);
+        let [x, y] = BETWEEN.get(usize::from(self.nth / 12)).copied().unwrap_or([1.0, 0.0]);
         [c * x - s * y, s * x + c * y]
     }
 
-    /// The length, over the reach.
+    /// The length of a step, over the reach.
     #[must_use]
-    pub fn length(self, step: usize) -> f64 {
-        LENGTHS.get(self.place(step)).copied().unwrap_or(0.0) + 0.061 * f64::from(self.0 / 12)
+    pub fn length(&self, step: usize) -> f64 {
+        let listed = LENGTHS.get(self.place(step)).copied().unwrap_or(0.0) + 0.061 * f64::from(self.nth / 12);
+        self.own(step).unwrap_or(listed)
     }
 }
 
 /// What the closed form reports beside its candidates.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Attempt {
     /// Some step left its unknown free.
     pub degenerate: bool,
+    /// The steps that did, a bit each.
+    free: u16,
+    /// Equations of one unknown behind a free one.
+    pub(super) equations: List<Equation, 24>,
     /// A value that was chosen for a free unknown led to nothing, and another one might lead to something; or a step missed its root
     /// by no more than the error of a double root before it; or a step without a root came after a double one.
     pub lost: bool,
@@ -98,7 +158,15 @@ impl Attempt {
     #[inline]
     #[must_use]
     pub fn new() -> Self {
-        Attempt { degenerate: false, lost: false, grazed: false, doubt: false, why: Why::NoSolution }
+        Attempt {
+            degenerate: false,
+            free: 0,
+            equations: List::new(),
+            lost: false,
+            grazed: false,
+            doubt: false,
+            why: Why::NoSolution,
+        }
     }
 
     /// The same for a target in `f32`: beside a singular pose its rounding turns a double root into two, and what comes after them has as few
@@ -109,16 +177,16 @@ impl Attempt {
         Attempt { grazed: true, ..Attempt::new() }
     }
 
-    /// Notes how a step ended that has no roots, or a double one, where `free` are the joints for which values were chosen before. `scale` turns the
+    /// Notes how a step ended that has no roots, or a double one, behind the roots and samples of `path`. `scale` turns the
     /// numbers of its equation into `unit`.
     #[cold]
-    pub fn note(&mut self, outcome: Outcome, free: FreeJoints, step: &'static str, scale: f64, unit: &'static str) {
+    pub fn note(&mut self, outcome: Outcome, path: &Path, step: &'static str, scale: f64, unit: &'static str) {
         match outcome {
             Outcome::Free => return self.degenerate = true,
             Outcome::Touching => return self.grazed = true,
             _ => {}
         }
-        self.lost |= !free.is_empty() || self.grazed || outcome.just_misses_a_root();
+        self.lost |= path.is_chosen() || self.grazed || outcome.just_misses_a_root();
         self.doubt |= outcome.may_hide_a_root();
         match outcome {
             Outcome::OutOfReach { needed, available } => {
@@ -137,15 +205,15 @@ impl Attempt {
     pub fn note_law(
         &mut self,
         outcome: Outcome,
-        free: FreeJoints,
+        path: &Path,
         step: &'static str,
         [base, rest]: [f64; 2],
         grows: bool,
         reach: f64,
         unit: &'static str,
     ) {
-        let Outcome::OutOfReach { available, .. } = outcome else { return self.note(outcome, free, step, 1.0, unit) };
-        self.lost |= !free.is_empty() || self.grazed || outcome.just_misses_a_root();
+        let Outcome::OutOfReach { available, .. } = outcome else { return self.note(outcome, path, step, 1.0, unit) };
+        self.lost |= path.is_chosen() || self.grazed || outcome.just_misses_a_root();
         self.doubt |= outcome.may_hide_a_root();
         let distance = crate::math::sqrt((base + rest).max(0.0));
         let available = if rest > 0.0 { available } else { -available };
@@ -160,6 +228,25 @@ impl Attempt {
         let (needs, has) = (distance * reach, limit.max(0.0) * reach);
         self.why = self.why.or_nearer(Why::OutOfReach { step, needs, has, unit });
     }
+
+    /// Notes that a step left its unknown free, behind the roots and samples of `path`; gives back the path with it.
+    #[cold]
+    pub fn choose(&mut self, step: usize, path: &Path, joints: FreeJoints) -> Path {
+        self.degenerate = true;
+        self.free |= 1 << (step & 15);
+        path.choose(step, joints)
+    }
+
+    /// The first step that was free in some branch.
+    pub(super) fn first_free(&self) -> Option<usize> {
+        (self.free != 0).then(|| self.free.trailing_zeros() as usize)
+    }
+
+    /// Notes `a cos u + b sin u = c` of a step behind a free one.
+    #[cold]
+    pub fn see(&mut self, step: usize, path: &Path, coefficients: [f64; 3]) {
+        self.equations.push(Equation { step, path: *path, coefficients });
+    }
 }
 
 #[cfg(test)]
@@ -170,9 +257,9 @@ mod tests {
     fn choices_are_all_different_for_every_step_and_lie_on_the_circle() {
         for step in 0..5 {
             let all: Vec<[f64; 2]> =
-                core::iter::once(Pick::FIRST).chain(Pick::others()).map(|p| p.angle(step)).collect();
+                core::iter::once(Sample::FIRST).chain(Sample::others()).map(|p| p.angle(step)).collect();
             assert_eq!(all.len(), 48);
-            assert_eq!((all[0], Pick::FIRST.length(step)), ([1.0, 0.0], 0.0));
+            assert_eq!((all[0], Sample::FIRST.length(step)), ([1.0, 0.0], 0.0));
             for (i, a) in all.iter().enumerate() {
                 assert!((a[0].hypot(a[1]) - 1.0).abs() < 1e-15);
                 assert!(all[..i].iter().all(|b| (a[0] - b[0]).hypot(a[1] - b[1]) > 0.02));
@@ -189,7 +276,7 @@ mod tests {
             let rest = distance * distance - base;
             let mut attempt = Attempt::new();
             let outcome = Outcome::OutOfReach { needed: rest.abs(), available };
-            attempt.note_law(outcome, FreeJoints::NONE, "q", [base, rest], grows, 2.0, "m");
+            attempt.note_law(outcome, &Path::START, "q", [base, rest], grows, 2.0, "m");
             match attempt.why {
                 Why::OutOfReach { needs, has, .. } => [needs, has],
                 _ => [f64::NAN; 2],
@@ -207,11 +294,11 @@ mod tests {
     fn a_dead_end_behind_a_choice_is_a_loss() {
         let mut attempt = Attempt::new();
         let outcome = Outcome::OutOfReach { needed: 2.0, available: 1.0 };
-        attempt.note(outcome, FreeJoints::NONE, "q3", 1.0, "m");
+        attempt.note(outcome, &Path::START, "q3", 1.0, "m");
         assert!(!attempt.lost && !attempt.degenerate);
-        attempt.note(Outcome::Free, FreeJoints::NONE, "q4", 1.0, "m");
+        attempt.note(Outcome::Free, &Path::START, "q4", 1.0, "m");
         assert!(!attempt.lost && attempt.degenerate);
-        attempt.note(outcome, FreeJoints::of(&[3]), "q5", 1.0, "m");
+        attempt.note(outcome, &Path::START.choose(4, FreeJoints::of(&[3])), "q5", 1.0, "m");
         assert!(attempt.lost);
     }
 }

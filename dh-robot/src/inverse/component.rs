@@ -1,5 +1,6 @@
 //! Do two solutions belong to one continuum: does a motion of the arm lead from one to the other while the target stays reached?
 
+use super::motion::Motions;
 use super::verifier::{SAME, Verifier};
 use crate::{Real, math};
 use dh_kernels::Kinematics;
@@ -101,7 +102,11 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
 
     /// The part of a direction that leaves the target reached, to first order.
     pub(super) fn within_motions(&self, x: &[f64; N], way: &[f64; N]) -> [f64; N] {
-        let mut basis = self.motions(x);
+        self.within(self.motions(x), way)
+    }
+
+    /// The part of a direction that is a sum of motions.
+    pub(super) fn within(&self, mut basis: Motions<N>, way: &[f64; N]) -> [f64; N] {
         let dot = |a: &[f64; N], b: &[f64; N]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         let mut part = [0.0; N];
         for i in 0..basis.len {

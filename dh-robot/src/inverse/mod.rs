@@ -7,19 +7,30 @@
 #![allow(clippy::neg_cmp_op_on_partial_ord)] // `!(x <= y)` is how NaN ends on the safe side
 
 mod attempt;
+mod cells;
 mod component;
 mod crossing;
+mod fallback;
 mod frame;
 mod motion;
+mod near;
+mod newton;
 mod off;
+mod path;
 mod range;
 mod rescue;
+mod sheets;
 mod verifier;
+mod work;
 
-pub use attempt::{Attempt, Pick};
+pub use attempt::{Attempt, Sample};
+pub use fallback::solve as solve_bounded;
 pub use frame::{direction, frame_of, frame_of_axis, frame_of_plane, in_units, to_pose};
+pub use near::{nearest, solve_near};
+pub use path::Path;
+pub use work::Work;
 
-use crate::{Branch, FreeJoints, Joint, Real, Solutions, Why};
+use crate::{Branch, Joint, Real, Solutions, Why};
 use dh_kernels::{Kinematics, Pose, Task};
 use verifier::Verifier;
 
@@ -45,10 +56,10 @@ pub fn solve<T: Real, const N: usize, const M: usize>(
     setting: Setting<T, N>,
     task: &Task,
     frame: &Pose,
-    candidates: impl Fn(&Pose, Pick, &mut dyn FnMut([f64; N], Branch, FreeJoints)) -> Attempt,
+    candidates: impl Fn(&Pose, &Sample, &mut dyn FnMut([f64; N], Branch, Path)) -> Attempt,
 ) -> Solutions<T, N, M> {
     let mut verifier = Verifier::new(arm, setting, task);
-    let attempt = candidates(frame, Pick::FIRST, &mut |q, branch, free| verifier.take(q, branch, free));
+    let attempt = candidates(frame, &Sample::FIRST, &mut |q, branch, path| verifier.take(q, branch, path.joints));
     if attempt.degenerate || verifier.lost || attempt.lost || attempt.doubt && verifier.out.is_empty() {
         rescue::rescue(&mut verifier, frame, &attempt, &candidates);
     }

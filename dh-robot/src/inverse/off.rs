@@ -35,6 +35,14 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
         if !self.nearest.is_finite() || self.nearest > gap.max(NEAR) {
             return (gap.is_finite()).then_some(*why);
         }
+        self.miss_of_best()
+    }
+
+    /// What the nearest joint vector that was found misses.
+    pub(super) fn miss_of_best(&self) -> Option<Why<f64>> {
+        if !self.nearest.is_finite() {
+            return None;
+        }
         let e = self.task.error(&self.arm.forward(&self.best), self.setting.reach);
         let size = |v: &[f64]| math::sqrt(v.iter().map(|x| x * x).sum::<f64>());
         let (position, rotation) = (size(&e[..3]), size(&e[3..]));

@@ -1,8 +1,8 @@
 //! Where the closed form degenerates: other values for what it left free, nearby poses, and at last a search from many starts.
 
 use super::verifier::Verifier;
-use super::{Attempt, Pick};
-use crate::{Branch, FreeJoints, Real};
+use super::{Attempt, Path, Sample};
+use crate::{Branch, Real};
 use dh_kernels::{Kinematics, Pose, pose};
 
 /// Most damped Newton steps that bring a rough candidate onto the target.
@@ -34,7 +34,7 @@ pub(super) fn rescue<A: Kinematics<N>, T: Real, const N: usize, const M: usize>(
     verifier: &mut Verifier<'_, A, T, N, M>,
     frame: &Pose,
     first: &Attempt,
-    candidates: &impl Fn(&Pose, Pick, &mut dyn FnMut([f64; N], Branch, FreeJoints)) -> Attempt,
+    candidates: &impl Fn(&Pose, &Sample, &mut dyn FnMut([f64; N], Branch, Path)) -> Attempt,
 ) {
     rescue_by_candidates(verifier, frame, first, candidates);
     verifier.take_crossings();
@@ -46,17 +46,17 @@ fn rescue_by_candidates<A: Kinematics<N>, T: Real, const N: usize, const M: usiz
     verifier: &mut Verifier<'_, A, T, N, M>,
     frame: &Pose,
     first: &Attempt,
-    candidates: &impl Fn(&Pose, Pick, &mut dyn FnMut([f64; N], Branch, FreeJoints)) -> Attempt,
+    candidates: &impl Fn(&Pose, &Sample, &mut dyn FnMut([f64; N], Branch, Path)) -> Attempt,
 ) {
     let mut lost = verifier.lost || first.lost || verifier.out.is_empty();
     if first.degenerate {
-        for (i, pick) in Pick::others().enumerate() {
+        for (i, pick) in Sample::others().enumerate() {
             // Zero may be a special value: another one or two show whether it stands for all of them.
             if i >= PROBES && !lost {
                 break;
             }
             verifier.news = false;
-            let run = candidates(frame, pick, &mut |q, branch, _| verifier.take_rough(q, branch, i >= FIRST_ROUND));
+            let run = candidates(frame, &pick, &mut |q, branch, _| verifier.take_rough(q, branch, i >= FIRST_ROUND));
             lost |= verifier.news || run.lost;
         }
     }
@@ -71,7 +71,7 @@ fn rescue_by_candidates<A: Kinematics<N>, T: Real, const N: usize, const M: usiz
             for side in [1.0, -1.0] {
                 let near = moved(frame, motion, side * size);
                 let mut any = false;
-                let run = candidates(&near, Pick::nth(nth), &mut |q, branch, _| {
+                let run = candidates(&near, &Sample::nth(nth), &mut |q, branch, _| {
                     any = true;
                     verifier.take_rough(q, branch, side < 0.0);
                 });

@@ -262,7 +262,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
         }
     }
 
-    fn push(&mut self, mut solution: Solution<T, N>) -> bool {
+    pub(super) fn push(&mut self, mut solution: Solution<T, N>) -> bool {
         if let Some(drive) = self.drive
             && self.is_another_turn(&drive, &mut solution)
         {

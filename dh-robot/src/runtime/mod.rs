@@ -3,7 +3,8 @@
 pub mod lanes;
 
 pub use crate::inverse::{
-    Attempt, Pick, Setting, direction, frame_of, frame_of_axis, frame_of_plane, in_units, solve, to_pose,
+    Attempt, Path, Sample, Setting, direction, frame_of, frame_of_axis, frame_of_plane, in_units, nearest, solve,
+    solve_bounded, solve_near, to_pose,
 };
 pub use crate::math::{atan2, sin_cos};
 pub use crate::sincos::sincos_batch;

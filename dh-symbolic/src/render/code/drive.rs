@@ -47,6 +47,23 @@ pub(in crate::render) fn motors(chain: &Chain, x: &[String]) -> Vec<String> {
         .collect()
 }
 
+/// Expression of each coordinate of the table from the motors' values `q`, in parentheses where it is a sum.
+pub(in crate::render) fn coordinates(chain: &Chain) -> Vec<String> {
+    let shifted = |moved: String, i: usize| {
+        let shift = chain.joints.get(i).and_then(|j| shift_expression(chain, &j.shift, Scalar::F64));
+        shift.map_or(moved.clone(), |s| format!("({moved} + ({s}))"))
+    };
+    let row = |row: &Vec<Poly>| {
+        let value = |(k, p): (usize, &Poly)| match p.is_one() {
+            true => format!("q[{k}]"),
+            false => format!("({}) * q[{k}]", super::body::field_polynomial(chain, p)),
+        };
+        let parts: Vec<String> = row.iter().enumerate().filter(|(_, p)| !p.is_zero()).map(value).collect();
+        if parts.len() == 1 { parts.concat() } else { format!("({})", parts.join(" + ")) }
+    };
+    chain.drive.iter().enumerate().map(|(i, r)| shifted(row(r), i)).collect()
+}
+
 /// How motors move rows, as expressions.
 pub(in crate::render) struct Matrices {
     /// The determinant, which the second matrix calls `det`.

@@ -10,9 +10,9 @@ use crate::planner::{Argument, Call, Representative};
 use crate::program::{Choice, Indicator, Inverse, Report, Solve, Value};
 
 /// Names that generated functions use for something else.
-const RESERVED: [&str; 21] = [
-    "q", "s", "c", "self", "t", "angles", "found", "attempt", "given", "free", "pick", "branch", "valid", "margin",
-    "error", "frame", "target", "lane", "take", "setting", "task",
+const RESERVED: [&str; 23] = [
+    "q", "s", "c", "self", "t", "angles", "found", "attempt", "given", "free", "pick", "sample", "path", "branch",
+    "valid", "margin", "error", "frame", "target", "lane", "take", "setting", "task",
 ];
 
 /// The variables of a combination of joints.
@@ -117,7 +117,7 @@ pub(in crate::render) fn call(
         .collect();
     if call.kernel.takes_tolerance {
         arguments.push(match dialect {
-            Dialect::Rust => format!("{:e}", crate::program::TOLERANCE),
+            Dialect::Rust => "sample.tolerance".into(),
             Dialect::JavaScript => "NOISE".into(),
         });
     }
@@ -152,7 +152,8 @@ pub(in crate::render) fn argument<N>(
 fn representatives(dialect: Dialect, variables: &Variables, solve: &Solve) -> String {
     let one = |(i, k): (usize, &usize)| {
         let kind = if variables.known[*k].turns { "angle" } else { "length" };
-        format!("pick.{kind}({})", solve.step + i)
+        let sample = if dialect == Dialect::Rust { "sample" } else { "pick" };
+        format!("{sample}.{kind}({})", solve.step + i)
     };
     let all: Vec<String> = solve.finds.iter().enumerate().map(one).collect();
     grouped(dialect, variables, solve, &all)

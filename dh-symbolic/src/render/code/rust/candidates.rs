@@ -1,6 +1,7 @@
 //! The program of an inverse in Rust, node by node: nested loops over the roots of its steps.
 
 use crate::chain::{Chain, Scalar};
+use crate::planner::{Argument, StepKind};
 use crate::program::{Instruction, Inverse, Loop, Report, Sequence, Solve, Yield};
 use crate::render::code::body::{Body, Dialect};
 use crate::render::code::drive::motors;
@@ -20,9 +21,9 @@ pub(super) fn candidates(chain: &Chain, inverse: &Inverse) -> String {
     printer.sequence(&inverse.body);
     format!(
         "/// Runs the plan: calls `found` with every candidate.\n\
-         fn candidates(&self, t: &::dh_robot::runtime::Pose, {redundant}pick: ::dh_robot::runtime::Pick, found: &mut dyn FnMut([f64; {n}], ::dh_robot::Branch, ::dh_robot::FreeJoints)) \
+         fn candidates(&self, t: &::dh_robot::runtime::Pose, {redundant}sample: &::dh_robot::runtime::Sample, found: &mut dyn FnMut([f64; {n}], ::dh_robot::Branch, ::dh_robot::runtime::Path)) \
          -> ::dh_robot::runtime::Attempt {{\n\
-         let mut attempt = ::dh_robot::runtime::Attempt::{attempt}();\nlet free = ::dh_robot::FreeJoints::NONE;\n{}attempt\n}}\n",
+         let mut attempt = ::dh_robot::runtime::Attempt::{attempt}();\nlet path = ::dh_robot::runtime::Path::START;\n{}attempt\n}}\n",
         printer.out
     )
 }
@@ -79,11 +80,11 @@ impl<'a> Printer<'a> {
             Some(d) => {
                 let (base, rest) = (self.body.value(d.base), self.body.value(d.rest));
                 format!(
-                    "note_law({roots}.outcome, free, \"{name}\", [{base}, {rest}], {}, {scale}, \"{unit}\")",
+                    "note_law({roots}.outcome, &path, \"{name}\", [{base}, {rest}], {}, {scale}, \"{unit}\")",
                     d.grows
                 )
             }
-            None => format!("note({roots}.outcome, free, \"{name}\", {scale}, \"{unit}\")"),
+            None => format!("note({roots}.outcome, &path, \"{name}\", {scale}, \"{unit}\")"),
         };
         self.out.push_str(&format!("if !{roots}.is_regular() {{ attempt.{note}; }}\n"));
     }
@@ -91,20 +92,25 @@ impl<'a> Printer<'a> {
     fn each_root(&mut self, over: &'a Loop) {
         let Some(solve) = self.solve.take() else { return };
         let names = &self.variables.steps[over.step];
-        if !over.free_joints.is_empty() {
-            let joints: Vec<String> = over.free_joints.iter().map(ToString::to_string).collect();
-            self.out.push_str(&format!(
-                "let free = if {}.is_free() {{ free.union(::dh_robot::FreeJoints::of(&[{}])) }} else {{ free }};\n",
-                names.roots,
-                joints.join(", ")
-            ));
+        if let Some(equation) = self.equation(solve).filter(|_| over.step > 0) {
+            self.out.push_str(&format!("if path.is_chosen() {{ attempt.see({}, &path, {equation}); }}\n", over.step));
         }
+        let joints: Vec<String> = over.free_joints.iter().map(ToString::to_string).collect();
+        self.out.push_str(&format!(
+            "let path = if {}.is_free() {{ attempt.choose({}, &path, ::dh_robot::FreeJoints::of(&[{}])) }} else {{ path }};\n",
+            names.roots,
+            over.step,
+            joints.join(", ")
+        ));
         self.out.push_str(&format!(
             "for ({}, &{}) in {}.iter().enumerate() {{\n",
             names.root,
             pattern(Dialect::Rust, &self.variables, solve),
             with_representative(Dialect::Rust, &self.variables, solve)
         ));
+        if self.inverse.plan.steps[over.step].roots > 1 {
+            self.out.push_str(&format!("let path = path.root({}, {});\n", over.step, names.root));
+        }
         for k in &over.binds {
             let known = &self.variables.known[*k];
             let [c, s] = &known.pair;
@@ -118,10 +124,19 @@ impl<'a> Printer<'a> {
         self.out.push_str("}\n");
     }
 
+    /// The coefficients a, b, c of `a cos u + b sin u = c`, as an array, of a step that solves one such equation.
+    fn equation(&self, solve: &Solve) -> Option<String> {
+        let one = matches!(self.inverse.plan.steps[solve.step].kind, StepKind::SinCos | StepKind::HalfTurn);
+        let [Argument::Number(a), Argument::Number(b), Argument::Number(c)] = &solve.call.arguments[..] else {
+            return None;
+        };
+        one.then(|| format!("[{}, {}, {}]", self.body.value(*a), self.body.value(*b), self.body.value(*c)))
+    }
+
     fn result(&mut self, result: &Yield) {
         let values = self.variables.values();
         let x: Vec<String> = result.joints.iter().map(|form| combination(form, &values)).collect();
         let (motors, branch) = (motors(self.chain, &x).join(", "), branch(&result.branch, &self.variables));
-        self.out.push_str(&format!("let branch = {branch};\nfound([{motors}], branch, free);\n"));
+        self.out.push_str(&format!("let branch = {branch};\nfound([{motors}], branch, path);\n"));
     }
 }

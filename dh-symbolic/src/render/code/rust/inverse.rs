@@ -5,6 +5,7 @@ use super::lanes;
 use super::target::Target;
 use super::verify::kinematics;
 use crate::chain::{Chain, Scalar, Task};
+use crate::planner::StepKind;
 use crate::program::{Forward, Inverse};
 use crate::render::code::{literal, scalar_name};
 
@@ -21,26 +22,46 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
         format!("::core::option::Option::Some(({k}, given.into()))")
     });
     let few = inverse.plan.few;
-    let robust = format!(
+    let prepare = format!(
         "{frame}\nlet setting = ::dh_robot::runtime::Setting {{ joints: &Self::JOINTS, reach: {reach}, few: {few}, given: {fixed} }};\n\
-         let task = {task};\n\
-         ::dh_robot::runtime::solve(self, setting, &task, &frame, |frame, pick, found| self.candidates(frame{pass}, pick, found))\n"
+         let task = {task};\n"
     );
-    let rest = if fits { format!("{frame}\n{}", lanes::call(chain, inverse)) } else { robust.clone() };
+    let run = format!("|frame, sample, found| self.candidates(frame{pass}, sample, found)");
+    let solve = format!("::dh_robot::runtime::solve_bounded(self, setting, &task, &frame, Self::MAX_WORK, {run})\n");
+    let fallback = format!("{prepare}{solve}");
+    let rest = if fits { format!("{frame}\n{}", lanes::call(chain, inverse)) } else { fallback.clone() };
+    let work =
+        if inverse.plan.steps.iter().any(|s| s.kind == StepKind::General) { "ELIMINATION" } else { "CLOSED_FORM" };
     let mut out = format!(
         "#[allow(unused, clippy::all, clippy::pedantic)]\nimpl {name} {{\n\
          /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.\n\
          pub const MAX_SOLUTIONS: usize = {m};\n\
+         /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.\n\
+         pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::{work};\n\
          {}\n\
          #[must_use]\npub fn inverse(&self, {target}{given}) -> ::dh_robot::Solutions<{f}, {n}, {m}> {{\n\
          {rest}}}\n\n",
         docs(chain, inverse),
     );
+    out.push_str(&format!(
+        "/// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the\n\
+         /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out\n\
+         /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.\n///\n\
+         /// # Errors\n/// The reason why no joint values reach the target.\n\
+         pub fn inverse_near(&self, {target}{given}, q: &[{f}; {n}]) -> ::core::result::Result<::dh_robot::Solution<{f}, {n}>, ::dh_robot::Why<{f}>> {{\n\
+         {}}}\n\n\
+         /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at\n\
+         /// neighbouring poses and along self-motions. To compare with.\n\
+         #[must_use]\npub fn inverse_exhaustive(&self, {target}{given}) -> ::dh_robot::Solutions<{f}, {n}, {m}> {{\n\
+         {prepare}::dh_robot::runtime::solve(self, setting, &task, &frame, {run})\n}}\n\n",
+        near(chain, inverse, fits, &prepare.replace(&refusal("why"), "return ::core::result::Result::Err(why)").replace(&refusal("::dh_robot::Why::NotFinite"), "return ::core::result::Result::Err(::dh_robot::Why::NotFinite)"), &run),
+    ));
+    out.push_str(&unknowns(chain, inverse));
     out.push_str(&candidates(chain, inverse));
     if fits {
         out.push_str(&format!(
             "/// The plan root by root, with everything that special poses need.\n#[cold]\n#[inline(never)]\n\
-             fn robust(&self, {target}{given}) -> ::dh_robot::Solutions<{f}, {n}, {m}> {{\n{robust}}}\n"
+             fn robust(&self, {target}{given}) -> ::dh_robot::Solutions<{f}, {n}, {m}> {{\n{fallback}}}\n"
         ));
         out.push_str(&lanes::lanes(chain, inverse));
     }
@@ -48,6 +69,56 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
     out.push_str(&kinematics(chain, name, forward, few));
     out.push_str(&as_trait(chain, name, m, &kind));
     out
+}
+
+/// How a function that gives back a list refuses its target.
+fn refusal(why: &str) -> String {
+    format!("return ::dh_robot::Solutions::none(&Self::JOINTS, {why})")
+}
+
+/// The body of `inverse_near`: the nearest of the fast path's list, or the search that goes on from the joint values.
+fn near(chain: &Chain, inverse: &Inverse, fits: bool, prepare: &str, run: &str) -> String {
+    let (n, m) = (chain.dof(), inverse.plan.max_solutions);
+    let reach = literal(inverse.plan.axes.reach, Scalar::F64);
+    let mut out = prepare.to_string();
+    if fits {
+        let total = lanes::branches(inverse);
+        let number = if chain.redundant.is_some() { ", given.into()" } else { "" };
+        out.push_str(&format!(
+            "let mut found = [[0.0; {total}]; {n}];\nlet mut valid = [0.0; {total}];\n\
+             if self.lanes(&frame{number}, &mut found, &mut valid) {{\n\
+             let list: ::dh_robot::Solutions<_, {n}, {m}> = ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &found, &Self::BRANCHES);\n\
+             return ::dh_robot::runtime::nearest(&list, q, {reach});\n}}\n"
+        ));
+    }
+    out.push_str(&format!(
+        "let unknowns = self.unknowns(&q.map(f64::from));\n\
+         ::dh_robot::runtime::solve_near::<_, {n}, {m}>(self, setting, &task, &frame, Self::MAX_WORK, q, unknowns, {run})\n"
+    ));
+    out
+}
+
+/// The function that gives the values of the plan's unknowns (radians, lengths over the reach) at joint values.
+fn unknowns(chain: &Chain, inverse: &Inverse) -> String {
+    let plan = &inverse.plan;
+    let reach = literal(plan.axes.reach, Scalar::F64);
+    let x: Vec<String> = crate::render::code::drive::coordinates(chain);
+    let value = |step: &crate::planner::Step| {
+        let Some(form) = step.unknown.first() else { return "0.0".into() };
+        if form.iter().skip(plan.axes.real).any(|k| *k != 0) {
+            return "0.0".into();
+        }
+        let sum = crate::render::code::steps::combination(form, &x);
+        let slides = form.iter().position(|k| *k != 0).is_some_and(|k| !plan.axes.turns(k));
+        if slides { format!("({sum}) / {reach}") } else { sum }
+    };
+    let mut values: Vec<String> = plan.steps.iter().map(value).collect();
+    values.resize(8, "0.0".into());
+    format!(
+        "/// The plan's unknowns at joint values.\nfn unknowns(&self, q: &[f64; {}]) -> [f64; 8] {{\n[{}]\n}}\n",
+        chain.dof(),
+        values.join(", ")
+    )
 }
 
 /// The trait: with a redundant joint its target is a pair, of the target and that joint's value.

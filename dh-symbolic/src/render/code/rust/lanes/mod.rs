@@ -44,7 +44,7 @@ fn kernel(inverse: &Inverse, solve: &Solve) -> Option<BatchedKernel> {
 }
 
 /// How many branches a plan has.
-fn branches(inverse: &Inverse) -> usize {
+pub(super) fn branches(inverse: &Inverse) -> usize {
     inverse.plan.steps.iter().map(|s| s.roots).product()
 }
 

@@ -1,0 +1,35 @@
+//! How much a call of the inverse may compute: counters, and the bounds that each robot states.
+
+/// What a call of an inverse computes at most, or has computed.
+///
+/// `MAX_WORK` of every generated robot is such a bound. A run of the plan gives all candidates of the closed form; a Newton step is one
+/// forward kinematics with its Jacobian, and the solution of six linear equations; an evaluation is a forward kinematics, with or without
+/// Jacobian.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Work {
+    /// Runs of the plan.
+    pub runs: u32,
+    /// Newton steps.
+    pub steps: u32,
+    /// Evaluations of the forward kinematics, those of Newton steps included.
+    pub evaluations: u32,
+    most: [u32; 3],
+}
+
+impl Work {
+    /// The bounds of an arm whose plan is in closed form.
+    pub const CLOSED_FORM: Self = Self { runs: 20, steps: 96, evaluations: 400, most: [0; 3] };
+    /// The bounds of an arm whose plan eliminates (six joints, or six after some were chosen).
+    pub const ELIMINATION: Self = Self { runs: 8, steps: 160, evaluations: 600, most: [0; 3] };
+
+    /// Nothing yet, of at most this.
+    pub(super) fn new(most: Self) -> Self {
+        Self { runs: 0, steps: 0, evaluations: 0, most: [most.runs, most.steps, most.evaluations] }
+    }
+
+    /// Is any of the bounds reached?
+    pub(super) fn is_used_up(&self) -> bool {
+        self.runs >= self.most[0] || self.steps >= self.most[1] || self.evaluations >= self.most[2]
+    }
+}
