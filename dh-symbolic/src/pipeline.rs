@@ -7,7 +7,7 @@ use crate::kinematics::Kinematics;
 use crate::planner::Refusal;
 use crate::program::{Disproof, Forward, Inverse};
 use crate::render::Language;
-use crate::render::code::rust::{self, Head};
+use crate::render::code::rust::{self, Head, Items};
 use crate::render::refusal::{Subject, remarks};
 use crate::render::rustdoc;
 use crate::verify::report::complaints;
@@ -18,21 +18,21 @@ use proc_macro2::{Ident, Span, TokenStream};
 pub fn expand(input: TokenStream) -> TokenStream {
     let (items, errors) = compile(input);
     let mut out = errors.to_compile_errors();
-    out.extend(items);
+    out.extend(items.into_tokens());
     out
 }
 
 /// The items of a table, and what is wrong with it: then the items are a stub of the type.
-pub fn compile(input: TokenStream) -> (TokenStream, Errors) {
+pub fn compile(input: TokenStream) -> (Items, Errors) {
     compile_table(&parse(input))
 }
 
 /// The same for a table that has been read.
-pub fn compile_table(parsed: &Parsed) -> (TokenStream, Errors) {
+pub fn compile_table(parsed: &Parsed) -> (Items, Errors) {
     let head = head(parsed);
     match derive(parsed) {
         Ok((chain, programs)) => (items(&head, &chain, &programs), Errors::new()),
-        Err(errors) => (stub(&head, &parsed.sketch), errors),
+        Err(errors) => (Items::of_tokens(stub(&head, &parsed.sketch)), errors),
     }
 }
 
@@ -111,7 +111,7 @@ pub fn refused(chain: &Chain, refusal: &Refusal, parsed: &Parsed) -> Errors {
 }
 
 /// The code of a robot.
-fn items(head: &Head, chain: &Chain, programs: &Programs) -> TokenStream {
+fn items(head: &Head, chain: &Chain, programs: &Programs) -> Items {
     let forward = &programs.forward;
     let inverse = programs.inverse.as_ref();
     let inverse = inverse.map_or_else(String::new, |i| rust::inverse(chain, &head.ident.to_string(), forward, i));

@@ -152,6 +152,10 @@ impl LegWheel {
     pub const MAX_SOLUTIONS: usize = 1;
     /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
     pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
+    /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
+    const LENGTH_SCALE: f64 = 1.0;
+    /// What a length is multiplied by.
+    const PER_LENGTH: f64 = 1.0 / Self::LENGTH_SCALE;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -165,7 +169,7 @@ impl LegWheel {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 2, 1> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.0) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -173,12 +177,12 @@ impl LegWheel {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.0,
+            reach: Self::LENGTH_SCALE,
             few: true,
             given: ::core::option::Option::None,
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 1.0),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve_bounded(
             self,
@@ -200,18 +204,18 @@ impl LegWheel {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
         q: &[f64; 2],
     ) -> ::core::result::Result<::dh_robot::Solution<f64, 2>, ::dh_robot::Why<f64>> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.0) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.0,
+            reach: Self::LENGTH_SCALE,
             few: true,
             given: ::core::option::Option::None,
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 1.0),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         let unknowns = self.unknowns(&q.map(f64::from));
         ::dh_robot::runtime::solve_near::<
@@ -236,7 +240,7 @@ impl LegWheel {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 2, 1> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.0) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -244,12 +248,12 @@ impl LegWheel {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.0,
+            reach: Self::LENGTH_SCALE,
             few: true,
             given: ::core::option::Option::None,
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 1.0),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve(
             self,
@@ -262,7 +266,7 @@ impl LegWheel {
     /// The plan's unknowns at joint values.
     fn unknowns(&self, q: &[f64; 2]) -> [f64; 8] {
         [
-            (((-1.0 * self.p) * q[0] + (self.p) * q[1])) / 1.0,
+            (((-1.0 * self.p) * q[0] + (self.p) * q[1])) / Self::LENGTH_SCALE,
             q[0],
             0.0,
             0.0,
@@ -282,6 +286,7 @@ impl LegWheel {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
         let path = ::dh_robot::runtime::Path::START;
         let t_2 = t[0][2] * t[0][3] + t[1][2] * t[1][3] + t[2][2] * t[2][3];
+        // Step 1: x2 from a linear equation.
         let x2_roots = ::dh_robot::runtime::solve_quadratic(
             0.0,
             -1.0,
@@ -289,7 +294,7 @@ impl LegWheel {
             sample.tolerance,
         );
         if !x2_roots.is_regular() {
-            attempt.note(x2_roots.outcome, &path, "x2", 1.0, "m");
+            attempt.note(x2_roots.outcome, &path, "x2", Self::LENGTH_SCALE, "m");
         }
         let path = if x2_roots.is_free() {
             attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[1]))
@@ -301,7 +306,8 @@ impl LegWheel {
             .iter()
             .enumerate()
         {
-            let x2 = x2_scaled * 1.0;
+            let x2 = x2_scaled * Self::LENGTH_SCALE;
+            // Step 2: q1 from sine and cosine.
             let q1_roots = ::dh_robot::runtime::solve_pair(
                 1.0,
                 0.0,

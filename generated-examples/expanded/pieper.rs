@@ -608,6 +608,10 @@ impl Pieper {
     pub const MAX_SOLUTIONS: usize = 8;
     /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
     pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
+    /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
+    const LENGTH_SCALE: f64 = 6.19664904810903;
+    /// What a length is multiplied by.
+    const PER_LENGTH: f64 = 1.0 / Self::LENGTH_SCALE;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -624,7 +628,7 @@ impl Pieper {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 6.19664904810903) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -632,12 +636,12 @@ impl Pieper {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 6.19664904810903,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: ::core::option::Option::None,
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 6.19664904810903),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve_bounded(
             self,
@@ -659,18 +663,18 @@ impl Pieper {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
         q: &[f64; 6],
     ) -> ::core::result::Result<::dh_robot::Solution<f64, 6>, ::dh_robot::Why<f64>> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 6.19664904810903) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 6.19664904810903,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: ::core::option::Option::None,
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 6.19664904810903),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         let unknowns = self.unknowns(&q.map(f64::from));
         ::dh_robot::runtime::solve_near::<
@@ -695,7 +699,7 @@ impl Pieper {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 6.19664904810903) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -703,12 +707,12 @@ impl Pieper {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 6.19664904810903,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: ::core::option::Option::None,
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 6.19664904810903),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve(
             self,
@@ -747,13 +751,13 @@ impl Pieper {
             ],
         ) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
-        let t_3 = self.d2 * 0.16137754328771614;
-        let t_4 = self.d3 * 0.16137754328771614;
-        let t_5 = self.d4 * 0.16137754328771614;
+        let t_3 = self.d2 * Self::PER_LENGTH;
+        let t_4 = self.d3 * Self::PER_LENGTH;
+        let t_5 = self.d4 * Self::PER_LENGTH;
         let t_6 = t_3 + t_4 * c_alpha2 + c_alpha2 * t_5 * c_alpha3 - t[2][3] * c_alpha1;
-        let t_7 = self.a3 * 0.16137754328771614;
-        let t_8 = self.a1 * 0.16137754328771614;
-        let t_9 = self.a2 * 0.16137754328771614;
+        let t_7 = self.a3 * Self::PER_LENGTH;
+        let t_8 = self.a1 * Self::PER_LENGTH;
+        let t_9 = self.a2 * Self::PER_LENGTH;
         let t_10 = t_3 * (t_3 - c_alpha1 * t[2][3] * 2.0) + t_2 + t_8 * t_8 - t_9 * t_9
             - t_7 * t_7 - t_4 * t_4;
         let t_11 = 2.0 * t_9;
@@ -770,6 +774,7 @@ impl Pieper {
         let t_22 = t[2][2] * c_alpha1;
         let t_23 = c_alpha4 * c_alpha5;
         let t_24 = s_alpha4 * c_alpha5;
+        // Step 1: q1, q3 from two equations in two angles (Pieper's method).
         let q1_and_q3_roots = ::dh_robot::runtime::solve_bilinear_choosing(
             &[
                 t_6,
@@ -798,7 +803,7 @@ impl Pieper {
         );
         if !q1_and_q3_roots.is_regular() {
             attempt
-                .note(q1_and_q3_roots.outcome, &path, "q1, q3", 6.19664904810903, "m");
+                .note(q1_and_q3_roots.outcome, &path, "q1, q3", Self::LENGTH_SCALE, "m");
         }
         let path = if q1_and_q3_roots.is_free() {
             attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[0, 2]))
@@ -832,6 +837,7 @@ impl Pieper {
             let t_44 = c_alpha2 * t_38;
             let t_45 = t_5 * (s_alpha3 * c_alpha2 * c3 + t_15)
                 - (c_alpha2 * t_7 * s3 - t_16);
+            // Step 2: q2 from sine and cosine.
             let q2_roots = ::dh_robot::runtime::solve_pair(
                 t_31,
                 t_32,
@@ -878,6 +884,7 @@ impl Pieper {
                 let t_66 = c_alpha3 * t_61 - s_alpha3 * t_55;
                 let t_67 = s_alpha4 * (s_alpha3 * t_59 + c_alpha3 * t_53);
                 let t_68 = s_alpha4 * (s_alpha3 * t_61 + c_alpha3 * t_55);
+                // Step 3: q5 from an equation in sine and cosine.
                 let q5_roots = ::dh_robot::runtime::solve_sincos(
                     -s_alpha4 * s_alpha5,
                     0.0,
@@ -911,6 +918,7 @@ impl Pieper {
                 {
                     let path = path.root(2, q5_root);
                     let q5 = ::dh_robot::runtime::atan2(s5, c5);
+                    // Step 4: q4 from sine and cosine.
                     let q4_roots = ::dh_robot::runtime::solve_pair(
                         -t_62,
                         t_64,
@@ -938,6 +946,7 @@ impl Pieper {
                             - s5 * (c_alpha4 * (t_58 * s4 + t_65 * c4) - t_67);
                         let t_70 = c5 * (t_60 * c4 - t_66 * s4)
                             - s5 * (c_alpha4 * (t_60 * s4 + t_66 * c4) - t_68);
+                        // Step 5: q6 from sine and cosine.
                         let q6_roots = ::dh_robot::runtime::solve_pair(
                             1.0,
                             0.0,

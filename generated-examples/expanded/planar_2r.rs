@@ -152,6 +152,10 @@ impl Planar2r {
     pub const MAX_SOLUTIONS: usize = 2;
     /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
     pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
+    /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
+    const LENGTH_SCALE: f64 = 1.6208883679528896;
+    /// What a length is multiplied by.
+    const PER_LENGTH: f64 = 1.0 / Self::LENGTH_SCALE;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// Plan:
@@ -170,12 +174,12 @@ impl Planar2r {
             );
         }
         let frame = ::dh_robot::runtime::frame_of_axis(
-            p.map(|x| x / 1.6208883679528896),
+            p.map(|x| x / Self::LENGTH_SCALE),
             [0.0, 0.0, 1.0],
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.6208883679528896,
+            reach: Self::LENGTH_SCALE,
             few: true,
             given: ::core::option::Option::None,
         };
@@ -205,12 +209,12 @@ impl Planar2r {
             return ::core::result::Result::Err(::dh_robot::Why::NotFinite);
         }
         let frame = ::dh_robot::runtime::frame_of_axis(
-            p.map(|x| x / 1.6208883679528896),
+            p.map(|x| x / Self::LENGTH_SCALE),
             [0.0, 0.0, 1.0],
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.6208883679528896,
+            reach: Self::LENGTH_SCALE,
             few: true,
             given: ::core::option::Option::None,
         };
@@ -246,12 +250,12 @@ impl Planar2r {
             );
         }
         let frame = ::dh_robot::runtime::frame_of_axis(
-            p.map(|x| x / 1.6208883679528896),
+            p.map(|x| x / Self::LENGTH_SCALE),
             [0.0, 0.0, 1.0],
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.6208883679528896,
+            reach: Self::LENGTH_SCALE,
             few: true,
             given: ::core::option::Option::None,
         };
@@ -278,9 +282,10 @@ impl Planar2r {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
         let path = ::dh_robot::runtime::Path::START;
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
-        let t_3 = self.l1 * 0.6169456328833773;
-        let t_4 = self.l2 * 0.6169456328833773;
+        let t_3 = self.l1 * Self::PER_LENGTH;
+        let t_4 = self.l2 * Self::PER_LENGTH;
         let t_5 = t_3 * t_3 + t_4 * t_4;
+        // Step 1: q2 from the law of cosines.
         let q2_roots = ::dh_robot::runtime::solve_sincos(
             2.0 * t_3 * t_4,
             0.0,
@@ -295,7 +300,7 @@ impl Planar2r {
                     "elbow q2",
                     [t_5, t_2 - t_5],
                     false,
-                    1.6208883679528896,
+                    Self::LENGTH_SCALE,
                     "m",
                 );
         }
@@ -311,6 +316,7 @@ impl Planar2r {
         {
             let path = path.root(0, q2_root);
             let q2 = ::dh_robot::runtime::atan2(s2, c2);
+            // Step 2: q1 from sine and cosine.
             let q1_roots = ::dh_robot::runtime::solve_pair(
                 -t[0][3],
                 -t[1][3],

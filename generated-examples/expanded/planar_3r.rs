@@ -185,6 +185,10 @@ impl Planar3r {
     pub const MAX_SOLUTIONS: usize = 2;
     /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
     pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
+    /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
+    const LENGTH_SCALE: f64 = 8.108033400635161;
+    /// What a length is multiplied by.
+    const PER_LENGTH: f64 = 1.0 / Self::LENGTH_SCALE;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// Plan:
@@ -205,13 +209,13 @@ impl Planar3r {
             );
         }
         let frame = ::dh_robot::runtime::frame_of_plane(
-            [x / 8.108033400635161, y / 8.108033400635161],
+            [x / Self::LENGTH_SCALE, y / Self::LENGTH_SCALE],
             phi,
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 8.108033400635161,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: ::core::option::Option::None,
         };
@@ -245,13 +249,13 @@ impl Planar3r {
             return ::core::result::Result::Err(::dh_robot::Why::NotFinite);
         }
         let frame = ::dh_robot::runtime::frame_of_plane(
-            [x / 8.108033400635161, y / 8.108033400635161],
+            [x / Self::LENGTH_SCALE, y / Self::LENGTH_SCALE],
             phi,
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 8.108033400635161,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: ::core::option::Option::None,
         };
@@ -291,13 +295,13 @@ impl Planar3r {
             );
         }
         let frame = ::dh_robot::runtime::frame_of_plane(
-            [x / 8.108033400635161, y / 8.108033400635161],
+            [x / Self::LENGTH_SCALE, y / Self::LENGTH_SCALE],
             phi,
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 8.108033400635161,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: ::core::option::Option::None,
         };
@@ -323,13 +327,14 @@ impl Planar3r {
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
         let path = ::dh_robot::runtime::Path::START;
-        let t_2 = self.l3 * 0.1233344697274758;
+        let t_2 = self.l3 * Self::PER_LENGTH;
         let t_3 = t[0][3] - t[0][0] * t_2;
         let t_4 = t[1][3] - t[1][0] * t_2;
         let t_5 = t[2][3] - t[2][0] * t_2;
-        let t_6 = self.l1 * 0.1233344697274758;
-        let t_7 = self.l2 * 0.1233344697274758;
+        let t_6 = self.l1 * Self::PER_LENGTH;
+        let t_7 = self.l2 * Self::PER_LENGTH;
         let t_8 = t_6 * t_6 + t_7 * t_7;
+        // Step 1: q1 + q2 + q3 from sine and cosine.
         let q1_plus_q2_plus_q3_roots = ::dh_robot::runtime::solve_pair(
             1.0,
             0.0,
@@ -354,6 +359,7 @@ impl Planar3r {
             .enumerate()
         {
             let q1_plus_q2_plus_q3 = ::dh_robot::runtime::atan2(s123, c123);
+            // Step 2: q2 from the law of cosines.
             let q2_roots = ::dh_robot::runtime::solve_sincos(
                 2.0 * t_6 * t_7,
                 0.0,
@@ -368,7 +374,7 @@ impl Planar3r {
                         "elbow q2",
                         [t_8, t_3 * t_3 + t_4 * t_4 + t_5 * t_5 - t_8],
                         false,
-                        8.108033400635161,
+                        Self::LENGTH_SCALE,
                         "m",
                     );
             }
@@ -394,6 +400,7 @@ impl Planar3r {
                 let q2 = ::dh_robot::runtime::atan2(s2, c2);
                 let t_9 = t_6 + t_7 * c2;
                 let t_10 = t_7 * s2;
+                // Step 3: q1 from sine and cosine.
                 let q1_roots = ::dh_robot::runtime::solve_pair(
                     t_9,
                     -t_10,

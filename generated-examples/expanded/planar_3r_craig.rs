@@ -167,6 +167,10 @@ impl Planar3rCraig {
     pub const MAX_SOLUTIONS: usize = 2;
     /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
     pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
+    /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
+    const LENGTH_SCALE: f64 = 7.088461226509633;
+    /// What a length is multiplied by.
+    const PER_LENGTH: f64 = 1.0 / Self::LENGTH_SCALE;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// Plan:
@@ -187,13 +191,13 @@ impl Planar3rCraig {
             );
         }
         let frame = ::dh_robot::runtime::frame_of_plane(
-            [x / 7.088461226509633, y / 7.088461226509633],
+            [x / Self::LENGTH_SCALE, y / Self::LENGTH_SCALE],
             phi,
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 7.088461226509633,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: ::core::option::Option::None,
         };
@@ -227,13 +231,13 @@ impl Planar3rCraig {
             return ::core::result::Result::Err(::dh_robot::Why::NotFinite);
         }
         let frame = ::dh_robot::runtime::frame_of_plane(
-            [x / 7.088461226509633, y / 7.088461226509633],
+            [x / Self::LENGTH_SCALE, y / Self::LENGTH_SCALE],
             phi,
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 7.088461226509633,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: ::core::option::Option::None,
         };
@@ -273,13 +277,13 @@ impl Planar3rCraig {
             );
         }
         let frame = ::dh_robot::runtime::frame_of_plane(
-            [x / 7.088461226509633, y / 7.088461226509633],
+            [x / Self::LENGTH_SCALE, y / Self::LENGTH_SCALE],
             phi,
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 7.088461226509633,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: ::core::option::Option::None,
         };
@@ -306,9 +310,10 @@ impl Planar3rCraig {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
         let path = ::dh_robot::runtime::Path::START;
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
-        let t_3 = self.l1 * 0.14107434153130033;
-        let t_4 = self.l2 * 0.14107434153130033;
+        let t_3 = self.l1 * Self::PER_LENGTH;
+        let t_4 = self.l2 * Self::PER_LENGTH;
         let t_5 = t_3 * t_3 + t_4 * t_4;
+        // Step 1: q1 + q2 + q3 from sine and cosine.
         let q1_plus_q2_plus_q3_roots = ::dh_robot::runtime::solve_pair(
             1.0,
             0.0,
@@ -333,6 +338,7 @@ impl Planar3rCraig {
             .enumerate()
         {
             let q1_plus_q2_plus_q3 = ::dh_robot::runtime::atan2(s123, c123);
+            // Step 2: q2 from the law of cosines.
             let q2_roots = ::dh_robot::runtime::solve_sincos(
                 2.0 * t_3 * t_4,
                 0.0,
@@ -347,7 +353,7 @@ impl Planar3rCraig {
                         "elbow q2",
                         [t_5, t_2 - t_5],
                         false,
-                        7.088461226509633,
+                        Self::LENGTH_SCALE,
                         "m",
                     );
             }
@@ -368,6 +374,7 @@ impl Planar3rCraig {
                 let q2 = ::dh_robot::runtime::atan2(s2, c2);
                 let t_6 = t_3 + t_4 * c2;
                 let t_7 = t_4 * s2;
+                // Step 3: q1 from sine and cosine.
                 let q1_roots = ::dh_robot::runtime::solve_pair(
                     t_6,
                     -t_7,

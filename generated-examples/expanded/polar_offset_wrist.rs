@@ -317,6 +317,10 @@ impl PolarOffsetWrist {
     pub const MAX_SOLUTIONS: usize = 16;
     /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
     pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::ELIMINATION;
+    /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
+    const LENGTH_SCALE: f64 = 1.07;
+    /// What a length is multiplied by.
+    const PER_LENGTH: f64 = 1.0 / Self::LENGTH_SCALE;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -329,7 +333,7 @@ impl PolarOffsetWrist {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 16> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.07) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -337,12 +341,12 @@ impl PolarOffsetWrist {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.07,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: ::core::option::Option::None,
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 1.07),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve_bounded(
             self,
@@ -364,18 +368,18 @@ impl PolarOffsetWrist {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
         q: &[f64; 6],
     ) -> ::core::result::Result<::dh_robot::Solution<f64, 6>, ::dh_robot::Why<f64>> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.07) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.07,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: ::core::option::Option::None,
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 1.07),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         let unknowns = self.unknowns(&q.map(f64::from));
         ::dh_robot::runtime::solve_near::<
@@ -400,7 +404,7 @@ impl PolarOffsetWrist {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 16> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.07) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -408,12 +412,12 @@ impl PolarOffsetWrist {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.07,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: ::core::option::Option::None,
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 1.07),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve(
             self,
@@ -436,6 +440,7 @@ impl PolarOffsetWrist {
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
         let path = ::dh_robot::runtime::Path::START;
+        // Step 1: q1, q2, q3, q4, q5, q6 from the general elimination (Raghavan and Roth).
         let joints_roots = ::dh_robot::runtime::solve_general(
             &[
                 [
@@ -502,7 +507,7 @@ impl PolarOffsetWrist {
             let path = path.root(0, joints_root);
             let q1 = ::dh_robot::runtime::atan2(s1, c1);
             let q2 = ::dh_robot::runtime::atan2(s2, c2);
-            let q3 = q3_scaled * 1.07;
+            let q3 = q3_scaled * Self::LENGTH_SCALE;
             let q4 = ::dh_robot::runtime::atan2(s4, c4);
             let q5 = ::dh_robot::runtime::atan2(s5, c5);
             let q6 = ::dh_robot::runtime::atan2(s6, c6);

@@ -141,6 +141,10 @@ impl Rp {
     pub const MAX_SOLUTIONS: usize = 1;
     /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
     pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
+    /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
+    const LENGTH_SCALE: f64 = 1.0;
+    /// What a length is multiplied by.
+    const PER_LENGTH: f64 = 1.0 / Self::LENGTH_SCALE;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -154,7 +158,7 @@ impl Rp {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 2, 1> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.0) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -162,15 +166,15 @@ impl Rp {
         };
         let mut q = [[0.0; 1]; 2];
         let mut valid = [0.0; 1];
-        if !self.lanes(&frame, &mut q, &mut valid) {
+        if !self.all_branches(&frame, &mut q, &mut valid) {
             return self.robust(target);
         }
         if valid == [1.0; 1] {
-            let at = |l: usize| ::dh_robot::runtime::lanes::solution(
+            let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
-                l,
+                branch,
             );
             return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0)]);
         }
@@ -187,29 +191,29 @@ impl Rp {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
         q: &[f64; 2],
     ) -> ::core::result::Result<::dh_robot::Solution<f64, 2>, ::dh_robot::Why<f64>> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.0) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.0,
+            reach: Self::LENGTH_SCALE,
             few: true,
             given: ::core::option::Option::None,
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 1.0),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         let mut found = [[0.0; 1]; 2];
         let mut valid = [0.0; 1];
-        if self.lanes(&frame, &mut found, &mut valid) {
+        if self.all_branches(&frame, &mut found, &mut valid) {
             let list: ::dh_robot::Solutions<_, 2, 1> = ::dh_robot::runtime::lanes::collect(
                 &Self::JOINTS,
                 &valid,
                 &found,
                 &Self::BRANCHES,
             );
-            return ::dh_robot::runtime::nearest(&list, q, 1.0);
+            return ::dh_robot::runtime::nearest(&list, q, Self::LENGTH_SCALE);
         }
         let unknowns = self.unknowns(&q.map(f64::from));
         ::dh_robot::runtime::solve_near::<
@@ -234,7 +238,7 @@ impl Rp {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 2, 1> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.0) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -242,12 +246,12 @@ impl Rp {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.0,
+            reach: Self::LENGTH_SCALE,
             few: true,
             given: ::core::option::Option::None,
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 1.0),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve(
             self,
@@ -259,7 +263,7 @@ impl Rp {
     }
     /// The plan's unknowns at joint values.
     fn unknowns(&self, q: &[f64; 2]) -> [f64; 8] {
-        [(q[1]) / 1.0, q[0], 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+        [(q[1]) / Self::LENGTH_SCALE, q[0], 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
@@ -271,6 +275,7 @@ impl Rp {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
         let path = ::dh_robot::runtime::Path::START;
         let t_2 = t[0][2] * t[0][3] + t[1][2] * t[1][3] + t[2][2] * t[2][3];
+        // Step 1: q2 from a linear equation.
         let q2_roots = ::dh_robot::runtime::solve_quadratic(
             0.0,
             -1.0,
@@ -278,7 +283,7 @@ impl Rp {
             sample.tolerance,
         );
         if !q2_roots.is_regular() {
-            attempt.note(q2_roots.outcome, &path, "q2", 1.0, "m");
+            attempt.note(q2_roots.outcome, &path, "q2", Self::LENGTH_SCALE, "m");
         }
         let path = if q2_roots.is_free() {
             attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[1]))
@@ -290,7 +295,8 @@ impl Rp {
             .iter()
             .enumerate()
         {
-            let q2 = q2_scaled * 1.0;
+            let q2 = q2_scaled * Self::LENGTH_SCALE;
+            // Step 2: q1 from sine and cosine.
             let q1_roots = ::dh_robot::runtime::solve_pair(
                 1.0,
                 0.0,
@@ -327,7 +333,7 @@ impl Rp {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 2, 1> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.0) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -335,12 +341,12 @@ impl Rp {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.0,
+            reach: Self::LENGTH_SCALE,
             few: true,
             given: ::core::option::Option::None,
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 1.0),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve_bounded(
             self,
@@ -351,44 +357,47 @@ impl Rp {
             |frame, sample, found| self.candidates(frame, sample, found),
         )
     }
+    /// Which root each step takes in each branch.
     const BRANCHES: [::dh_robot::Branch; 1] = {
         let mut all = [::dh_robot::Branch::ANY; 1];
-        let mut l = 0;
-        while l < 1 {
-            all[l] = ::dh_robot::Branch::ANY;
-            l += 1;
+        let mut branch = 0;
+        while branch < 1 {
+            all[branch] = ::dh_robot::Branch::ANY;
+            branch += 1;
         }
         all
     };
-    /// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.
+    /// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.
     #[inline]
-    fn lanes(
+    fn all_branches(
         &self,
         t: &::dh_robot::runtime::Pose,
         q: &mut [[f64; 1]; 2],
         valid: &mut [f64; 1],
     ) -> bool {
         let t_2 = t[0][2] * t[0][3] + t[1][2] * t[1][3] + t[2][2] * t[2][3];
-        let mut margin_ = [0.0; 1];
-        let mut valid_ = [0.0; 1];
-        let mut error_ = [0.0; 1];
-        let r0 = (0.0 - t[0][1]).abs() + (0.0 - t[1][1]).abs() + (-1.0 - t[2][1]).abs()
-            + (0.0 - t[2][2]).abs() + (0.0 - t[2][3]).abs();
-        let (q2_scaled, m0) = ::dh_robot::runtime::lanes::linear(-1.0, t_2);
-        let q2_scaled = q2_scaled;
-        let g0 = q2_scaled * 1.0;
+        let mut all_margin = [0.0; 1];
+        let mut all_valid = [0.0; 1];
+        let mut all_error = [0.0; 1];
+        let constant_error = (0.0 - t[0][1]).abs() + (0.0 - t[1][1]).abs()
+            + (-1.0 - t[2][1]).abs() + (0.0 - t[2][2]).abs() + (0.0 - t[2][3]).abs();
+        // Step 1: q2 from a linear equation.
+        let (q2_scaled, q2_margin) = ::dh_robot::runtime::lanes::linear(-1.0, t_2);
+        let q2 = q2_scaled * Self::LENGTH_SCALE;
+        // Step 2: q1 from sine and cosine.
         let [c1, s1] = ::dh_robot::runtime::lanes::unit(t[0][0], -t[0][2]);
-        let g1 = ::dh_robot::runtime::lanes::angle(s1, c1);
-        let r2 = (-s1 - t[0][2]).abs() + (c1 - t[1][2]).abs()
+        let q1 = ::dh_robot::runtime::lanes::angle(s1, c1);
+        let q1_error = (-s1 - t[0][2]).abs() + (c1 - t[1][2]).abs()
             + (-q2_scaled * s1 - t[0][3]).abs() + (q2_scaled * c1 - t[1][3]).abs();
-        let l = 0;
-        margin_[l] = m0;
-        valid_[l] = 1.0;
-        error_[l] = r0 + r2;
-        q[0][l] = g1;
-        q[1][l] = g0;
-        *valid = valid_;
-        ::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)
+        let branch = 0;
+        // How far the branch is from what it should be.
+        all_margin[branch] = q2_margin;
+        all_valid[branch] = 1.0;
+        all_error[branch] = constant_error + q1_error;
+        q[0][branch] = q1;
+        q[1][branch] = q2;
+        *valid = all_valid;
+        ::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

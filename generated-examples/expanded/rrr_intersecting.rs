@@ -194,6 +194,10 @@ impl RrrIntersecting {
     pub const MAX_SOLUTIONS: usize = 4;
     /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
     pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
+    /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
+    const LENGTH_SCALE: f64 = 1.0675141762776192;
+    /// What a length is multiplied by.
+    const PER_LENGTH: f64 = 1.0 / Self::LENGTH_SCALE;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// Plan:
@@ -213,12 +217,12 @@ impl RrrIntersecting {
             );
         }
         let frame = ::dh_robot::runtime::frame_of_axis(
-            p.map(|x| x / 1.0675141762776192),
+            p.map(|x| x / Self::LENGTH_SCALE),
             [0.0, 0.0, 1.0],
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.0675141762776192,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: ::core::option::Option::None,
         };
@@ -248,12 +252,12 @@ impl RrrIntersecting {
             return ::core::result::Result::Err(::dh_robot::Why::NotFinite);
         }
         let frame = ::dh_robot::runtime::frame_of_axis(
-            p.map(|x| x / 1.0675141762776192),
+            p.map(|x| x / Self::LENGTH_SCALE),
             [0.0, 0.0, 1.0],
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.0675141762776192,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: ::core::option::Option::None,
         };
@@ -289,12 +293,12 @@ impl RrrIntersecting {
             );
         }
         let frame = ::dh_robot::runtime::frame_of_axis(
-            p.map(|x| x / 1.0675141762776192),
+            p.map(|x| x / Self::LENGTH_SCALE),
             [0.0, 0.0, 1.0],
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.0675141762776192,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: ::core::option::Option::None,
         };
@@ -321,10 +325,11 @@ impl RrrIntersecting {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
         let path = ::dh_robot::runtime::Path::START;
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
-        let t_3 = self.d2 * 0.9367557098744688;
-        let t_4 = self.l2 * 0.9367557098744688;
-        let t_5 = self.l3 * 0.9367557098744688;
+        let t_3 = self.d2 * Self::PER_LENGTH;
+        let t_4 = self.l2 * Self::PER_LENGTH;
+        let t_5 = self.l3 * Self::PER_LENGTH;
         let t_6 = t_3 * t_3 + t_4 * t_4 + t_5 * t_5;
+        // Step 1: q1 from an equation in sine and cosine.
         let q1_roots = ::dh_robot::runtime::solve_sincos(
             -t[1][3],
             t[0][3],
@@ -333,7 +338,7 @@ impl RrrIntersecting {
         );
         if !q1_roots.is_regular() {
             attempt
-                .note(q1_roots.outcome, &path, "shoulder q1", 1.0675141762776192, "m");
+                .note(q1_roots.outcome, &path, "shoulder q1", Self::LENGTH_SCALE, "m");
         }
         let path = if q1_roots.is_free() {
             attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[0]))
@@ -348,6 +353,7 @@ impl RrrIntersecting {
             let path = path.root(0, q1_root);
             let q1 = ::dh_robot::runtime::atan2(s1, c1);
             let t_7 = t[0][3] * c1 + t[1][3] * s1;
+            // Step 2: q3 from the law of cosines.
             let q3_roots = ::dh_robot::runtime::solve_sincos(
                 2.0 * t_4 * t_5,
                 0.0,
@@ -362,7 +368,7 @@ impl RrrIntersecting {
                         "elbow q3",
                         [t_6, t_2 - t_6],
                         false,
-                        1.0675141762776192,
+                        Self::LENGTH_SCALE,
                         "m",
                     );
             }
@@ -381,6 +387,7 @@ impl RrrIntersecting {
             {
                 let path = path.root(1, q3_root);
                 let q3 = ::dh_robot::runtime::atan2(s3, c3);
+                // Step 3: q2 from sine and cosine.
                 let q2_roots = ::dh_robot::runtime::solve_pair(
                     -t_7,
                     t[2][3],

@@ -270,6 +270,10 @@ impl SixAxisChain {
     pub const MAX_SOLUTIONS: usize = 8;
     /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
     pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
+    /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
+    const LENGTH_SCALE: f64 = 1.1159566801270322;
+    /// What a length is multiplied by.
+    const PER_LENGTH: f64 = 1.0 / Self::LENGTH_SCALE;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -287,7 +291,7 @@ impl SixAxisChain {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.1159566801270322) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -295,15 +299,15 @@ impl SixAxisChain {
         };
         let mut q = [[0.0; 8]; 6];
         let mut valid = [0.0; 8];
-        if !self.lanes(&frame, &mut q, &mut valid) {
+        if !self.all_branches(&frame, &mut q, &mut valid) {
             return self.robust(target);
         }
         if valid == [1.0; 8] {
-            let at = |l: usize| ::dh_robot::runtime::lanes::solution(
+            let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
-                l,
+                branch,
             );
             return ::dh_robot::Solutions::full(
                 &Self::JOINTS,
@@ -323,29 +327,29 @@ impl SixAxisChain {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
         q: &[f64; 6],
     ) -> ::core::result::Result<::dh_robot::Solution<f64, 6>, ::dh_robot::Why<f64>> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.1159566801270322) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.1159566801270322,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: ::core::option::Option::None,
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 1.1159566801270322),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         let mut found = [[0.0; 8]; 6];
         let mut valid = [0.0; 8];
-        if self.lanes(&frame, &mut found, &mut valid) {
+        if self.all_branches(&frame, &mut found, &mut valid) {
             let list: ::dh_robot::Solutions<_, 6, 8> = ::dh_robot::runtime::lanes::collect(
                 &Self::JOINTS,
                 &valid,
                 &found,
                 &Self::BRANCHES,
             );
-            return ::dh_robot::runtime::nearest(&list, q, 1.1159566801270322);
+            return ::dh_robot::runtime::nearest(&list, q, Self::LENGTH_SCALE);
         }
         let unknowns = self.unknowns(&q.map(f64::from));
         ::dh_robot::runtime::solve_near::<
@@ -370,7 +374,7 @@ impl SixAxisChain {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.1159566801270322) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -378,12 +382,12 @@ impl SixAxisChain {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.1159566801270322,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: ::core::option::Option::None,
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 1.1159566801270322),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve(
             self,
@@ -406,10 +410,11 @@ impl SixAxisChain {
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
         let path = ::dh_robot::runtime::Path::START;
-        let t_2 = self.a4 * 0.896092131359586;
-        let t_3 = self.a2 * 0.896092131359586;
-        let t_4 = self.a3 * 0.896092131359586;
+        let t_2 = self.a4 * Self::PER_LENGTH;
+        let t_3 = self.a2 * Self::PER_LENGTH;
+        let t_4 = self.a3 * Self::PER_LENGTH;
         let t_5 = t_3 * t_3 + t_4 * t_4;
+        // Step 1: q1 from a ratio of sine and cosine.
         let q1_roots = ::dh_robot::runtime::solve_sincos(
             -t[1][3],
             t[0][3],
@@ -418,7 +423,7 @@ impl SixAxisChain {
         );
         if !q1_roots.is_regular() {
             attempt
-                .note(q1_roots.outcome, &path, "shoulder q1", 1.1159566801270322, "m");
+                .note(q1_roots.outcome, &path, "shoulder q1", Self::LENGTH_SCALE, "m");
         }
         let path = if q1_roots.is_free() {
             attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[0]))
@@ -436,6 +441,7 @@ impl SixAxisChain {
             let t_7 = t[0][0] * c1 + t[1][0] * s1;
             let t_8 = t[0][1] * c1 + t[1][1] * s1;
             let t_9 = t[0][2] * c1 + t[1][2] * s1;
+            // Step 2: q2 + q3 + q4 from a ratio of sine and cosine.
             let q2_plus_q3_plus_q4_roots = ::dh_robot::runtime::solve_sincos(
                 -t[2][2],
                 t_9,
@@ -467,6 +473,7 @@ impl SixAxisChain {
             {
                 let path = path.root(1, q2_plus_q3_plus_q4_root);
                 let q2_plus_q3_plus_q4 = ::dh_robot::runtime::atan2(s234, c234);
+                // Step 3: q5 from sine and cosine.
                 let q5_roots = ::dh_robot::runtime::solve_pair(
                     -1.0,
                     0.0,
@@ -495,6 +502,7 @@ impl SixAxisChain {
                     let t_11 = t[1][2] * s5;
                     let t_12 = t[2][2] * s5;
                     let t_13 = t_9 * s5;
+                    // Step 4: q6 from sine and cosine.
                     let q6_roots = ::dh_robot::runtime::solve_pair(
                         c234c5,
                         -s234,
@@ -524,6 +532,7 @@ impl SixAxisChain {
                             - (c5 * (t[1][0] * c6 - t[1][1] * s6) + t_11) * t_2;
                         let t_16 = t[2][3]
                             - (c5 * (t[2][0] * c6 - t[2][1] * s6) + t_12) * t_2;
+                        // Step 5: q3 from the law of cosines.
                         let q3_roots = ::dh_robot::runtime::solve_sincos(
                             2.0 * t_3 * t_4,
                             0.0,
@@ -538,7 +547,7 @@ impl SixAxisChain {
                                     "elbow q3",
                                     [t_5, t_14 * t_14 + t_15 * t_15 + t_16 * t_16 - t_5],
                                     false,
-                                    1.1159566801270322,
+                                    Self::LENGTH_SCALE,
                                     "m",
                                 );
                         }
@@ -568,6 +577,7 @@ impl SixAxisChain {
                             let q3 = ::dh_robot::runtime::atan2(s3, c3);
                             let t_17 = t_3 + t_4 * c3;
                             let t_18 = t_4 * s3;
+                            // Step 6: q2 from sine and cosine.
                             let q2_roots = ::dh_robot::runtime::solve_pair(
                                 t_17,
                                 -t_18,
@@ -636,7 +646,7 @@ impl SixAxisChain {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.1159566801270322) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -644,12 +654,12 @@ impl SixAxisChain {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.1159566801270322,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: ::core::option::Option::None,
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 1.1159566801270322),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve_bounded(
             self,
@@ -660,14 +670,15 @@ impl SixAxisChain {
             |frame, sample, found| self.candidates(frame, sample, found),
         )
     }
+    /// Which root each step takes in each branch.
     const BRANCHES: [::dh_robot::Branch; 8] = {
         let mut all = [::dh_robot::Branch::ANY; 8];
-        let mut l = 0;
-        while l < 8 {
-            let q1_root = l / 1 % 2;
-            let q2_plus_q3_plus_q4_root = l / 2 % 2;
-            let q3_root = l / 4 % 2;
-            all[l] = ::dh_robot::Branch::ANY
+        let mut branch = 0;
+        while branch < 8 {
+            let q1_root = branch / 1 % 2;
+            let q2_plus_q3_plus_q4_root = branch / 2 % 2;
+            let q3_root = branch / 4 % 2;
+            all[branch] = ::dh_robot::Branch::ANY
                 .with_step(0, q1_root)
                 .with_shoulder(
                     if q1_root == 1 {
@@ -692,216 +703,248 @@ impl SixAxisChain {
                         ::dh_robot::Elbow::Down
                     },
                 );
-            l += 1;
+            branch += 1;
         }
         all
     };
-    /// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.
+    /// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.
     #[inline]
-    fn lanes(
+    fn all_branches(
         &self,
         t: &::dh_robot::runtime::Pose,
         q: &mut [[f64; 8]; 6],
         valid: &mut [f64; 8],
     ) -> bool {
-        let t_2 = self.a4 * 0.896092131359586;
-        let t_3 = self.a2 * 0.896092131359586;
-        let t_4 = self.a3 * 0.896092131359586;
+        let t_2 = self.a4 * Self::PER_LENGTH;
+        let t_3 = self.a2 * Self::PER_LENGTH;
+        let t_4 = self.a3 * Self::PER_LENGTH;
         let t_5 = t_3 * t_3 + t_4 * t_4;
-        let ([x0, y0], m0) = ::dh_robot::runtime::lanes::half_turn([
+        // Step 1: q1 from a ratio of sine and cosine.
+        let ([c1_first, s1_first], q1_margin) = ::dh_robot::runtime::lanes::half_turn([
             [-t[1][3], t[0][3]],
         ]);
-        let c1_ = [x0, -x0];
-        let s1_ = [y0, -y0];
-        let g0_ = ::dh_robot::runtime::lanes::angles(&[y0, -y0], &[x0, -x0]);
-        let mut v38_ = [0.0; 2];
-        let mut v44_ = [0.0; 2];
-        let mut v50_ = [0.0; 2];
-        let mut v56_ = [0.0; 2];
-        let mut v59_ = [0.0; 2];
-        let mut f1 = [[0.0; 4]; 2];
-        let mut margin1_ = [0.0; 2];
-        for l in 0..2 {
-            let c1 = c1_[l];
-            let s1 = s1_[l];
+        let all_c1 = [c1_first, -c1_first];
+        let all_s1 = [s1_first, -s1_first];
+        let all_q1 = ::dh_robot::runtime::lanes::angles(
+            &[s1_first, -s1_first],
+            &[c1_first, -c1_first],
+        );
+        let mut all_t_6 = [0.0; 2];
+        let mut all_t_7 = [0.0; 2];
+        let mut all_t_8 = [0.0; 2];
+        let mut all_t_9 = [0.0; 2];
+        let mut all_t_10 = [0.0; 2];
+        let mut q2_plus_q3_plus_q4_pairs = [[0.0; 4]; 2];
+        let mut all_margin_1 = [0.0; 2];
+        for branch in 0..2 {
+            let c1 = all_c1[branch];
+            let s1 = all_s1[branch];
             let t_6 = t[0][3] * c1 + t[1][3] * s1;
             let t_7 = t[0][0] * c1 + t[1][0] * s1;
             let t_8 = t[0][1] * c1 + t[1][1] * s1;
             let t_9 = t[0][2] * c1 + t[1][2] * s1;
-            v38_[l] = t_6;
-            v44_[l] = t_7;
-            v50_[l] = t_8;
-            v56_[l] = t_9;
-            v59_[l] = t[0][2] * s1 - t[1][2] * c1;
-            let ([x1, y1], m1) = ::dh_robot::runtime::lanes::half_turn([
+            all_t_6[branch] = t_6;
+            all_t_7[branch] = t_7;
+            all_t_8[branch] = t_8;
+            all_t_9[branch] = t_9;
+            let t_10 = t[0][2] * s1 - t[1][2] * c1;
+            all_t_10[branch] = t_10;
+            // Step 2: q2 + q3 + q4 from a ratio of sine and cosine.
+            let ([c234_first, s234_first], q2_plus_q3_plus_q4_margin) = ::dh_robot::runtime::lanes::half_turn([
                 [-t[2][2], t_9],
             ]);
-            f1[0][l] = x1;
-            f1[1][l] = y1;
-            f1[0][l + 2] = -x1;
-            f1[1][l + 2] = -y1;
-            margin1_[l] = m1;
+            q2_plus_q3_plus_q4_pairs[0][branch] = c234_first;
+            q2_plus_q3_plus_q4_pairs[1][branch] = s234_first;
+            q2_plus_q3_plus_q4_pairs[0][branch + 2] = -c234_first;
+            q2_plus_q3_plus_q4_pairs[1][branch + 2] = -s234_first;
+            all_margin_1[branch] = q2_plus_q3_plus_q4_margin;
         }
-        let g1_ = ::dh_robot::runtime::lanes::angles(&f1[1], &f1[0]);
-        let c234_ = f1[0];
-        let s234_ = f1[1];
-        let v56_: [f64; 4] = ::core::array::from_fn(|l| v56_[l % 2]);
-        let mut v238_ = [0.0; 4];
-        let mut v239_ = [0.0; 4];
-        let v59_: [f64; 4] = ::core::array::from_fn(|l| v59_[l % 2]);
-        let mut g2_ = [0.0; 4];
-        let c1_: [f64; 4] = ::core::array::from_fn(|l| c1_[l % 2]);
-        let s1_: [f64; 4] = ::core::array::from_fn(|l| s1_[l % 2]);
-        let v44_: [f64; 4] = ::core::array::from_fn(|l| v44_[l % 2]);
-        let v50_: [f64; 4] = ::core::array::from_fn(|l| v50_[l % 2]);
-        let mut g3_ = [0.0; 4];
-        let v38_: [f64; 4] = ::core::array::from_fn(|l| v38_[l % 2]);
-        let mut v128_ = [0.0; 4];
-        let mut v184_ = [0.0; 4];
-        let mut f4 = [[0.0; 8]; 2];
-        let mut g4_ = [0.0; 8];
-        let mut margin2_ = [0.0; 4];
-        let mut valid2_ = [0.0; 4];
-        let mut error2_ = [0.0; 4];
-        for l in 0..4 {
-            let v56 = v56_[l];
-            let c234 = c234_[l];
-            let s234 = s234_[l];
-            let t_10 = c234 * t_2;
-            let t_11 = s234 * t_2;
-            v238_[l] = t_10;
-            v239_[l] = t_11;
-            let v59 = v59_[l];
+        let all_q2_plus_q3_plus_q4 = ::dh_robot::runtime::lanes::angles(
+            &q2_plus_q3_plus_q4_pairs[1],
+            &q2_plus_q3_plus_q4_pairs[0],
+        );
+        let all_c234 = q2_plus_q3_plus_q4_pairs[0];
+        let all_s234 = q2_plus_q3_plus_q4_pairs[1];
+        let all_t_9: [f64; 4] = ::core::array::from_fn(|branch| all_t_9[branch % 2]);
+        let mut all_t_11 = [0.0; 4];
+        let mut all_t_12 = [0.0; 4];
+        let all_t_10: [f64; 4] = ::core::array::from_fn(|branch| all_t_10[branch % 2]);
+        let mut all_q5 = [0.0; 4];
+        let all_c1: [f64; 4] = ::core::array::from_fn(|branch| all_c1[branch % 2]);
+        let all_s1: [f64; 4] = ::core::array::from_fn(|branch| all_s1[branch % 2]);
+        let all_t_7: [f64; 4] = ::core::array::from_fn(|branch| all_t_7[branch % 2]);
+        let all_t_8: [f64; 4] = ::core::array::from_fn(|branch| all_t_8[branch % 2]);
+        let mut all_q6 = [0.0; 4];
+        let all_t_6: [f64; 4] = ::core::array::from_fn(|branch| all_t_6[branch % 2]);
+        let mut all_t_19 = [0.0; 4];
+        let mut all_t_21 = [0.0; 4];
+        let mut q3_pairs = [[0.0; 8]; 2];
+        let mut all_q3 = [0.0; 8];
+        let mut all_margin_2 = [0.0; 4];
+        let mut all_valid_2 = [0.0; 4];
+        let mut all_error_2 = [0.0; 4];
+        for branch in 0..4 {
+            let t_9 = all_t_9[branch];
+            let c234 = all_c234[branch];
+            let s234 = all_s234[branch];
+            let t_11 = c234 * t_2;
+            let t_12 = s234 * t_2;
+            all_t_11[branch] = t_11;
+            all_t_12[branch] = t_12;
+            let t_10 = all_t_10[branch];
+            // Step 3: q5 from sine and cosine.
             let [c5, s5] = ::dh_robot::runtime::lanes::unit(
-                v59,
-                v56 * c234 + t[2][2] * s234,
+                t_10,
+                t_9 * c234 + t[2][2] * s234,
             );
-            let g2 = ::dh_robot::runtime::lanes::angle(s5, c5);
-            g2_[l] = g2;
-            let j4a = g2;
-            q[4][l] = j4a;
-            q[4][l + 4] = j4a;
-            let c1 = c1_[l];
-            let s1 = s1_[l];
+            let q5 = ::dh_robot::runtime::lanes::angle(s5, c5);
+            all_q5[branch] = q5;
+            let q5_in_range = q5;
+            q[4][branch] = q5_in_range;
+            q[4][branch + 4] = q5_in_range;
+            let c1 = all_c1[branch];
+            let s1 = all_s1[branch];
             let c234c5 = c234 * c5;
-            let t_12 = t[0][2] * s5;
-            let t_13 = t[1][2] * s5;
-            let t_14 = t[2][2] * s5;
-            let t_15 = v56 * s5;
+            let t_13 = t[0][2] * s5;
+            let t_14 = t[1][2] * s5;
+            let t_15 = t[2][2] * s5;
+            let t_16 = t_9 * s5;
             let c234s5 = c234 * s5;
-            let r3 = (c1 * c234s5 + s1 * c5 - t[0][2]).abs()
+            let q5_error = (c1 * c234s5 + s1 * c5 - t[0][2]).abs()
                 + (s1 * c234s5 - c1 * c5 - t[1][2]).abs() + (s234 * s5 - t[2][2]).abs();
-            let v44 = v44_[l];
-            let v50 = v50_[l];
-            let ([c6, s6], m3) = ::dh_robot::runtime::lanes::pair(
+            let t_7 = all_t_7[branch];
+            let t_8 = all_t_8[branch];
+            // Step 4: q6 from sine and cosine.
+            let ([c6, s6], q6_margin) = ::dh_robot::runtime::lanes::pair(
                 c234c5,
                 -s234,
-                v44,
+                t_7,
                 -s234,
                 -c234c5,
-                v50,
+                t_8,
             );
-            let g3 = ::dh_robot::runtime::lanes::angle(s6, c6);
-            g3_[l] = g3;
-            let j5a = g3;
-            q[5][l] = j5a;
-            q[5][l + 4] = j5a;
-            let v38 = v38_[l];
-            let t_16 = t[0][3] - (c5 * (t[0][0] * c6 - t[0][1] * s6) + t_12) * t_2;
-            let t_17 = t[1][3] - (c5 * (t[1][0] * c6 - t[1][1] * s6) + t_13) * t_2;
-            let t_18 = t[2][3] - (c5 * (t[2][0] * c6 - t[2][1] * s6) + t_14) * t_2;
+            let q6 = ::dh_robot::runtime::lanes::angle(s6, c6);
+            all_q6[branch] = q6;
+            let q6_in_range = q6;
+            q[5][branch] = q6_in_range;
+            q[5][branch + 4] = q6_in_range;
+            let t_6 = all_t_6[branch];
+            let t_17 = t[0][3] - (c5 * (t[0][0] * c6 - t[0][1] * s6) + t_13) * t_2;
+            let t_18 = t[1][3] - (c5 * (t[1][0] * c6 - t[1][1] * s6) + t_14) * t_2;
+            let t_19 = t[2][3] - (c5 * (t[2][0] * c6 - t[2][1] * s6) + t_15) * t_2;
             let c5c6 = c5 * c6;
             let c6s5 = c6 * s5;
-            let t_19 = c234 * c5c6 - s234 * s6;
-            v128_[l] = t_18;
-            v184_[l] = v38 - t_2 * (c5 * (v44 * c6 - v50 * s6) + t_15);
-            let r4 = (c1 * t_19 - s1 * c6s5 - t[0][0]).abs()
-                + (s1 * t_19 + c1 * c6s5 - t[1][0]).abs()
+            let t_20 = c234 * c5c6 - s234 * s6;
+            all_t_19[branch] = t_19;
+            let t_21 = t_6 - t_2 * (c5 * (t_7 * c6 - t_8 * s6) + t_16);
+            all_t_21[branch] = t_21;
+            let q6_error = (c1 * t_20 - s1 * c6s5 - t[0][0]).abs()
+                + (s1 * t_20 + c1 * c6s5 - t[1][0]).abs()
                 + (s234 * c5c6 + c234 * s6 - t[2][0]).abs();
-            let ([x4, y4, z4, w4], e4, m4) = ::dh_robot::runtime::lanes::sincos(
+            // Step 5: q3 from the law of cosines.
+            let ([c3_first, s3_first, c3_second, s3_second], q3_valid, q3_margin) = ::dh_robot::runtime::lanes::sincos(
                 2.0 * t_3 * t_4,
                 0.0,
-                t_16 * t_16 + t_17 * t_17 + t_18 * t_18 - t_5,
+                t_17 * t_17 + t_18 * t_18 + t_19 * t_19 - t_5,
             );
-            f4[0][l] = x4;
-            f4[1][l] = y4;
-            f4[0][l + 4] = z4;
-            f4[1][l + 4] = w4;
-            let g4 = ::dh_robot::runtime::lanes::angle(y4, x4);
-            g4_[l] = g4;
-            let h4 = ::dh_robot::runtime::lanes::angle(w4, z4);
-            g4_[l + 4] = h4;
-            let j2a = g4;
-            q[2][l] = j2a;
-            let j2b = h4;
-            q[2][l + 4] = j2b;
-            margin2_[l] = ::dh_robot::runtime::lanes::lesser(m3, m4);
-            valid2_[l] = e4;
-            error2_[l] = r3 + r4;
+            q3_pairs[0][branch] = c3_first;
+            q3_pairs[1][branch] = s3_first;
+            q3_pairs[0][branch + 4] = c3_second;
+            q3_pairs[1][branch + 4] = s3_second;
+            let q3 = ::dh_robot::runtime::lanes::angle(s3_first, c3_first);
+            all_q3[branch] = q3;
+            let q3_second = ::dh_robot::runtime::lanes::angle(s3_second, c3_second);
+            all_q3[branch + 4] = q3_second;
+            let q3_in_range = q3;
+            q[2][branch] = q3_in_range;
+            let q3_second_in_range = q3_second;
+            q[2][branch + 4] = q3_second_in_range;
+            all_margin_2[branch] = ::dh_robot::runtime::lanes::lesser(
+                q6_margin,
+                q3_margin,
+            );
+            all_valid_2[branch] = q3_valid;
+            all_error_2[branch] = q5_error + q6_error;
         }
-        let c3_ = f4[0];
-        let s3_ = f4[1];
-        let v128_: [f64; 8] = ::core::array::from_fn(|l| v128_[l % 4]);
-        let v184_: [f64; 8] = ::core::array::from_fn(|l| v184_[l % 4]);
-        let c1_: [f64; 8] = ::core::array::from_fn(|l| c1_[l % 4]);
-        let s1_: [f64; 8] = ::core::array::from_fn(|l| s1_[l % 4]);
-        let v238_: [f64; 8] = ::core::array::from_fn(|l| v238_[l % 4]);
-        let v239_: [f64; 8] = ::core::array::from_fn(|l| v239_[l % 4]);
-        let g0_: [f64; 8] = ::core::array::from_fn(|l| g0_[l / 1 % 2]);
-        let g1_: [f64; 8] = ::core::array::from_fn(|l| g1_[l / 2 % 2 * 2 + l % 2]);
-        let g4_: [f64; 8] = ::core::array::from_fn(|l| g4_[l / 4 % 2 * 4 + l % 4]);
-        let margin1_: [f64; 8] = ::core::array::from_fn(|l| margin1_[l % 2]);
-        let margin2_: [f64; 8] = ::core::array::from_fn(|l| margin2_[l % 4]);
-        let mut margin_ = [0.0; 8];
-        let valid2_: [f64; 8] = ::core::array::from_fn(|l| valid2_[l % 4]);
-        let mut valid_ = [0.0; 8];
-        let error2_: [f64; 8] = ::core::array::from_fn(|l| error2_[l % 4]);
-        let mut error_ = [0.0; 8];
-        for l in 0..8 {
-            let c3 = c3_[l];
-            let s3 = s3_[l];
-            let t_20 = t_3 + t_4 * c3;
-            let t_21 = t_4 * s3;
-            let v128 = v128_[l];
-            let v184 = v184_[l];
-            let ([c2, s2], m5) = ::dh_robot::runtime::lanes::pair(
-                t_20,
-                -t_21,
-                v184,
+        let all_c3 = q3_pairs[0];
+        let all_s3 = q3_pairs[1];
+        let all_t_19: [f64; 8] = ::core::array::from_fn(|branch| all_t_19[branch % 4]);
+        let all_t_21: [f64; 8] = ::core::array::from_fn(|branch| all_t_21[branch % 4]);
+        let all_c1: [f64; 8] = ::core::array::from_fn(|branch| all_c1[branch % 4]);
+        let all_s1: [f64; 8] = ::core::array::from_fn(|branch| all_s1[branch % 4]);
+        let all_t_11: [f64; 8] = ::core::array::from_fn(|branch| all_t_11[branch % 4]);
+        let all_t_12: [f64; 8] = ::core::array::from_fn(|branch| all_t_12[branch % 4]);
+        let all_q1: [f64; 8] = ::core::array::from_fn(|branch| all_q1[branch / 1 % 2]);
+        let all_q2_plus_q3_plus_q4: [f64; 8] = ::core::array::from_fn(|branch| {
+            all_q2_plus_q3_plus_q4[branch / 2 % 2 * 2 + branch % 2]
+        });
+        let all_q3: [f64; 8] = ::core::array::from_fn(|branch| {
+            all_q3[branch / 4 % 2 * 4 + branch % 4]
+        });
+        let all_margin_1: [f64; 8] = ::core::array::from_fn(|branch| {
+            all_margin_1[branch % 2]
+        });
+        let all_margin_2: [f64; 8] = ::core::array::from_fn(|branch| {
+            all_margin_2[branch % 4]
+        });
+        let mut all_margin = [0.0; 8];
+        let all_valid_2: [f64; 8] = ::core::array::from_fn(|branch| {
+            all_valid_2[branch % 4]
+        });
+        let mut all_valid = [0.0; 8];
+        let all_error_2: [f64; 8] = ::core::array::from_fn(|branch| {
+            all_error_2[branch % 4]
+        });
+        let mut all_error = [0.0; 8];
+        for branch in 0..8 {
+            let c3 = all_c3[branch];
+            let s3 = all_s3[branch];
+            let t_22 = t_3 + t_4 * c3;
+            let t_23 = t_4 * s3;
+            let t_19 = all_t_19[branch];
+            let t_21 = all_t_21[branch];
+            // Step 6: q2 from sine and cosine.
+            let ([c2, s2], q2_margin) = ::dh_robot::runtime::lanes::pair(
+                t_22,
+                -t_23,
                 t_21,
-                t_20,
-                v128,
+                t_23,
+                t_22,
+                t_19,
             );
-            let g5 = ::dh_robot::runtime::lanes::angle(s2, c2);
-            let c1 = c1_[l];
-            let s1 = s1_[l];
-            let v238 = v238_[l];
-            let v239 = v239_[l];
-            let t_22 = v238 + t_4 * (c3 * c2 - s3 * s2) + t_3 * c2;
-            let r6 = (c1 * t_22 - t[0][3]).abs() + (s1 * t_22 - t[1][3]).abs()
-                + (v239 + t_4 * (c3 * s2 + s3 * c2) + t_3 * s2 - t[2][3]).abs();
-            let g0 = g0_[l];
-            let g1 = g1_[l];
-            let g4 = g4_[l];
-            let margin1 = margin1_[l];
-            let margin2 = margin2_[l];
-            let valid2 = valid2_[l];
-            let error2 = error2_[l];
-            margin_[l] = ::dh_robot::runtime::lanes::lesser(
+            let q2 = ::dh_robot::runtime::lanes::angle(s2, c2);
+            let c1 = all_c1[branch];
+            let s1 = all_s1[branch];
+            let t_11 = all_t_11[branch];
+            let t_12 = all_t_12[branch];
+            let t_24 = t_11 + t_4 * (c3 * c2 - s3 * s2) + t_3 * c2;
+            let q2_error = (c1 * t_24 - t[0][3]).abs() + (s1 * t_24 - t[1][3]).abs()
+                + (t_12 + t_4 * (c3 * s2 + s3 * c2) + t_3 * s2 - t[2][3]).abs();
+            let q1 = all_q1[branch];
+            let q2_plus_q3_plus_q4 = all_q2_plus_q3_plus_q4[branch];
+            let q3 = all_q3[branch];
+            let margin_1 = all_margin_1[branch];
+            let margin_2 = all_margin_2[branch];
+            let valid_2 = all_valid_2[branch];
+            let error_2 = all_error_2[branch];
+            // How far the branch is from what it should be.
+            all_margin[branch] = ::dh_robot::runtime::lanes::lesser(
                 ::dh_robot::runtime::lanes::lesser(
-                    ::dh_robot::runtime::lanes::lesser(m0, margin1),
-                    margin2,
+                    ::dh_robot::runtime::lanes::lesser(q1_margin, margin_1),
+                    margin_2,
                 ),
-                m5,
+                q2_margin,
             );
-            valid_[l] = valid2;
-            error_[l] = error2 + r6;
-            q[0][l] = g0;
-            q[1][l] = g5;
-            q[3][l] = ::dh_robot::runtime::lanes::wrap(g1 - g4 - g5);
+            all_valid[branch] = valid_2;
+            all_error[branch] = error_2 + q2_error;
+            q[0][branch] = q1;
+            q[1][branch] = q2;
+            q[3][branch] = ::dh_robot::runtime::lanes::wrap(
+                q2_plus_q3_plus_q4 - q3 - q2,
+            );
         }
-        *valid = valid_;
-        ::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)
+        *valid = all_valid;
+        ::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

@@ -303,6 +303,10 @@ impl Ur5 {
     pub const MAX_SOLUTIONS: usize = 8;
     /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
     pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
+    /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
+    const LENGTH_SCALE: f64 = 1.192809;
+    /// What a length is multiplied by.
+    const PER_LENGTH: f64 = 1.0 / Self::LENGTH_SCALE;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -320,7 +324,7 @@ impl Ur5 {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.192809) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -328,15 +332,15 @@ impl Ur5 {
         };
         let mut q = [[0.0; 8]; 6];
         let mut valid = [0.0; 8];
-        if !self.lanes(&frame, &mut q, &mut valid) {
+        if !self.all_branches(&frame, &mut q, &mut valid) {
             return self.robust(target);
         }
         if valid == [1.0; 8] {
-            let at = |l: usize| ::dh_robot::runtime::lanes::solution(
+            let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
-                l,
+                branch,
             );
             return ::dh_robot::Solutions::full(
                 &Self::JOINTS,
@@ -356,29 +360,29 @@ impl Ur5 {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
         q: &[f64; 6],
     ) -> ::core::result::Result<::dh_robot::Solution<f64, 6>, ::dh_robot::Why<f64>> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.192809) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.192809,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: ::core::option::Option::None,
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 1.192809),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         let mut found = [[0.0; 8]; 6];
         let mut valid = [0.0; 8];
-        if self.lanes(&frame, &mut found, &mut valid) {
+        if self.all_branches(&frame, &mut found, &mut valid) {
             let list: ::dh_robot::Solutions<_, 6, 8> = ::dh_robot::runtime::lanes::collect(
                 &Self::JOINTS,
                 &valid,
                 &found,
                 &Self::BRANCHES,
             );
-            return ::dh_robot::runtime::nearest(&list, q, 1.192809);
+            return ::dh_robot::runtime::nearest(&list, q, Self::LENGTH_SCALE);
         }
         let unknowns = self.unknowns(&q.map(f64::from));
         ::dh_robot::runtime::solve_near::<
@@ -403,7 +407,7 @@ impl Ur5 {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.192809) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -411,12 +415,12 @@ impl Ur5 {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.192809,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: ::core::option::Option::None,
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 1.192809),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve(
             self,
@@ -443,6 +447,7 @@ impl Ur5 {
         let t_3 = t[1][3] - t[1][2] * 0.06899679663718164;
         let t_4 = t[2][3] - t[2][2] * 0.06899679663718164;
         let t_5 = t_4 - 0.07499859575170878;
+        // Step 1: q1 from an equation in sine and cosine.
         let q1_roots = ::dh_robot::runtime::solve_sincos(
             -t_3,
             t_2,
@@ -450,7 +455,8 @@ impl Ur5 {
             sample.tolerance,
         );
         if !q1_roots.is_regular() {
-            attempt.note(q1_roots.outcome, &path, "shoulder q1", 1.192809, "m");
+            attempt
+                .note(q1_roots.outcome, &path, "shoulder q1", Self::LENGTH_SCALE, "m");
         }
         let path = if q1_roots.is_free() {
             attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[0]))
@@ -471,6 +477,7 @@ impl Ur5 {
             let t_10 = t[0][1] * c1 + t[1][1] * s1;
             let t_11 = t[0][1] * s1 - t[1][1] * c1;
             let t_12 = t[0][2] * c1 + t[1][2] * s1;
+            // Step 2: q2 + q3 + q4 from a ratio of sine and cosine.
             let q2_plus_q3_plus_q4_roots = ::dh_robot::runtime::solve_sincos(
                 -t[2][2],
                 t_12,
@@ -502,6 +509,7 @@ impl Ur5 {
             {
                 let path = path.root(1, q2_plus_q3_plus_q4_root);
                 let q2_plus_q3_plus_q4 = ::dh_robot::runtime::atan2(s234, c234);
+                // Step 3: q5 from sine and cosine.
                 let q5_roots = ::dh_robot::runtime::solve_many(
                     &[
                         [-1.0, 0.0, -(t[0][2] * s1 - t[1][2] * c1)],
@@ -527,6 +535,7 @@ impl Ur5 {
                     let c234c5 = c234 * c5;
                     let t_13 = t_12 * c5;
                     let t_14 = t[2][2] * c5;
+                    // Step 4: q6 from sine and cosine.
                     let q6_roots = ::dh_robot::runtime::solve_pair(
                         c234c5,
                         -s234,
@@ -560,6 +569,7 @@ impl Ur5 {
                             * ((t_8 * c6 - t_10 * s6) * s5 + t_13);
                         let t_21 = 0.09150668715611636
                             * ((t[2][0] * c6 - t[2][1] * s6) * s5 + t_14);
+                        // Step 5: q3 from the law of cosines.
                         let q3_roots = ::dh_robot::runtime::solve_sincos(
                             0.23433656705012487,
                             0.0,
@@ -574,7 +584,7 @@ impl Ur5 {
                                     "elbow q3",
                                     [0.2434638836493361, t_19],
                                     false,
-                                    1.192809,
+                                    Self::LENGTH_SCALE,
                                     "m",
                                 );
                         }
@@ -595,6 +605,7 @@ impl Ur5 {
                             let q3 = ::dh_robot::runtime::atan2(s3, c3);
                             let t_22 = 0.3563018052345346 + 0.32884560730175577 * c3;
                             let t_23 = 0.32884560730175577 * s3;
+                            // Step 6: q2 from sine and cosine.
                             let q2_roots = ::dh_robot::runtime::solve_many(
                                 &[
                                     [-t_22, t_23, t_16 - t_20],
@@ -662,7 +673,7 @@ impl Ur5 {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.192809) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -670,12 +681,12 @@ impl Ur5 {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.192809,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: ::core::option::Option::None,
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 1.192809),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve_bounded(
             self,
@@ -686,14 +697,15 @@ impl Ur5 {
             |frame, sample, found| self.candidates(frame, sample, found),
         )
     }
+    /// Which root each step takes in each branch.
     const BRANCHES: [::dh_robot::Branch; 8] = {
         let mut all = [::dh_robot::Branch::ANY; 8];
-        let mut l = 0;
-        while l < 8 {
-            let q1_root = l / 1 % 2;
-            let q2_plus_q3_plus_q4_root = l / 2 % 2;
-            let q3_root = l / 4 % 2;
-            all[l] = ::dh_robot::Branch::ANY
+        let mut branch = 0;
+        while branch < 8 {
+            let q1_root = branch / 1 % 2;
+            let q2_plus_q3_plus_q4_root = branch / 2 % 2;
+            let q3_root = branch / 4 % 2;
+            all[branch] = ::dh_robot::Branch::ANY
                 .with_step(0, q1_root)
                 .with_shoulder(
                     if q1_root == 0 {
@@ -718,13 +730,13 @@ impl Ur5 {
                         ::dh_robot::Elbow::Down
                     },
                 );
-            l += 1;
+            branch += 1;
         }
         all
     };
-    /// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.
+    /// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.
     #[inline]
-    fn lanes(
+    fn all_branches(
         &self,
         t: &::dh_robot::runtime::Pose,
         q: &mut [[f64; 8]; 6],
@@ -734,29 +746,33 @@ impl Ur5 {
         let t_3 = t[1][3] - t[1][2] * 0.06899679663718164;
         let t_4 = t[2][3] - t[2][2] * 0.06899679663718164;
         let t_5 = t_4 - 0.07499859575170878;
-        let ([x0, y0, z0, w0], e0, m0) = ::dh_robot::runtime::lanes::sincos(
+        // Step 1: q1 from an equation in sine and cosine.
+        let ([c1_first, s1_first, c1_second, s1_second], q1_valid, q1_margin) = ::dh_robot::runtime::lanes::sincos(
             -t_3,
             t_2,
             0.09150668715611636,
         );
-        let c1_ = [x0, z0];
-        let s1_ = [y0, w0];
-        let g0_ = ::dh_robot::runtime::lanes::angles(&[y0, w0], &[x0, z0]);
-        let mut v46_ = [0.0; 2];
-        let mut v49_ = [0.0; 2];
-        let mut v54_ = [0.0; 2];
-        let mut v57_ = [0.0; 2];
-        let mut v60_ = [0.0; 2];
-        let mut v63_ = [0.0; 2];
-        let mut v66_ = [0.0; 2];
-        let mut v69_ = [0.0; 2];
-        let mut v262_ = [0.0; 2];
-        let mut v265_ = [0.0; 2];
-        let mut f1 = [[0.0; 4]; 2];
-        let mut margin1_ = [0.0; 2];
-        for l in 0..2 {
-            let c1 = c1_[l];
-            let s1 = s1_[l];
+        let all_c1 = [c1_first, c1_second];
+        let all_s1 = [s1_first, s1_second];
+        let all_q1 = ::dh_robot::runtime::lanes::angles(
+            &[s1_first, s1_second],
+            &[c1_first, c1_second],
+        );
+        let mut all_t_6 = [0.0; 2];
+        let mut all_t_7 = [0.0; 2];
+        let mut all_t_8 = [0.0; 2];
+        let mut all_t_9 = [0.0; 2];
+        let mut all_t_10 = [0.0; 2];
+        let mut all_t_11 = [0.0; 2];
+        let mut all_t_12 = [0.0; 2];
+        let mut all_t_15 = [0.0; 2];
+        let mut all_t_13 = [0.0; 2];
+        let mut all_t_14 = [0.0; 2];
+        let mut q2_plus_q3_plus_q4_pairs = [[0.0; 4]; 2];
+        let mut all_margin_1 = [0.0; 2];
+        for branch in 0..2 {
+            let c1 = all_c1[branch];
+            let s1 = all_s1[branch];
             let t_6 = t_2 * c1 + t_3 * s1;
             let t_7 = t_2 * s1 - t_3 * c1;
             let t_8 = t[0][0] * c1 + t[1][0] * s1;
@@ -766,230 +782,257 @@ impl Ur5 {
             let t_12 = t[0][2] * c1 + t[1][2] * s1;
             let t_13 = 0.09150668715611636 * s1;
             let t_14 = 0.09150668715611636 * c1;
-            v46_[l] = t_6;
-            v49_[l] = t_7;
-            v54_[l] = t_8;
-            v57_[l] = t_9;
-            v60_[l] = t_10;
-            v63_[l] = t_11;
-            v66_[l] = t_12;
-            v69_[l] = t[0][2] * s1 - t[1][2] * c1;
-            v262_[l] = t_13;
-            v265_[l] = t_14;
-            let ([x1, y1], m1) = ::dh_robot::runtime::lanes::half_turn([
+            all_t_6[branch] = t_6;
+            all_t_7[branch] = t_7;
+            all_t_8[branch] = t_8;
+            all_t_9[branch] = t_9;
+            all_t_10[branch] = t_10;
+            all_t_11[branch] = t_11;
+            all_t_12[branch] = t_12;
+            let t_15 = t[0][2] * s1 - t[1][2] * c1;
+            all_t_15[branch] = t_15;
+            all_t_13[branch] = t_13;
+            all_t_14[branch] = t_14;
+            // Step 2: q2 + q3 + q4 from a ratio of sine and cosine.
+            let ([c234_first, s234_first], q2_plus_q3_plus_q4_margin) = ::dh_robot::runtime::lanes::half_turn([
                 [-t[2][2], t_12],
             ]);
-            f1[0][l] = x1;
-            f1[1][l] = y1;
-            f1[0][l + 2] = -x1;
-            f1[1][l + 2] = -y1;
-            margin1_[l] = m1;
+            q2_plus_q3_plus_q4_pairs[0][branch] = c234_first;
+            q2_plus_q3_plus_q4_pairs[1][branch] = s234_first;
+            q2_plus_q3_plus_q4_pairs[0][branch + 2] = -c234_first;
+            q2_plus_q3_plus_q4_pairs[1][branch + 2] = -s234_first;
+            all_margin_1[branch] = q2_plus_q3_plus_q4_margin;
         }
-        let g1_ = ::dh_robot::runtime::lanes::angles(&f1[1], &f1[0]);
-        let c234_ = f1[0];
-        let s234_ = f1[1];
-        let mut v242_ = [0.0; 4];
-        let mut v243_ = [0.0; 4];
-        let v66_: [f64; 4] = ::core::array::from_fn(|l| v66_[l % 2]);
-        let v69_: [f64; 4] = ::core::array::from_fn(|l| v69_[l % 2]);
-        let mut g2_ = [0.0; 4];
-        let c1_: [f64; 4] = ::core::array::from_fn(|l| c1_[l % 2]);
-        let s1_: [f64; 4] = ::core::array::from_fn(|l| s1_[l % 2]);
-        let mut v267_ = [0.0; 4];
-        let mut v268_ = [0.0; 4];
-        let mut v269_ = [0.0; 4];
-        let v54_: [f64; 4] = ::core::array::from_fn(|l| v54_[l % 2]);
-        let v60_: [f64; 4] = ::core::array::from_fn(|l| v60_[l % 2]);
-        let mut g3_ = [0.0; 4];
-        let v46_: [f64; 4] = ::core::array::from_fn(|l| v46_[l % 2]);
-        let v49_: [f64; 4] = ::core::array::from_fn(|l| v49_[l % 2]);
-        let v57_: [f64; 4] = ::core::array::from_fn(|l| v57_[l % 2]);
-        let v63_: [f64; 4] = ::core::array::from_fn(|l| v63_[l % 2]);
-        let mut v170_ = [0.0; 4];
-        let mut v172_ = [0.0; 4];
-        let mut v210_ = [0.0; 4];
-        let mut f4 = [[0.0; 8]; 2];
-        let mut g4_ = [0.0; 8];
-        let mut margin2_ = [0.0; 4];
-        let mut valid2_ = [0.0; 4];
-        let mut error2_ = [0.0; 4];
-        for l in 0..4 {
-            let s234 = s234_[l];
-            let c234 = c234_[l];
-            let t_15 = s234 * 0.07935050791870282;
-            let t_16 = c234 * 0.07935050791870282;
-            v242_[l] = t_15;
-            v243_[l] = t_16;
-            let v66 = v66_[l];
-            let v69 = v69_[l];
-            let ([c5, s5], m2) = ::dh_robot::runtime::lanes::pair(
+        let all_q2_plus_q3_plus_q4 = ::dh_robot::runtime::lanes::angles(
+            &q2_plus_q3_plus_q4_pairs[1],
+            &q2_plus_q3_plus_q4_pairs[0],
+        );
+        let all_c234 = q2_plus_q3_plus_q4_pairs[0];
+        let all_s234 = q2_plus_q3_plus_q4_pairs[1];
+        let mut all_t_16 = [0.0; 4];
+        let mut all_t_17 = [0.0; 4];
+        let all_t_12: [f64; 4] = ::core::array::from_fn(|branch| all_t_12[branch % 2]);
+        let all_t_15: [f64; 4] = ::core::array::from_fn(|branch| all_t_15[branch % 2]);
+        let mut all_q5 = [0.0; 4];
+        let all_c1: [f64; 4] = ::core::array::from_fn(|branch| all_c1[branch % 2]);
+        let all_s1: [f64; 4] = ::core::array::from_fn(|branch| all_s1[branch % 2]);
+        let mut all_t_22 = [0.0; 4];
+        let mut all_t_23 = [0.0; 4];
+        let mut all_t_24 = [0.0; 4];
+        let all_t_8: [f64; 4] = ::core::array::from_fn(|branch| all_t_8[branch % 2]);
+        let all_t_10: [f64; 4] = ::core::array::from_fn(|branch| all_t_10[branch % 2]);
+        let mut all_q6 = [0.0; 4];
+        let all_t_6: [f64; 4] = ::core::array::from_fn(|branch| all_t_6[branch % 2]);
+        let all_t_7: [f64; 4] = ::core::array::from_fn(|branch| all_t_7[branch % 2]);
+        let all_t_9: [f64; 4] = ::core::array::from_fn(|branch| all_t_9[branch % 2]);
+        let all_t_11: [f64; 4] = ::core::array::from_fn(|branch| all_t_11[branch % 2]);
+        let mut all_t_33 = [0.0; 4];
+        let mut all_t_34 = [0.0; 4];
+        let mut all_t_35 = [0.0; 4];
+        let mut q3_pairs = [[0.0; 8]; 2];
+        let mut all_q3 = [0.0; 8];
+        let mut all_margin_2 = [0.0; 4];
+        let mut all_valid_2 = [0.0; 4];
+        let mut all_error_2 = [0.0; 4];
+        for branch in 0..4 {
+            let s234 = all_s234[branch];
+            let c234 = all_c234[branch];
+            let t_16 = s234 * 0.07935050791870282;
+            let t_17 = c234 * 0.07935050791870282;
+            all_t_16[branch] = t_16;
+            all_t_17[branch] = t_17;
+            let t_12 = all_t_12[branch];
+            let t_15 = all_t_15[branch];
+            // Step 3: q5 from sine and cosine.
+            let ([c5, s5], q5_margin) = ::dh_robot::runtime::lanes::pair(
                 -1.0,
                 0.0,
-                -v69,
+                -t_15,
                 0.0,
                 -s234,
                 t[2][2],
             );
-            let g2 = ::dh_robot::runtime::lanes::angle(s5, c5);
-            g2_[l] = g2;
-            let j4a = g2;
-            q[4][l] = j4a;
-            q[4][l + 4] = j4a;
-            let c1 = c1_[l];
-            let s1 = s1_[l];
+            let q5 = ::dh_robot::runtime::lanes::angle(s5, c5);
+            all_q5[branch] = q5;
+            let q5_in_range = q5;
+            q[4][branch] = q5_in_range;
+            q[4][branch + 4] = q5_in_range;
+            let c1 = all_c1[branch];
+            let s1 = all_s1[branch];
             let c234c5 = c234 * c5;
-            let t_17 = v66 * c5;
-            let t_18 = t[2][2] * c5;
+            let t_18 = t_12 * c5;
+            let t_19 = t[2][2] * c5;
             let c234s5 = c234 * s5;
             let s234s5 = s234 * s5;
-            let t_19 = c1 * c234s5 - s1 * c5;
-            let t_20 = s1 * c234s5 + c1 * c5;
-            let t_21 = 0.06899679663718164 * t_19;
+            let t_20 = c1 * c234s5 - s1 * c5;
+            let t_21 = s1 * c234s5 + c1 * c5;
             let t_22 = 0.06899679663718164 * t_20;
-            let t_23 = 0.06899679663718164 * s234s5;
-            v267_[l] = t_21;
-            v268_[l] = t_22;
-            v269_[l] = t_23;
-            let r3 = (-t_19 - t[0][2]).abs() + (-t_20 - t[1][2]).abs()
+            let t_23 = 0.06899679663718164 * t_21;
+            let t_24 = 0.06899679663718164 * s234s5;
+            all_t_22[branch] = t_22;
+            all_t_23[branch] = t_23;
+            all_t_24[branch] = t_24;
+            let q5_error = (-t_20 - t[0][2]).abs() + (-t_21 - t[1][2]).abs()
                 + (-s234s5 - t[2][2]).abs();
-            let v54 = v54_[l];
-            let v60 = v60_[l];
-            let ([c6, s6], m3) = ::dh_robot::runtime::lanes::pair(
+            let t_8 = all_t_8[branch];
+            let t_10 = all_t_10[branch];
+            // Step 4: q6 from sine and cosine.
+            let ([c6, s6], q6_margin) = ::dh_robot::runtime::lanes::pair(
                 c234c5,
                 -s234,
-                v54,
+                t_8,
                 -s234,
                 -c234c5,
-                v60,
+                t_10,
             );
-            let g3 = ::dh_robot::runtime::lanes::angle(s6, c6);
-            g3_[l] = g3;
-            let j5a = g3;
-            q[5][l] = j5a;
-            q[5][l + 4] = j5a;
-            let v46 = v46_[l];
-            let v49 = v49_[l];
-            let v57 = v57_[l];
-            let v63 = v63_[l];
-            let t_24 = (t[2][0] * s6 + t[2][1] * c6) * 0.07935050791870282;
-            let t_25 = v46 + (v54 * s6 + v60 * c6) * 0.07935050791870282;
-            let t_26 = v49 + (v57 * s6 + v63 * c6) * 0.07935050791870282;
-            let t_27 = t_5 + t_24;
-            let t_28 = t_25 * t_25 + t_26 * t_26 + t_27 * t_27 - 0.2434638836493361;
-            let t_29 = 0.09150668715611636 * ((v54 * c6 - v60 * s6) * s5 + t_17);
-            let t_30 = 0.09150668715611636 * ((t[2][0] * c6 - t[2][1] * s6) * s5 + t_18);
+            let q6 = ::dh_robot::runtime::lanes::angle(s6, c6);
+            all_q6[branch] = q6;
+            let q6_in_range = q6;
+            q[5][branch] = q6_in_range;
+            q[5][branch + 4] = q6_in_range;
+            let t_6 = all_t_6[branch];
+            let t_7 = all_t_7[branch];
+            let t_9 = all_t_9[branch];
+            let t_11 = all_t_11[branch];
+            let t_25 = (t[2][0] * s6 + t[2][1] * c6) * 0.07935050791870282;
+            let t_26 = t_6 + (t_8 * s6 + t_10 * c6) * 0.07935050791870282;
+            let t_27 = t_7 + (t_9 * s6 + t_11 * c6) * 0.07935050791870282;
+            let t_28 = t_5 + t_25;
+            let t_29 = t_26 * t_26 + t_27 * t_27 + t_28 * t_28 - 0.2434638836493361;
+            let t_30 = 0.09150668715611636 * ((t_8 * c6 - t_10 * s6) * s5 + t_18);
+            let t_31 = 0.09150668715611636 * ((t[2][0] * c6 - t[2][1] * s6) * s5 + t_19);
             let c5c6 = c5 * c6;
             let c6s5 = c6 * s5;
-            let t_31 = c234 * c5c6 - s234 * s6;
-            v170_[l] = t_25 - t_29;
-            v172_[l] = t_27 - t_30;
-            v210_[l] = 0.07499859575170878 + t_30 - (t_4 + t_24);
-            let r4 = (c1 * t_31 + s1 * c6s5 - t[0][0]).abs()
-                + (s1 * t_31 - c1 * c6s5 - t[1][0]).abs()
+            let t_32 = c234 * c5c6 - s234 * s6;
+            let t_33 = t_26 - t_30;
+            all_t_33[branch] = t_33;
+            let t_34 = t_28 - t_31;
+            all_t_34[branch] = t_34;
+            let t_35 = 0.07499859575170878 + t_31 - (t_4 + t_25);
+            all_t_35[branch] = t_35;
+            let q6_error = (c1 * t_32 + s1 * c6s5 - t[0][0]).abs()
+                + (s1 * t_32 - c1 * c6s5 - t[1][0]).abs()
                 + (s234 * c5c6 + c234 * s6 - t[2][0]).abs();
-            let ([x4, y4, z4, w4], e4, m4) = ::dh_robot::runtime::lanes::sincos(
+            // Step 5: q3 from the law of cosines.
+            let ([c3_first, s3_first, c3_second, s3_second], q3_valid, q3_margin) = ::dh_robot::runtime::lanes::sincos(
                 0.23433656705012487,
                 0.0,
-                t_28,
+                t_29,
             );
-            f4[0][l] = x4;
-            f4[1][l] = y4;
-            f4[0][l + 4] = z4;
-            f4[1][l + 4] = w4;
-            let g4 = ::dh_robot::runtime::lanes::angle(y4, x4);
-            g4_[l] = g4;
-            let h4 = ::dh_robot::runtime::lanes::angle(w4, z4);
-            g4_[l + 4] = h4;
-            let j2a = g4;
-            q[2][l] = j2a;
-            let j2b = h4;
-            q[2][l + 4] = j2b;
-            margin2_[l] = ::dh_robot::runtime::lanes::lesser(
-                ::dh_robot::runtime::lanes::lesser(m2, m3),
-                m4,
+            q3_pairs[0][branch] = c3_first;
+            q3_pairs[1][branch] = s3_first;
+            q3_pairs[0][branch + 4] = c3_second;
+            q3_pairs[1][branch + 4] = s3_second;
+            let q3 = ::dh_robot::runtime::lanes::angle(s3_first, c3_first);
+            all_q3[branch] = q3;
+            let q3_second = ::dh_robot::runtime::lanes::angle(s3_second, c3_second);
+            all_q3[branch + 4] = q3_second;
+            let q3_in_range = q3;
+            q[2][branch] = q3_in_range;
+            let q3_second_in_range = q3_second;
+            q[2][branch + 4] = q3_second_in_range;
+            all_margin_2[branch] = ::dh_robot::runtime::lanes::lesser(
+                ::dh_robot::runtime::lanes::lesser(q5_margin, q6_margin),
+                q3_margin,
             );
-            valid2_[l] = e4;
-            error2_[l] = r3 + r4;
+            all_valid_2[branch] = q3_valid;
+            all_error_2[branch] = q5_error + q6_error;
         }
-        let c3_ = f4[0];
-        let s3_ = f4[1];
-        let v170_: [f64; 8] = ::core::array::from_fn(|l| v170_[l % 4]);
-        let v172_: [f64; 8] = ::core::array::from_fn(|l| v172_[l % 4]);
-        let v210_: [f64; 8] = ::core::array::from_fn(|l| v210_[l % 4]);
-        let c1_: [f64; 8] = ::core::array::from_fn(|l| c1_[l % 4]);
-        let s1_: [f64; 8] = ::core::array::from_fn(|l| s1_[l % 4]);
-        let v242_: [f64; 8] = ::core::array::from_fn(|l| v242_[l % 4]);
-        let v243_: [f64; 8] = ::core::array::from_fn(|l| v243_[l % 4]);
-        let v262_: [f64; 8] = ::core::array::from_fn(|l| v262_[l % 2]);
-        let v265_: [f64; 8] = ::core::array::from_fn(|l| v265_[l % 2]);
-        let v267_: [f64; 8] = ::core::array::from_fn(|l| v267_[l % 4]);
-        let v268_: [f64; 8] = ::core::array::from_fn(|l| v268_[l % 4]);
-        let v269_: [f64; 8] = ::core::array::from_fn(|l| v269_[l % 4]);
-        let g0_: [f64; 8] = ::core::array::from_fn(|l| g0_[l / 1 % 2]);
-        let g1_: [f64; 8] = ::core::array::from_fn(|l| g1_[l / 2 % 2 * 2 + l % 2]);
-        let g4_: [f64; 8] = ::core::array::from_fn(|l| g4_[l / 4 % 2 * 4 + l % 4]);
-        let margin1_: [f64; 8] = ::core::array::from_fn(|l| margin1_[l % 2]);
-        let margin2_: [f64; 8] = ::core::array::from_fn(|l| margin2_[l % 4]);
-        let mut margin_ = [0.0; 8];
-        let valid2_: [f64; 8] = ::core::array::from_fn(|l| valid2_[l % 4]);
-        let mut valid_ = [0.0; 8];
-        let error2_: [f64; 8] = ::core::array::from_fn(|l| error2_[l % 4]);
-        let mut error_ = [0.0; 8];
-        for l in 0..8 {
-            let c3 = c3_[l];
-            let s3 = s3_[l];
-            let t_32 = 0.3563018052345346 + 0.32884560730175577 * c3;
-            let t_33 = 0.32884560730175577 * s3;
-            let v170 = v170_[l];
-            let v172 = v172_[l];
-            let v210 = v210_[l];
-            let ([c2, s2], m5) = ::dh_robot::runtime::lanes::pair(
-                -t_32,
+        let all_c3 = q3_pairs[0];
+        let all_s3 = q3_pairs[1];
+        let all_t_33: [f64; 8] = ::core::array::from_fn(|branch| all_t_33[branch % 4]);
+        let all_t_34: [f64; 8] = ::core::array::from_fn(|branch| all_t_34[branch % 4]);
+        let all_t_35: [f64; 8] = ::core::array::from_fn(|branch| all_t_35[branch % 4]);
+        let all_c1: [f64; 8] = ::core::array::from_fn(|branch| all_c1[branch % 4]);
+        let all_s1: [f64; 8] = ::core::array::from_fn(|branch| all_s1[branch % 4]);
+        let all_t_16: [f64; 8] = ::core::array::from_fn(|branch| all_t_16[branch % 4]);
+        let all_t_17: [f64; 8] = ::core::array::from_fn(|branch| all_t_17[branch % 4]);
+        let all_t_13: [f64; 8] = ::core::array::from_fn(|branch| all_t_13[branch % 2]);
+        let all_t_14: [f64; 8] = ::core::array::from_fn(|branch| all_t_14[branch % 2]);
+        let all_t_22: [f64; 8] = ::core::array::from_fn(|branch| all_t_22[branch % 4]);
+        let all_t_23: [f64; 8] = ::core::array::from_fn(|branch| all_t_23[branch % 4]);
+        let all_t_24: [f64; 8] = ::core::array::from_fn(|branch| all_t_24[branch % 4]);
+        let all_q1: [f64; 8] = ::core::array::from_fn(|branch| all_q1[branch / 1 % 2]);
+        let all_q2_plus_q3_plus_q4: [f64; 8] = ::core::array::from_fn(|branch| {
+            all_q2_plus_q3_plus_q4[branch / 2 % 2 * 2 + branch % 2]
+        });
+        let all_q3: [f64; 8] = ::core::array::from_fn(|branch| {
+            all_q3[branch / 4 % 2 * 4 + branch % 4]
+        });
+        let all_margin_1: [f64; 8] = ::core::array::from_fn(|branch| {
+            all_margin_1[branch % 2]
+        });
+        let all_margin_2: [f64; 8] = ::core::array::from_fn(|branch| {
+            all_margin_2[branch % 4]
+        });
+        let mut all_margin = [0.0; 8];
+        let all_valid_2: [f64; 8] = ::core::array::from_fn(|branch| {
+            all_valid_2[branch % 4]
+        });
+        let mut all_valid = [0.0; 8];
+        let all_error_2: [f64; 8] = ::core::array::from_fn(|branch| {
+            all_error_2[branch % 4]
+        });
+        let mut all_error = [0.0; 8];
+        for branch in 0..8 {
+            let c3 = all_c3[branch];
+            let s3 = all_s3[branch];
+            let t_36 = 0.3563018052345346 + 0.32884560730175577 * c3;
+            let t_37 = 0.32884560730175577 * s3;
+            let t_33 = all_t_33[branch];
+            let t_34 = all_t_34[branch];
+            let t_35 = all_t_35[branch];
+            // Step 6: q2 from sine and cosine.
+            let ([c2, s2], q2_margin) = ::dh_robot::runtime::lanes::pair(
+                -t_36,
+                t_37,
                 t_33,
-                v170,
-                -t_33,
-                -t_32,
-                v172,
+                -t_37,
+                -t_36,
+                t_34,
             );
-            let g5 = ::dh_robot::runtime::lanes::angle(s2, c2);
-            let c1 = c1_[l];
-            let s1 = s1_[l];
-            let v242 = v242_[l];
-            let v243 = v243_[l];
-            let v262 = v262_[l];
-            let v265 = v265_[l];
-            let v267 = v267_[l];
-            let v268 = v268_[l];
-            let v269 = v269_[l];
-            let t_34 = v242 - 0.32884560730175577 * (c3 * c2 - s3 * s2)
+            let q2 = ::dh_robot::runtime::lanes::angle(s2, c2);
+            let c1 = all_c1[branch];
+            let s1 = all_s1[branch];
+            let t_16 = all_t_16[branch];
+            let t_17 = all_t_17[branch];
+            let t_13 = all_t_13[branch];
+            let t_14 = all_t_14[branch];
+            let t_22 = all_t_22[branch];
+            let t_23 = all_t_23[branch];
+            let t_24 = all_t_24[branch];
+            let t_38 = t_16 - 0.32884560730175577 * (c3 * c2 - s3 * s2)
                 - 0.3563018052345346 * c2;
-            let t_35 = v243 + 0.32884560730175577 * (c3 * s2 + s3 * c2)
+            let t_39 = t_17 + 0.32884560730175577 * (c3 * s2 + s3 * c2)
                 + 0.3563018052345346 * s2;
-            let r6 = (c1 * t_34 + v262 - v267 - t[0][3]).abs()
-                + (s1 * t_34 - v265 - v268 - t[1][3]).abs()
-                + (0.07499859575170878 - t_35 - v269 - t[2][3]).abs();
-            let g0 = g0_[l];
-            let g1 = g1_[l];
-            let g4 = g4_[l];
-            let margin1 = margin1_[l];
-            let margin2 = margin2_[l];
-            let valid2 = valid2_[l];
-            let error2 = error2_[l];
-            margin_[l] = ::dh_robot::runtime::lanes::lesser(
+            let q2_error = (c1 * t_38 + t_13 - t_22 - t[0][3]).abs()
+                + (s1 * t_38 - t_14 - t_23 - t[1][3]).abs()
+                + (0.07499859575170878 - t_39 - t_24 - t[2][3]).abs();
+            let q1 = all_q1[branch];
+            let q2_plus_q3_plus_q4 = all_q2_plus_q3_plus_q4[branch];
+            let q3 = all_q3[branch];
+            let margin_1 = all_margin_1[branch];
+            let margin_2 = all_margin_2[branch];
+            let valid_2 = all_valid_2[branch];
+            let error_2 = all_error_2[branch];
+            // How far the branch is from what it should be.
+            all_margin[branch] = ::dh_robot::runtime::lanes::lesser(
                 ::dh_robot::runtime::lanes::lesser(
-                    ::dh_robot::runtime::lanes::lesser(m0, margin1),
-                    margin2,
+                    ::dh_robot::runtime::lanes::lesser(q1_margin, margin_1),
+                    margin_2,
                 ),
-                m5,
+                q2_margin,
             );
-            valid_[l] = e0 * valid2;
-            error_[l] = error2 + r6;
-            q[0][l] = g0;
-            q[1][l] = g5;
-            q[3][l] = ::dh_robot::runtime::lanes::wrap(g1 - g4 - g5);
+            all_valid[branch] = q1_valid * valid_2;
+            all_error[branch] = error_2 + q2_error;
+            q[0][branch] = q1;
+            q[1][branch] = q2;
+            q[3][branch] = ::dh_robot::runtime::lanes::wrap(
+                q2_plus_q3_plus_q4 - q3 - q2,
+            );
         }
-        *valid = valid_;
-        ::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)
+        *valid = all_valid;
+        ::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

@@ -231,6 +231,10 @@ impl Youbot {
     pub const MAX_SOLUTIONS: usize = 4;
     /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
     pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
+    /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
+    const LENGTH_SCALE: f64 = 0.6875;
+    /// What a length is multiplied by.
+    const PER_LENGTH: f64 = 1.0 / Self::LENGTH_SCALE;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// Plan:
@@ -264,10 +268,13 @@ impl Youbot {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
             }
         };
-        let frame = ::dh_robot::runtime::frame_of_axis(p.map(|x| x / 0.6875), z);
+        let frame = ::dh_robot::runtime::frame_of_axis(
+            p.map(|x| x / Self::LENGTH_SCALE),
+            z,
+        );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 0.6875,
+            reach: Self::LENGTH_SCALE,
             few: true,
             given: ::core::option::Option::None,
         };
@@ -307,10 +314,13 @@ impl Youbot {
             ::core::result::Result::Ok(z) => z,
             ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
         };
-        let frame = ::dh_robot::runtime::frame_of_axis(p.map(|x| x / 0.6875), z);
+        let frame = ::dh_robot::runtime::frame_of_axis(
+            p.map(|x| x / Self::LENGTH_SCALE),
+            z,
+        );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 0.6875,
+            reach: Self::LENGTH_SCALE,
             few: true,
             given: ::core::option::Option::None,
         };
@@ -358,10 +368,13 @@ impl Youbot {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
             }
         };
-        let frame = ::dh_robot::runtime::frame_of_axis(p.map(|x| x / 0.6875), z);
+        let frame = ::dh_robot::runtime::frame_of_axis(
+            p.map(|x| x / Self::LENGTH_SCALE),
+            z,
+        );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 0.6875,
+            reach: Self::LENGTH_SCALE,
             few: true,
             given: ::core::option::Option::None,
         };
@@ -390,13 +403,15 @@ impl Youbot {
         let t_2 = t[2][3] - 0.21381818181818182;
         let t_3 = t_2 * t_2;
         let t_4 = t_2 * t[2][2] * 2.0;
+        // Step 1: q1 from a ratio of sine and cosine.
         let q1_roots = ::dh_robot::runtime::solve_half_turn(
             [-t[1][2], t[0][2]],
             [-t[1][3], t[0][3]],
             sample.tolerance,
         );
         if !q1_roots.is_regular() {
-            attempt.note(q1_roots.outcome, &path, "shoulder q1", 0.6875, "m");
+            attempt
+                .note(q1_roots.outcome, &path, "shoulder q1", Self::LENGTH_SCALE, "m");
         }
         let path = if q1_roots.is_free() {
             attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[0]))
@@ -419,6 +434,7 @@ impl Youbot {
                 - (t_5 * t_5 + t_6 * t_6 + t_3 - 0.08938842975206612);
             let t_11 = 0.31636363636363635 * (t_7 * (0.096 - t_8) + t_9 - t_4) - t_10;
             let t_12 = t_5 - 0.048;
+            // Step 2: q2 + q3 + q4 from sine and cosine.
             let q2_plus_q3_plus_q4_roots = ::dh_robot::runtime::solve_pair(
                 0.0,
                 -1.0,
@@ -450,6 +466,7 @@ impl Youbot {
             {
                 let q2_plus_q3_plus_q4 = ::dh_robot::runtime::atan2(s234, c234);
                 let t_13 = t_2 - 0.31636363636363635 * c234;
+                // Step 3: q3 from the law of cosines.
                 let q3_roots = ::dh_robot::runtime::solve_sincos(
                     0.08854214876033059,
                     0.0,
@@ -464,7 +481,7 @@ impl Youbot {
                             "elbow q3",
                             [0.08938842975206612, t_11],
                             false,
-                            0.6875,
+                            Self::LENGTH_SCALE,
                             "m",
                         );
                 }
@@ -485,6 +502,7 @@ impl Youbot {
                     let q3 = ::dh_robot::runtime::atan2(s3, c3);
                     let t_14 = 0.19636363636363638 * s3;
                     let t_15 = 0.22545454545454546 + 0.19636363636363638 * c3;
+                    // Step 4: q2 from sine and cosine.
                     let q2_roots = ::dh_robot::runtime::solve_many(
                         &[
                             [-t_14, -t_15, t_12 + 0.31636363636363635 * s234],
@@ -507,6 +525,7 @@ impl Youbot {
                         .enumerate()
                     {
                         let q2 = ::dh_robot::runtime::atan2(s2, c2);
+                        // Step 5: q5 from a free choice.
                         let q5_roots = ::dh_robot::runtime::solve_sincos(
                             0.0,
                             0.0,

@@ -22,8 +22,8 @@ pub use graph::{Graph, Node, Value};
 pub use identity::test_identities;
 pub use interpret::Inputs;
 pub use inverse::{
-    Attempt, Candidate, Choice, Distance, Indicator, Instruction, Inverse, Loop, Naming, Report, Sequence, Solve,
-    TOLERANCE, Yield,
+    Attempt, Batched, BatchedSolve, Candidate, Choice, Distance, Indicator, Instruction, Inverse, Item, Loop, Mirror,
+    Naming, Report, Residual, Sequence, Solve, TOLERANCE, What, Yield,
 };
 pub use proof::{Disproof, prove_frames, prove_jacobian, prove_pose};
 

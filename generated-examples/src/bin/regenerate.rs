@@ -13,6 +13,7 @@ use std::{fs, io};
 
 use dh_symbolic::chain::Chain;
 use dh_symbolic::chain::table::parse;
+use dh_symbolic::pipeline::compile;
 use dh_symbolic::render::code::rust::pretty;
 use dh_symbolic::render::{Options, notes, page};
 use generated_examples::corpus;
@@ -129,7 +130,11 @@ fn interactive(source: &Source) -> io::Result<String> {
 
 /// What the macro leaves behind.
 fn expanded(source: &Source) -> io::Result<String> {
-    let text = pretty(dh_symbolic::expand(tokens(source)?)).map_err(|e| fail(source, &e))?;
+    let (items, errors) = compile(tokens(source)?);
+    if !errors.is_empty() {
+        return Err(fail(source, &errors.draw(&source.body, &source.module)));
+    }
+    let text = pretty(items).map_err(|e| fail(source, &e))?;
     Ok(format!("// What `dh_robot!` makes of src/{}.rs. Made by `{COMMAND}`; do not edit.\n\n{text}", source.module))
 }
 

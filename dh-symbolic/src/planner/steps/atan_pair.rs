@@ -14,6 +14,7 @@ static PAIR: Kernel = Kernel {
     javascript: Some("solvePair"),
     takes_tolerance: true,
     free: Representative::Chosen,
+    is_sine_equation: false,
     unknowns: 1,
     run: |x, _, _, tolerance| {
         let &[a, b, c, d, e, f] = x else { return Roots::none() };
@@ -27,6 +28,7 @@ static MANY: Kernel = Kernel {
     javascript: Some("solveMany"),
     takes_tolerance: true,
     free: Representative::Chosen,
+    is_sine_equation: false,
     unknowns: 1,
     run: |x, _, _, tolerance| match *x {
         [a, b, c, d, e, f, g, h, i] => {

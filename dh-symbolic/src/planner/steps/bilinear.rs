@@ -12,6 +12,7 @@ static BILINEAR: Kernel = Kernel {
     javascript: Some("solveBilinear"),
     takes_tolerance: true,
     free: Representative::Passed,
+    is_sine_equation: false,
     unknowns: 2,
     run: |x, _, free, tolerance| {
         let (&[first, second], &[u, v]) = (x.as_chunks::<9>().0, free) else { return Roots::none() };

@@ -14,6 +14,7 @@ static GENERAL: Kernel = Kernel {
     javascript: None,
     takes_tolerance: false,
     free: Representative::Zero,
+    is_sine_equation: false,
     unknowns: 6,
     run: |x, arguments, _, _| {
         let (poses, []) = x.as_chunks::<12>() else { return Roots::none() };

@@ -16,6 +16,7 @@ static HALF_TURN: Kernel = Kernel {
     javascript: Some("solveHalfTurn"),
     takes_tolerance: true,
     free: Representative::Chosen,
+    is_sine_equation: false,
     unknowns: 1,
     run: |x, _, _, tolerance| {
         let &[a, b, c, d] = x else { return Roots::none() };

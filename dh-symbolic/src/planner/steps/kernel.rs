@@ -124,6 +124,8 @@ pub struct Kernel {
     pub takes_tolerance: bool,
     /// What it does with unknowns that are free.
     pub free: Representative,
+    /// Are its arguments a, b and c of a cos u + b sin u = c?
+    pub is_sine_equation: bool,
     /// How many unknowns a root gives: 1, 2 or 6.
     pub unknowns: usize,
     /// Runs it on the numbers of its arguments, in order; `free` is what the unknowns take where they are free.

@@ -12,6 +12,7 @@ static LENGTH_AND_ANGLE: Kernel = Kernel {
     javascript: Some("solveLengthAndAngle"),
     takes_tolerance: true,
     free: Representative::Passed,
+    is_sine_equation: false,
     unknowns: 2,
     run: |x, _, free, tolerance| {
         let (&[first, second], &[[d, _], v]) = (x.as_chunks::<9>().0, free) else { return Roots::none() };

@@ -12,6 +12,7 @@ pub(super) static QUADRATIC: Kernel = Kernel {
     javascript: Some("solveQuadratic"),
     takes_tolerance: true,
     free: Representative::Chosen,
+    is_sine_equation: false,
     unknowns: 1,
     run: |x, _, _, tolerance| {
         let &[a, b, c] = x else { return Roots::none() };

@@ -12,6 +12,7 @@ static SECOND_HARMONIC: Kernel = Kernel {
     javascript: Some("solveSecondHarmonic"),
     takes_tolerance: true,
     free: Representative::Chosen,
+    is_sine_equation: false,
     unknowns: 1,
     run: |x, _, _, tolerance| {
         let &[a, b, d, c, e] = x else { return Roots::none() };

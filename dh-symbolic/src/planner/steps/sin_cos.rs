@@ -16,6 +16,7 @@ pub(super) static SIN_COS: Kernel = Kernel {
     javascript: Some("solveSinCos"),
     takes_tolerance: true,
     free: Representative::Chosen,
+    is_sine_equation: true,
     unknowns: 1,
     run: |x, _, _, tolerance| {
         let &[a, b, c] = x else { return Roots::none() };

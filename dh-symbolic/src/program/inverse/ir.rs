@@ -3,7 +3,7 @@
 //! Straight-line values live in the [`Graph`](crate::program::Graph) beside it; the tree says where they are computed, where equations are solved, over which
 //! roots to loop, what the roots bind, where a branch ends without a solution, and what a finished branch yields.
 
-use crate::planner::Call;
+use crate::planner::{Argument, Call};
 use crate::program::Value;
 
 /// Instructions, one after the other.
@@ -48,6 +48,20 @@ pub struct Solve {
     pub finds: Vec<usize>,
     /// What a textbook calls it.
     pub name: &'static str,
+}
+
+impl Solve {
+    /// a, b and c, if it solves the one equation a cos u + b sin u = c.
+    pub fn sine_equation(&self) -> Option<[Value; 3]> {
+        match self.call.arguments.as_slice() {
+            [Argument::Number(a), Argument::Number(b), Argument::Number(c)]
+                if self.call.kernel.is_sine_equation && !self.equations.is_empty() =>
+            {
+                Some([*a, *b, *c])
+            }
+            _ => None,
+        }
+    }
 }
 
 /// The part of an arm that a step with two roots decides, after Lee and Ziegler (1984).

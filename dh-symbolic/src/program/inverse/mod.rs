@@ -3,6 +3,7 @@
 //! All lengths are over the arm's reach, so that one tolerance fits all. Known combinations enter as symbols of their cosine and
 //! sine; which symbols an instruction needs tells at which depth of the search it is computed.
 
+mod batched;
 mod branches;
 mod confirmation;
 mod general;
@@ -15,6 +16,7 @@ mod row;
 mod step;
 mod text;
 
+pub use batched::{Batched, BatchedSolve, Item, Mirror, Residual, What};
 pub use interpret::{Attempt, Candidate, TOLERANCE};
 pub use ir::{Choice, Distance, Indicator, Instruction, Loop, Naming, Report, Sequence, Solve, Yield};
 
@@ -181,6 +183,16 @@ mod tests {
     #[test]
     fn program_of_a_ur5() {
         insta::assert_snapshot!(program(&chain(UR5)));
+    }
+
+    #[test]
+    fn batched_programs() {
+        let text = [PUMA, UR5].map(|table| {
+            let chain = chain(table);
+            let inverse = Inverse::of(&chain).unwrap_or_else(|e| panic!("{e:?}"));
+            inverse.batched().map_or(String::new(), |b| b.to_string())
+        });
+        insta::assert_snapshot!(text.join("\n"));
     }
 
     #[test]

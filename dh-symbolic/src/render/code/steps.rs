@@ -201,12 +201,12 @@ pub(in crate::render) fn pattern(dialect: Dialect, variables: &Variables, solve:
 }
 
 /// The statements for what the caller gives: its coordinate, cosine and sine (or the length over the length scale).
-pub(super) fn given(chain: &Chain, variable: &Variable, scale: &str) -> String {
+pub(super) fn given(chain: &Chain, variable: &Variable) -> String {
     let (Variable { pair: [c, s], value, turns }, known) = (variable, chosen(chain));
     let bound = if *turns {
         format!("let ({s}, {c}) = ::dh_robot::runtime::sin_cos({value});\n")
     } else {
-        format!("let {c} = {value} / {scale};\n")
+        format!("let {c} = {value} / {LENGTH_SCALE};\n")
     };
     format!("let {value} = {known};\n{bound}")
 }
@@ -216,9 +216,17 @@ pub(in crate::render) fn unit<'a>(chain: &'a Chain, report: &Report, scale: &'a 
     if report.is_length || report.distance.is_some() { (scale, chain.unit.name) } else { ("1.0", "") }
 }
 
-/// The length scale as a literal.
-pub(in crate::render) fn length_scale(inverse: &Inverse) -> String {
-    literal(inverse.plan.axes.reach, Scalar::F64)
+/// The length scale in Rust: a constant of the arm.
+pub(in crate::render) const LENGTH_SCALE: &str = "Self::LENGTH_SCALE";
+
+/// Its definition, and that of its inverse, which lengths are multiplied by.
+pub(super) fn length_scale(chain: &Chain, inverse: &Inverse) -> String {
+    format!(
+        "/// The sum of the arm's lengths, in {}: equations are solved for lengths over it, so that one tolerance fits all.\n\
+         const LENGTH_SCALE: f64 = {};\n/// What a length is multiplied by.\nconst PER_LENGTH: f64 = 1.0 / {LENGTH_SCALE};\n",
+        chain.unit.name,
+        literal(inverse.plan.axes.reach, Scalar::F64)
+    )
 }
 
 /// The condition under which the root of a step that decides a part has its first name; `equal` compares in the language at hand.

@@ -36,6 +36,8 @@ pub(in crate::render) struct Body<'a> {
     inputs: Vec<(Symbol, String)>,
     /// Text of each node, once known, and whether it is a sum (needs parentheses in a product).
     text: Vec<Option<(String, bool)>>,
+    /// Is that text a name?
+    is_name: Vec<bool>,
     /// The statements.
     pub(in crate::render) lines: Vec<String>,
 }
@@ -82,9 +84,9 @@ impl<'a> Body<'a> {
     /// Nothing is asked for yet.
     fn empty(dialect: Dialect, chain: &'a Chain, graph: &'a Graph, scalar: Scalar) -> Body<'a> {
         let names = Names::new(&["q", "s", "c", "self", "t", "angles"]);
-        let text = vec![None; graph.nodes().len()];
+        let (text, is_name) = (vec![None; graph.nodes().len()], vec![false; graph.nodes().len()]);
         let (outputs, inputs, lines) = (Vec::new(), Vec::new(), Vec::new());
-        Body { dialect, chain, graph, outputs, names, scalar, scale: 1.0, inputs, text, lines }
+        Body { dialect, chain, graph, outputs, names, scalar, scale: 1.0, inputs, text, is_name, lines }
     }
 
     fn literal(&self, x: f64) -> String {
@@ -167,6 +169,7 @@ impl<'a> Body<'a> {
                 let name = self.name(node);
                 self.lines.push(format!("let {name} = {text};"));
                 self.text[i] = Some((name, false));
+                self.is_name[i] = true;
             }
         }
     }
@@ -186,11 +189,7 @@ impl<'a> Body<'a> {
             }
             None => {
                 let field = self.field(self.chain.ring.symbol_name(s));
-                if self.scale == 1.0 {
-                    (field, false)
-                } else {
-                    (format!("{field} * {}", self.literal(self.scale)), false)
-                }
+                if self.scale == 1.0 { (field, false) } else { (format!("{field} * {}", self.per_length()), false) }
             }
         }
     }
@@ -262,14 +261,30 @@ impl<'a> Body<'a> {
         self.signed(v)
     }
 
+    /// What a length is multiplied by.
+    fn per_length(&self) -> String {
+        match self.dialect {
+            Dialect::Rust => "Self::PER_LENGTH".into(),
+            Dialect::JavaScript => self.literal(self.scale),
+        }
+    }
+
+    /// The name of a node that has been written; one that has none gets one by a statement.
+    pub(super) fn named(&mut self, node: usize) -> String {
+        let (text, _) = self.text[node].clone().unwrap_or_else(|| (self.literal(0.0), false));
+        if self.is_name[node] {
+            return text;
+        }
+        let name = self.names.take("t");
+        self.lines.push(format!("let {name} = {text};"));
+        self.rename(node, &name);
+        name
+    }
+
     /// Replaces the text of a node from here on.
     pub(super) fn rename(&mut self, node: usize, text: &str) {
         self.text[node] = Some((text.to_string(), false));
-    }
-
-    /// The text of a node, if it has been written.
-    pub(super) fn known(&self, node: usize) -> Option<&str> {
-        self.text[node].as_ref().map(|t| t.0.as_str())
+        self.is_name[node] = true;
     }
 
     /// Takes the statements written so far, as text.

@@ -6,14 +6,14 @@ use crate::program::{Choice, Indicator, Instruction, Inverse, Loop, Report, Sequ
 use crate::render::code::body::{Body, Dialect};
 use crate::render::code::drive::{chosen, motors};
 use crate::render::code::steps::{
-    Variable, Variables, call, combination, is_first, length_scale, pattern, unit, with_representative,
+    Variable, Variables, call, combination, is_first, pattern, unit, with_representative,
 };
 
 /// The method that runs the program: it calls `take` with every candidate.
 pub(super) fn candidates(chain: &Chain, inverse: &Inverse) -> String {
     let variables = Variables::of(inverse);
     let body = Body::of_inverse(Dialect::JavaScript, chain, inverse, inverse.values(), &variables);
-    let (depths, scale) = (inverse.depths(), length_scale(inverse));
+    let (depths, scale) = (inverse.depths(), LENGTH_SCALE);
     let (solve, free) = (None, "free".to_string());
     let mut printer = Printer { chain, inverse, variables, body, depths, scale, solve, free, out: String::new() };
     printer.sequence(&inverse.body);
@@ -25,13 +25,16 @@ pub(super) fn candidates(chain: &Chain, inverse: &Inverse) -> String {
     )
 }
 
+/// The length scale, a field of the arm.
+const LENGTH_SCALE: &str = "this.reach";
+
 struct Printer<'a> {
     chain: &'a Chain,
     inverse: &'a Inverse,
     variables: Variables,
     body: Body<'a>,
     depths: Vec<usize>,
-    scale: String,
+    scale: &'static str,
     /// What is being solved.
     solve: Option<&'a Solve>,
     /// The variable that holds the joints which were free before.
@@ -82,7 +85,7 @@ impl<'a> Printer<'a> {
 
     fn reject(&mut self, report: &Report) {
         let (roots, free) = (&self.variables.steps[report.step].roots, &self.free);
-        let (name, (scale, unit)) = (string(&report.name()), unit(self.chain, report, &self.scale));
+        let (name, (scale, unit)) = (string(&report.name()), unit(self.chain, report, self.scale));
         let unit = string(unit);
         let note = match report.distance {
             Some(d) => {

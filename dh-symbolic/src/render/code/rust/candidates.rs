@@ -1,12 +1,11 @@
 //! The program of an inverse in Rust, node by node: nested loops over the roots of its steps.
 
 use crate::chain::{Chain, Scalar};
-use crate::planner::{Argument, StepKind};
 use crate::program::{Instruction, Inverse, Loop, Report, Sequence, Solve, Yield};
 use crate::render::code::body::{Body, Dialect};
 use crate::render::code::drive::motors;
 use crate::render::code::steps::{
-    Variables, branch, call, combination, given, length_scale, pattern, unit, with_representative,
+    LENGTH_SCALE, Variables, branch, call, combination, given, pattern, unit, with_representative,
 };
 
 /// The private function that runs the program.
@@ -16,8 +15,8 @@ pub(super) fn candidates(chain: &Chain, inverse: &Inverse) -> String {
     let attempt = if chain.scalar == Scalar::F32 { "single" } else { "new" };
     let variables = Variables::of(inverse);
     let body = Body::of_inverse(Dialect::Rust, chain, inverse, inverse.values(), &variables);
-    let (depths, scale) = (inverse.depths(), length_scale(inverse));
-    let mut printer = Printer { chain, inverse, variables, body, depths, scale, solve: None, out: String::new() };
+    let depths = inverse.depths();
+    let mut printer = Printer { chain, inverse, variables, body, depths, solve: None, out: String::new() };
     printer.sequence(&inverse.body);
     format!(
         "/// Runs the plan: calls `found` with every candidate.\n\
@@ -34,7 +33,6 @@ struct Printer<'a> {
     variables: Variables,
     body: Body<'a>,
     depths: Vec<usize>,
-    scale: String,
     /// What is being solved.
     solve: Option<&'a Solve>,
     out: String,
@@ -45,7 +43,7 @@ impl<'a> Printer<'a> {
         for instruction in &sequence.0 {
             match instruction {
                 Instruction::Given { known } => {
-                    self.out.push_str(&given(self.chain, &self.variables.known[*known], &self.scale));
+                    self.out.push_str(&given(self.chain, &self.variables.known[*known]));
                 }
                 Instruction::Compute { known, .. } => {
                     self.body.statements(&self.depths, *known);
@@ -75,7 +73,7 @@ impl<'a> Printer<'a> {
 
     fn reject(&mut self, report: &Report) {
         let roots = &self.variables.steps[report.step].roots;
-        let (name, (scale, unit)) = (report.name(), unit(self.chain, report, &self.scale));
+        let (name, (scale, unit)) = (report.name(), unit(self.chain, report, LENGTH_SCALE));
         let note = match report.distance {
             Some(d) => {
                 let (base, rest) = (self.body.value(d.base), self.body.value(d.rest));
@@ -92,7 +90,8 @@ impl<'a> Printer<'a> {
     fn each_root(&mut self, over: &'a Loop) {
         let Some(solve) = self.solve.take() else { return };
         let names = &self.variables.steps[over.step];
-        if let Some(equation) = self.equation(solve).filter(|_| over.step > 0) {
+        if let Some(equation) = solve.sine_equation().filter(|_| over.step > 0) {
+            let equation = format!("[{}]", equation.map(|v| self.body.value(v)).join(", "));
             self.out.push_str(&format!("if path.is_chosen() {{ attempt.see({}, &path, {equation}); }}\n", over.step));
         }
         let joints: Vec<String> = over.free_joints.iter().map(ToString::to_string).collect();
@@ -117,20 +116,11 @@ impl<'a> Printer<'a> {
             self.out.push_str(&if known.turns {
                 format!("let {} = ::dh_robot::runtime::atan2({s}, {c});\n", known.value)
             } else {
-                format!("let {} = {c} * {};\n", known.value, self.scale)
+                format!("let {} = {c} * {LENGTH_SCALE};\n", known.value)
             });
         }
         self.sequence(&over.body);
         self.out.push_str("}\n");
-    }
-
-    /// The coefficients a, b, c of `a cos u + b sin u = c`, as an array, of a step that solves one such equation.
-    fn equation(&self, solve: &Solve) -> Option<String> {
-        let one = matches!(self.inverse.plan.steps[solve.step].kind, StepKind::SinCos | StepKind::HalfTurn);
-        let [Argument::Number(a), Argument::Number(b), Argument::Number(c)] = &solve.call.arguments[..] else {
-            return None;
-        };
-        one.then(|| format!("[{}, {}, {}]", self.body.value(*a), self.body.value(*b), self.body.value(*c)))
     }
 
     fn result(&mut self, result: &Yield) {

@@ -1,46 +1,50 @@
-//! `inverse` and its traits: the target made a frame, then the fast way where the plan allows it, and the robust one.
+//! `inverse` and its traits: the target made a frame, then the fast path where the plan allows it, and the fallback.
 
+use super::batched::FastPath;
 use super::candidates::candidates;
-use super::lanes;
 use super::target::Target;
 use super::verify::kinematics;
-use crate::chain::{Chain, Scalar, Task};
-use crate::planner::StepKind;
+use crate::chain::{Chain, Task};
+use crate::planner::Step;
 use crate::program::{Forward, Inverse};
-use crate::render::code::{literal, scalar_name};
+use crate::render::code::drive::coordinates;
+use crate::render::code::scalar_name;
+use crate::render::code::steps::{LENGTH_SCALE, combination, length_scale};
 
 /// All functions and traits of the inverse.
 pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) -> String {
     let (n, f) = (chain.dof(), scalar_name(chain.scalar));
     let m = inverse.plan.max_solutions;
-    let reach = literal(inverse.plan.axes.reach, Scalar::F64);
-    let Target { parameter: target, frame, task, kind } = Target::of(chain, &reach);
+    let Target { parameter: target, frame, task, kind } = Target::of(chain, &refuse_list);
     let given = if chain.redundant.is_some() { format!(", given: {f}") } else { String::new() };
     let pass = if chain.redundant.is_some() { ", given.into()" } else { "" };
-    let fits = lanes::fits(chain, inverse);
+    let fast = FastPath::of(chain, inverse);
     let fixed = chain.redundant.map_or("::core::option::Option::None".into(), |k| {
         format!("::core::option::Option::Some(({k}, given.into()))")
     });
     let few = inverse.plan.few;
-    let prepare = format!(
-        "{frame}\nlet setting = ::dh_robot::runtime::Setting {{ joints: &Self::JOINTS, reach: {reach}, few: {few}, given: {fixed} }};\n\
-         let task = {task};\n"
-    );
+    let prepared = |frame: &str| {
+        format!(
+            "{frame}\nlet setting = ::dh_robot::runtime::Setting {{ joints: &Self::JOINTS, reach: {LENGTH_SCALE}, few: {few}, given: {fixed} }};\n\
+             let task = {task};\n"
+        )
+    };
+    let prepare = prepared(&frame);
     let run = format!("|frame, sample, found| self.candidates(frame{pass}, sample, found)");
     let solve = format!("::dh_robot::runtime::solve_bounded(self, setting, &task, &frame, Self::MAX_WORK, {run})\n");
     let fallback = format!("{prepare}{solve}");
-    let rest = if fits { format!("{frame}\n{}", lanes::call(chain, inverse)) } else { fallback.clone() };
-    let work =
-        if inverse.plan.steps.iter().any(|s| s.kind == StepKind::General) { "ELIMINATION" } else { "CLOSED_FORM" };
+    let rest = fast.as_ref().map_or(fallback.clone(), |fast| format!("{frame}\n{}", fast.call(chain, inverse)));
+    let work = if inverse.plan.steps.iter().any(Step::is_elimination) { "ELIMINATION" } else { "CLOSED_FORM" };
     let mut out = format!(
         "#[allow(unused, clippy::all, clippy::pedantic)]\nimpl {name} {{\n\
          /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.\n\
          pub const MAX_SOLUTIONS: usize = {m};\n\
          /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.\n\
          pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::{work};\n\
-         {}\n\
+         {}{}\n\
          #[must_use]\npub fn inverse(&self, {target}{given}) -> ::dh_robot::Solutions<{f}, {n}, {m}> {{\n\
          {rest}}}\n\n",
+        length_scale(chain, inverse),
         docs(chain, inverse),
     );
     out.push_str(&format!(
@@ -54,16 +58,16 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
          /// neighbouring poses and along self-motions. To compare with.\n\
          #[must_use]\npub fn inverse_exhaustive(&self, {target}{given}) -> ::dh_robot::Solutions<{f}, {n}, {m}> {{\n\
          {prepare}::dh_robot::runtime::solve(self, setting, &task, &frame, {run})\n}}\n\n",
-        near(chain, inverse, fits, &prepare.replace(&refusal("why"), "return ::core::result::Result::Err(why)").replace(&refusal("::dh_robot::Why::NotFinite"), "return ::core::result::Result::Err(::dh_robot::Why::NotFinite)"), &run),
+        near(chain, inverse, fast.as_ref(), &prepared(&Target::of(chain, &refuse_one).frame), &run),
     ));
     out.push_str(&unknowns(chain, inverse));
     out.push_str(&candidates(chain, inverse));
-    if fits {
+    if let Some(fast) = fast {
         out.push_str(&format!(
             "/// The plan root by root, with everything that special poses need.\n#[cold]\n#[inline(never)]\n\
              fn robust(&self, {target}{given}) -> ::dh_robot::Solutions<{f}, {n}, {m}> {{\n{fallback}}}\n"
         ));
-        out.push_str(&lanes::lanes(chain, inverse));
+        out.push_str(&fast.items(chain, inverse));
     }
     out.push_str("}\n");
     out.push_str(&kinematics(chain, name, forward, few));
@@ -72,23 +76,27 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
 }
 
 /// How a function that gives back a list refuses its target.
-fn refusal(why: &str) -> String {
+fn refuse_list(why: &str) -> String {
     format!("return ::dh_robot::Solutions::none(&Self::JOINTS, {why})")
 }
 
+/// How one that gives back a single solution does.
+fn refuse_one(why: &str) -> String {
+    format!("return ::core::result::Result::Err({why})")
+}
+
 /// The body of `inverse_near`: the nearest of the fast path's list, or the search that goes on from the joint values.
-fn near(chain: &Chain, inverse: &Inverse, fits: bool, prepare: &str, run: &str) -> String {
+fn near(chain: &Chain, inverse: &Inverse, fast: Option<&FastPath>, prepare: &str, run: &str) -> String {
     let (n, m) = (chain.dof(), inverse.plan.max_solutions);
-    let reach = literal(inverse.plan.axes.reach, Scalar::F64);
     let mut out = prepare.to_string();
-    if fits {
-        let total = lanes::branches(inverse);
+    if let Some(fast) = fast {
+        let total = fast.branches();
         let number = if chain.redundant.is_some() { ", given.into()" } else { "" };
         out.push_str(&format!(
             "let mut found = [[0.0; {total}]; {n}];\nlet mut valid = [0.0; {total}];\n\
-             if self.lanes(&frame{number}, &mut found, &mut valid) {{\n\
+             if self.all_branches(&frame{number}, &mut found, &mut valid) {{\n\
              let list: ::dh_robot::Solutions<_, {n}, {m}> = ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &found, &Self::BRANCHES);\n\
-             return ::dh_robot::runtime::nearest(&list, q, {reach});\n}}\n"
+             return ::dh_robot::runtime::nearest(&list, q, {LENGTH_SCALE});\n}}\n"
         ));
     }
     out.push_str(&format!(
@@ -101,16 +109,15 @@ fn near(chain: &Chain, inverse: &Inverse, fits: bool, prepare: &str, run: &str) 
 /// The function that gives the values of the plan's unknowns (radians, lengths over the reach) at joint values.
 fn unknowns(chain: &Chain, inverse: &Inverse) -> String {
     let plan = &inverse.plan;
-    let reach = literal(plan.axes.reach, Scalar::F64);
-    let x: Vec<String> = crate::render::code::drive::coordinates(chain);
-    let value = |step: &crate::planner::Step| {
+    let x: Vec<String> = coordinates(chain);
+    let value = |step: &Step| {
         let Some(form) = step.unknown.first() else { return "0.0".into() };
         if form.iter().skip(plan.axes.real).any(|k| *k != 0) {
             return "0.0".into();
         }
-        let sum = crate::render::code::steps::combination(form, &x);
+        let sum = combination(form, &x);
         let slides = form.iter().position(|k| *k != 0).is_some_and(|k| !plan.axes.turns(k));
-        if slides { format!("({sum}) / {reach}") } else { sum }
+        if slides { format!("({sum}) / {LENGTH_SCALE}") } else { sum }
     };
     let mut values: Vec<String> = plan.steps.iter().map(value).collect();
     values.resize(8, "0.0".into());

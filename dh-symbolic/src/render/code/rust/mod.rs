@@ -4,11 +4,11 @@
 //! much faster than building tokens one by one in an unoptimised macro. The user's own tokens (attributes, visibility, name) keep
 //! their spans.
 
+mod batched;
 mod candidates;
 mod docs;
 mod forward;
 mod inverse;
-mod lanes;
 #[cfg(feature = "cli")]
 mod pretty;
 mod rustdoc;
@@ -21,5 +21,5 @@ pub use inverse::inverse;
 #[cfg(feature = "cli")]
 pub use pretty::pretty;
 pub use rustdoc::rustdoc;
-pub use structure::{Head, robot};
+pub use structure::{Head, Items, robot};
 pub use stub::stub;

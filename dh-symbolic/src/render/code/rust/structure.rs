@@ -32,10 +32,33 @@ pub(super) fn lex(text: &str) -> TokenStream {
     })
 }
 
+/// Generated items: the declaration with the user's own tokens, and the rest as text, in which lines that begin with `//` are comments.
+#[derive(Clone, Debug)]
+pub struct Items {
+    /// The struct and its default.
+    pub(super) declaration: TokenStream,
+    /// Everything else.
+    pub(super) text: String,
+}
+
+impl Items {
+    /// Items that are tokens already.
+    pub fn of_tokens(declaration: TokenStream) -> Items {
+        Items { declaration, text: String::new() }
+    }
+
+    /// All tokens. Comments are dropped.
+    pub fn into_tokens(self) -> TokenStream {
+        let mut out = self.declaration;
+        out.extend(lex(&self.text));
+        out
+    }
+}
+
 /// All items of a robot. `inverse` is the text of further functions and traits.
-pub fn robot(head: &Head, chain: &Chain, programs: &Forward, inverse: &str, extra_docs: &str) -> TokenStream {
+pub fn robot(head: &Head, chain: &Chain, programs: &Forward, inverse: &str, extra_docs: &str) -> Items {
     let name = head.ident.to_string();
-    let mut out = declaration(head, chain, &docs::table(head, chain, extra_docs));
+    let declaration = declaration(head, chain, &docs::table(head, chain, extra_docs));
     let joints: Vec<String> = chain.joints.iter().enumerate().map(|(i, j)| joint(chain, i, j)).collect();
     let (n, f) = (chain.dof(), scalar_name(chain.scalar));
     let text = format!(
@@ -45,8 +68,7 @@ pub fn robot(head: &Head, chain: &Chain, programs: &Forward, inverse: &str, extr
         forward::functions(chain, programs),
         forward::traits(chain, &name),
     );
-    out.extend(lex(&text));
-    out
+    Items { declaration, text }
 }
 
 /// The struct and its default.

@@ -2,6 +2,7 @@
 
 use crate::algebra::{AngleVar, Poly};
 use crate::chain::{Chain, Coordinate, Handle, Role, Scalar, Task};
+use crate::render::code::steps::LENGTH_SCALE;
 use crate::render::code::{literal, scalar_name};
 
 /// What `inverse` takes, and what it makes of that.
@@ -17,15 +18,11 @@ pub(super) struct Target {
 }
 
 impl Target {
-    /// The target of a chain's task; `reach` is its reach as a literal.
-    pub(super) fn of(chain: &Chain, reach: &str) -> Target {
+    /// The target of a chain's task; `refuse` is the statement that gives back a reason.
+    pub(super) fn of(chain: &Chain, refuse: &dyn Fn(&str) -> String) -> Target {
         let f = scalar_name(chain.scalar);
-        let refuse = "return ::dh_robot::Solutions::none(&Self::JOINTS, why)";
-        let finite = |list: &str| {
-            format!(
-                "if !{list}.iter().all(|x: &f64| x.is_finite()) {{ return ::dh_robot::Solutions::none(&Self::JOINTS, ::dh_robot::Why::NotFinite); }}"
-            )
-        };
+        let (reach, not_finite, refuse) = (LENGTH_SCALE, refuse("::dh_robot::Why::NotFinite"), refuse("why"));
+        let finite = |list: &str| format!("if !{list}.iter().all(|x: &f64| x.is_finite()) {{ {not_finite}; }}");
         match chain.task {
             Task::Pose => Target {
                 parameter: format!("target: &::dh_robot::nalgebra::IsometryMatrix3<{f}>"),

@@ -1,8 +1,8 @@
-//! Loops over lanes as text: which names can be used where, and what has to be kept in arrays from one loop to the next.
+//! Loops over branches as text: which names can be used where, and what has to be kept in arrays from one loop to the next.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What stands in an array `name_`: the value of lane `l` is at `l / before % roots * p + l % p`.
+/// What stands in an array `all_name`: the value of a branch is at `branch / before % roots * p + branch % p`.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) struct Layout {
     pub(super) before: usize,
@@ -11,16 +11,16 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    /// One value per lane, the same for lanes that differ by `p`.
+    /// One value per branch, the same for branches that differ by `p`.
     pub(super) fn plain(p: usize) -> Self {
         Self { before: p, roots: 1, p }
     }
 
     pub(super) fn index(self) -> String {
         match self {
-            Self { roots: 1, p, .. } => format!("l % {p}"),
-            Self { before, roots, p: 1 } => format!("l / {before} % {roots}"),
-            Self { before, roots, p } => format!("l / {before} % {roots} * {p} + l % {p}"),
+            Self { roots: 1, p, .. } => format!("branch % {p}"),
+            Self { before, roots, p: 1 } => format!("branch / {before} % {roots}"),
+            Self { before, roots, p } => format!("branch / {before} % {roots} * {p} + branch % {p}"),
         }
     }
 }
@@ -41,18 +41,18 @@ pub(super) fn joined(kind: usize, names: &[String]) -> String {
     }
 }
 
-/// The loops of a function, one after the other; code for one lane stands outside of loops.
+/// The loops of a function, one after the other; code for a single branch stands outside of loops.
 #[derive(Default)]
 pub(super) struct Loops {
-    /// Segment and lanes of the loop that is being written, and whether it is the last one.
-    pub(super) segment: usize,
-    pub(super) lanes: usize,
+    /// Number and width of the loop that is being written, and whether it is the last one.
+    pub(super) number: usize,
+    pub(super) width: usize,
     pub(super) last: bool,
     /// Names that can be used as they are in this loop, and those that can be used anywhere.
     here: BTreeSet<String>,
     anywhere: BTreeSet<String>,
     pub(super) arrays: BTreeMap<String, Layout>,
-    /// What the confirmation needs: margins, which lanes are real, errors; of this loop, and as the end will find them.
+    /// What the confirmation needs: margins, which branches are real, errors; of this loop, and as the end will find them.
     pending: [Vec<String>; 3],
     pub(super) judged: [Vec<String>; 3],
     /// What stands before the loop, in it, and after it.
@@ -65,11 +65,11 @@ pub(super) struct Loops {
 
 impl Loops {
     /// Goes on with a loop, or begins the next one.
-    pub(super) fn enter(&mut self, segment: usize, lanes: usize, last: bool) {
-        if segment != self.segment {
+    pub(super) fn enter(&mut self, number: usize, width: usize, last: bool) {
+        if number != self.number {
             self.close();
         }
-        (self.segment, self.lanes, self.last) = (segment, lanes, last);
+        (self.number, self.width, self.last) = (number, width, last);
     }
 
     /// Can the name be used as it is?
@@ -83,33 +83,33 @@ impl Loops {
             return true;
         }
         let Some(layout) = self.arrays.get(name).copied() else { return false };
-        if layout.roots > 1 || layout.p < self.lanes {
+        if layout.roots > 1 || layout.p < self.width {
             // Spread beforehand: the loop then reads whole vectors.
-            let n = self.lanes;
+            let n = self.width;
             self.before.push_str(&format!(
-                "let {name}_: [f64; {n}] = ::core::array::from_fn(|l| {name}_[{}]);\n",
+                "let all_{name}: [f64; {n}] = ::core::array::from_fn(|branch| all_{name}[{}]);\n",
                 layout.index()
             ));
             self.arrays.insert(name.to_string(), Layout::plain(n));
         }
-        let at = if self.lanes == 1 { "0" } else { "l" };
-        self.inner.push_str(&format!("let {name} = {name}_[{at}];\n"));
+        let at = if self.width == 1 { "0" } else { "branch" };
+        self.inner.push_str(&format!("let {name} = all_{name}[{at}];\n"));
         self.here.insert(name.to_string());
         true
     }
 
     /// Keeps a value for later loops.
     pub(super) fn store(&mut self, name: &str, text: &str) {
-        let n = self.lanes;
-        self.before.push_str(&format!("let mut {name}_ = [0.0; {n}];\n"));
-        self.inner.push_str(&format!("{name}_[l] = {text};\n"));
+        let n = self.width;
+        self.before.push_str(&format!("let mut all_{name} = [0.0; {n}];\n"));
+        self.inner.push_str(&format!("all_{name}[branch] = {text};\n"));
         self.arrays.insert(name.to_string(), Layout::plain(n));
         self.here.insert(name.to_string());
     }
 
     /// A name that has been written in this loop.
     pub(super) fn define(&mut self, name: &str) {
-        let names = if self.lanes == 1 { &mut self.anywhere } else { &mut self.here };
+        let names = if self.width == 1 { &mut self.anywhere } else { &mut self.here };
         names.insert(name.to_string());
     }
 
@@ -123,11 +123,11 @@ impl Loops {
     pub(super) fn flush(&mut self) {
         let pending = std::mem::take(&mut self.pending);
         for (kind, names) in pending.into_iter().enumerate().filter(|(_, names)| !names.is_empty()) {
-            if self.lanes == 1 || self.last {
+            if self.width == 1 || self.last {
                 self.judged[kind].extend(names);
                 continue;
             }
-            let name = format!("{}{}", KINDS[kind], self.segment);
+            let name = format!("{}_{}", KINDS[kind], self.number);
             self.store(&name, &joined(kind, &names));
             self.judged[kind].push(name);
         }
@@ -139,10 +139,10 @@ impl Loops {
         let (before, inner, after) =
             (std::mem::take(&mut self.before), std::mem::take(&mut self.inner), std::mem::take(&mut self.after));
         self.out.push_str(&before);
-        if self.lanes == 1 {
+        if self.width == 1 {
             self.out.push_str(&inner);
         } else {
-            self.out.push_str(&format!("for l in 0..{} {{\n{inner}}}\n", self.lanes));
+            self.out.push_str(&format!("for branch in 0..{} {{\n{inner}}}\n", self.width));
         }
         self.out.push_str(&after);
         self.here.clear();

@@ -1,4 +1,4 @@
-//! The motors as sums of the angles that the fast way finds, where whole turns of rows are whole turns of motors.
+//! The motors as sums of the angles that the fast path finds, where whole turns of rows are whole turns of motors.
 
 use crate::algebra::{Poly, adjugate};
 use crate::chain::{AngleCell, Chain, Coordinate, Role, Scalar};

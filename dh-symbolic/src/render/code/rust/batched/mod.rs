@@ -1,0 +1,131 @@
+//! The fast path of `inverse`: the batched program printed as loops over branches (see `dh_robot::runtime::lanes`).
+
+mod loops;
+mod motors;
+mod ranges;
+mod step;
+mod writer;
+
+use crate::chain::{Chain, Scalar, Task};
+use crate::program::{Batched, Inverse, Value, What};
+use crate::render::code::body::{Body, Dialect};
+use crate::render::code::steps::{Variables, branch, given};
+use motors::{Motor, whole_motors};
+use writer::Writer;
+
+/// A program that can go the fast path.
+pub(super) struct FastPath {
+    batched: Batched,
+    motors: Vec<Motor>,
+}
+
+impl FastPath {
+    /// The fast path of an inverse, if there is one: its steps can be batched, the whole pose confirms a branch, and motors are sums of what is
+    /// found.
+    pub(super) fn of(chain: &Chain, inverse: &Inverse) -> Option<FastPath> {
+        let motors = whole_motors(chain, &inverse.body.result()?.joints)?;
+        let fits = chain.task == Task::Pose && (chain.redundant.is_none() || chain.is_direct());
+        Some(FastPath { batched: inverse.batched().filter(|_| fits)?, motors })
+    }
+
+    /// How many branches it has.
+    pub(super) fn branches(&self) -> usize {
+        self.batched.branches
+    }
+
+    /// The statements of `inverse` that follow `frame`: the fast path, and the robust one where that has to decide.
+    pub(super) fn call(&self, chain: &Chain, inverse: &Inverse) -> String {
+        let (n, total) = (chain.dof(), self.batched.branches);
+        let [number, same] = if chain.redundant.is_some() { [", given.into()", ", given"] } else { [""; 2] };
+        let mut out = format!(
+            "let mut q = [[0.0; {total}]; {n}];\nlet mut valid = [0.0; {total}];\n\
+             if !self.all_branches(&frame{number}, &mut q, &mut valid) {{\nreturn self.robust(target{same});\n}}\n"
+        );
+        if inverse.plan.max_solutions == total {
+            // Written out, so that the list is made where the caller wants it: nothing is copied.
+            let list: Vec<String> = (0..total).map(|k| format!("at({k})")).collect();
+            out.push_str(&format!(
+                "if valid == [1.0; {total}] {{\n\
+                 let at = |branch: usize| ::dh_robot::runtime::lanes::solution(&Self::JOINTS, &q, &Self::BRANCHES, branch);\n\
+                 return ::dh_robot::Solutions::full(&Self::JOINTS, [{}]);\n}}\n",
+                list.join(", ")
+            ));
+        }
+        out.push_str("::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)\n");
+        out
+    }
+
+    /// The constant `BRANCHES` and the function `all_branches`.
+    pub(super) fn items(self, chain: &Chain, inverse: &Inverse) -> String {
+        let (plan, batched) = (&inverse.plan, &self.batched);
+        let outputs: Vec<Value> = batched
+            .solves
+            .iter()
+            .flat_map(|s| s.needs.iter().copied())
+            .chain(batched.confirmation.iter().map(|r| r.value))
+            .collect();
+        let variables = Variables::of(inverse);
+        let mut body = Body::of_inverse(Dialect::Rust, chain, inverse, outputs, &variables);
+        let (n, total) = (chain.dof(), batched.branches);
+        let parameter = if chain.redundant.is_some() { ", given: f64" } else { "" };
+        let mut w = Writer::new(chain, inverse, batched, variables, self.motors);
+        w.loops.out = names(inverse, &w.variables, total);
+        w.loops.out.push_str(&format!(
+            "/// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.\n\
+             #[inline]\nfn all_branches(&self, t: &::dh_robot::runtime::Pose{parameter}, q: &mut [[f64; {total}]; {n}], valid: &mut [f64; {total}]) -> bool {{\n"
+        ));
+        if let Some(k) = chain.redundant {
+            // A narrower scalar is brought into its range with the others, once it is rounded.
+            let value = match chain.scalar {
+                Scalar::F64 => format!("Self::JOINTS[{k}].normalize(given)"),
+                Scalar::F32 => "given".into(),
+            };
+            let known: String = w.variables.known.iter().take(plan.given).map(|v| given(chain, v)).collect();
+            w.loops.out.push_str(&format!("{known}q[{k}] = [{value}; {total}];\n"));
+            w.written.insert(k);
+        }
+        w.loops.enter(0, 1, false);
+        // What needs nothing, or only what is given.
+        for depth in 0..=plan.given {
+            body.statements(&batched.depths, depth);
+            w.loops.out.push_str(&body.take_text());
+            w.confirm(&body, depth);
+        }
+        let last = batched.items.last().map_or(0, |item| item.in_loop);
+        for item in &batched.items {
+            w.loops.enter(item.in_loop, item.width, item.in_loop == last);
+            match item.what {
+                What::Step(i) => w.step(&mut body, i),
+                What::Values(depth) => w.values(&mut body, depth),
+                What::Finish => w.finish(),
+            }
+        }
+        w.loops.close();
+        let valid = if w.loops.width == total {
+            "all_valid".into()
+        } else {
+            format!("::core::array::from_fn(|branch| all_valid[branch % {}])", w.loops.width)
+        };
+        w.loops.out.push_str(&format!(
+            "*valid = {valid};\n::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)\n}}\n"
+        ));
+        w.loops.out
+    }
+}
+
+/// The names of all branches, which are decided when the program is compiled.
+fn names(inverse: &Inverse, variables: &Variables, total: usize) -> String {
+    let (mut roots, mut before) = (String::new(), 1);
+    for (i, step) in inverse.plan.steps.iter().enumerate() {
+        if step.roots > 1 {
+            roots.push_str(&format!("let {} = branch / {before} % {};\n", variables.steps[i].root, step.roots));
+        }
+        before *= step.roots;
+    }
+    format!(
+        "/// Which root each step takes in each branch.\n\
+         const BRANCHES: [::dh_robot::Branch; {total}] = {{\nlet mut all = [::dh_robot::Branch::ANY; {total}];\nlet mut branch = 0;\n\
+         while branch < {total} {{\n{roots}all[branch] = {};\nbranch += 1;\n}}\nall\n}};\n",
+        branch(inverse.body.result().map_or(&[][..], |r| &r.branch), variables)
+    )
+}
