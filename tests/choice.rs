@@ -3,7 +3,9 @@
 use std::f64::consts::{PI, TAU};
 
 use dh_robot::nalgebra::{IsometryMatrix3, Vector3};
-use dh_robot::{Branch, Elbow, ForwardKinematics, InverseKinematics, Shoulder, Solution, Wrist, dh_robot};
+use dh_robot::{
+    Branch, Elbow, ForwardKinematics, InverseKinematics, Shoulder, Solution, SolutionList, Wrist, dh_robot,
+};
 use dh_tests::sample::Random;
 use generated_examples::cup_arm::CupArm;
 use generated_examples::kuka_kr6_r700::KukaKr6R700;
@@ -63,9 +65,7 @@ fn names(branch: Branch) -> Branch {
 }
 
 /// Every solution of a pose can be asked for by its names alone, and keeps them while the arm moves a little.
-fn named<const N: usize, const M: usize>(
-    arm: &(impl ForwardKinematics<N> + InverseKinematics<N, M, f64, Target = Target>),
-) {
+fn named<const N: usize>(arm: &(impl ForwardKinematics<N> + InverseKinematics<N, Target = Target>)) {
     let mut random = Random::new(17);
     let mut moved = 0;
     for _ in 0..60 {
@@ -82,7 +82,7 @@ fn named<const N: usize, const M: usize>(
             assert!(neighbour.is_some(), "{near:?}: not among\n{then}");
             moved += usize::from(neighbour.is_some_and(|s: &Solution<f64, N>| names(s.branch) == wanted));
         }
-        if found.len() == M {
+        if found.len() == arm.max_solutions() {
             continue;
         }
         assert!(!found.is_empty(), "{q:?}: {}", found.why());
@@ -268,9 +268,7 @@ fn names_of_branches_tell_all_solutions_apart_and_stay() {
 }
 
 /// What is in range is found there, and everything stands where its range wants it.
-fn ranged<const N: usize, const M: usize>(
-    arm: &(impl ForwardKinematics<N> + InverseKinematics<N, M, f64, Target = Target>),
-) {
+fn ranged<const N: usize>(arm: &(impl ForwardKinematics<N> + InverseKinematics<N, Target = Target>)) {
     let mut random = Random::new(23);
     let joints = arm.joints();
     for i in 0..300 {
@@ -291,13 +289,13 @@ fn ranged<const N: usize, const M: usize>(
             }
         });
         let found = arm.inverse(&arm.forward(&q));
-        for s in &found {
+        for s in found.iter() {
             for (joint, x) in joints.iter().zip(&s.q) {
                 assert!((joint.normalize(*x) - x).abs() < 1e-9, "{q:?}: {x} of {joint:?}");
             }
         }
         let kept = found.within_range();
-        for s in &kept {
+        for s in kept.iter() {
             assert!(joints.iter().zip(&s.q).all(|(j, x)| j.range.is_none_or(|(l, g)| l <= *x && *x <= g)), "{s}");
         }
         // Of a continuum one solution stands for all, which may be out of range.

@@ -310,7 +310,7 @@ fn a_point_an_axis_and_a_plane_are_reached() {
     for q in vectors::<5>(7, 100) {
         let pose = Driller.forward(&q);
         let (point, axis) = (Point3::from(pose.translation.vector), pose.rotation.matrix().column(2).into_owned());
-        let found = Driller.inverse((&point, &UnitVector3::new_normalize(axis)));
+        let found = Driller.inverse((point, UnitVector3::new_normalize(axis)));
         assert!(!found.is_empty(), "{q:?}: {}", found.why());
         for s in &found {
             let reached = Driller.forward(&s.q);

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use dh_robot::nalgebra::IsometryMatrix3;
-use dh_robot::{ForwardKinematics, InverseKinematics, Jacobian, Solutions, dh_robot};
+use dh_robot::{ForwardKinematics, InverseKinematics, Jacobian, SolutionList, dh_robot};
 use dh_tests::sample::Random;
 
 type Target = IsometryMatrix3<f64>;
@@ -100,11 +100,10 @@ fn off(a: &Target, b: &Target) -> f64 {
 }
 
 /// Everything reaches the target, each solution stands once, and `q`, which is in range, is among those in range.
-fn judge<const N: usize, const M: usize>(
-    arm: &(impl ForwardKinematics<N> + InverseKinematics<N, M, f64, Target = Target>),
-    rows: &Rows<N>,
-    q: &[f64; N],
-) -> Solutions<f64, N, M> {
+fn judge<const N: usize, A>(arm: &A, rows: &Rows<N>, q: &[f64; N]) -> A::Solutions
+where
+    A: ForwardKinematics<N> + InverseKinematics<N, Target = Target>,
+{
     let target = arm.forward(q);
     let found = arm.inverse(&target);
     for (i, s) in found.iter().enumerate() {

@@ -15,6 +15,7 @@ mod fresh;
 mod javascript;
 mod lanes;
 mod library;
+mod mixed;
 mod oracle;
 mod papers;
 mod random;

@@ -78,7 +78,7 @@ fn same(a: &[f64; 6], b: &[f64; 6], near: f64) -> bool {
 
 fn agree<R>(robot: &R, numbers: [f64; 7])
 where
-    R: ForwardKinematics<6> + InverseKinematics<6, 8, f64, Target = IsometryMatrix3<f64>>,
+    R: ForwardKinematics<6> + InverseKinematics<6, Target = IsometryMatrix3<f64>>,
 {
     let oracle = OPWKinematics::new(parameters(numbers));
     // Their last frame is turned against ours by a constant.
@@ -102,7 +102,7 @@ where
         for s in theirs.iter().filter(|s| distance(&robot.forward(s), &target) < 1e-9) {
             assert!(ours.iter().any(|o| same(&o.q, s, 1e-5)), "{q:?}: only theirs: {s:?}; ours {ours}");
         }
-        for o in &ours {
+        for o in ours.iter() {
             assert!(theirs.iter().any(|s| same(&o.q, s, 1e-5)), "{q:?}: only ours: {o}; theirs {theirs:?}");
         }
     }

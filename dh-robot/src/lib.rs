@@ -139,7 +139,7 @@
 //! | `pose` | `&IsometryMatrix3<f64>` | position and orientation, six coordinates |
 //! | `position` | `&Point3<f64>` | position alone |
 //! | `planar` | `(x, y, phi)` | position in the plane and angle about z |
-//! | `axis` | `(&Point3<f64>, &UnitVector3<f64>)` | position and direction of the last z axis, for arms of five joints |
+//! | `axis` | `(Point3<f64>, UnitVector3<f64>)` | position and direction of the last z axis, for arms of five joints |
 //!
 //! With `redundant = q3` the call is `inverse(&target, q3)`. An arm of fewer than six joints may keep `task = pose`: it
 //! answers when the pose is one that it can take, and says what is wrong when not.
@@ -172,13 +172,15 @@
 //!     pub fn forward(&self, q: &[f64; 6]) -> IsometryMatrix3<f64>;
 //!     pub fn frames(&self, q: &[f64; 6]) -> [IsometryMatrix3<f64>; 6];
 //!     pub fn jacobian(&self, q: &[f64; 6]) -> SMatrix<f64, 6, 6>;
+//!     pub fn forward_and_jacobian(&self, q: &[f64; 6]) -> (IsometryMatrix3<f64>, SMatrix<f64, 6, 6>);
 //!     pub fn inverse(&self, target: &IsometryMatrix3<f64>) -> Solutions<f64, 6, 8>;
 //! }
 //! ```
 //!
 //! - `forward` is the pose of the last frame, or of the tool, in the base; `frames` that of every link frame.
 //! - `jacobian` is the geometric one: rows 0..3 are linear, 3..6 angular velocity per joint speed, in base axes, at the
-//!   origin of the last frame (or tool).
+//!   origin of the last frame (or tool). `forward_and_jacobian` computes both for little more than one of them: a loop that follows a path
+//!   calls it.
 //! - `inverse` returns every real solution, each once, and none that misses the target: a list on the stack, [`Solutions`].
 //!   Angles are in `(-pi, pi]`, or a few whole turns away where only that is in the joint's range. Where motors are geared, so that a whole
 //!   turn of a row is no whole turn of its motors, this holds for what the rows turn by.
@@ -210,7 +212,8 @@
 //! # Programs that are generic over robots
 //!
 //! The functions above need no trait in scope. For programs that serve several arms the type implements
-//! [`ForwardKinematics`], [`Jacobian`] and [`InverseKinematics`] as well, with the number of joints as a parameter:
+//! [`ForwardKinematics`], [`Jacobian`] and [`InverseKinematics`] as well, with the number of joints as a parameter. Arms of different kinds
+//! stand in one list as `dyn` [`Arm`], whose joint values are slices:
 //!
 //! ```
 //! use dh_robot::ForwardKinematics;
@@ -246,6 +249,7 @@
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 
 // Without one of the features `std` and `libm` the crate dh-kernels refuses to compile, with a message that says so.
+mod arm;
 pub mod atan2;
 mod branch;
 mod free;
@@ -265,13 +269,14 @@ mod why;
 pub use dh_macro::dh_robot;
 pub use nalgebra;
 
+pub use arm::{Arm, SolutionView, WrongLength};
 pub use atan2::atan2_batch;
 pub use branch::{Branch, Elbow, Shoulder, Wrist};
 pub use free::{FreeJoints, FreeJointsIter};
 pub use inverse::Work;
 pub use joint::{Joint, JointKind};
 pub use real::Real;
-pub use robot::{ForwardKinematics, InverseKinematics, Jacobian, Robot};
+pub use robot::{ForwardKinematics, InverseKinematics, Jacobian, Robot, SolutionList};
 pub use sincos::sincos_batch;
 pub use solution::Solution;
 pub use solutions::Solutions;

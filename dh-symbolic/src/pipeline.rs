@@ -139,7 +139,7 @@ fn stub(head: &Head, sketch: &Sketch) -> TokenStream {
         Task::Position => format!("&::dh_robot::nalgebra::Point3<{scalar}>"),
         Task::Planar => format!("({scalar}, {scalar}, {scalar})"),
         Task::Axis => {
-            format!("(&::dh_robot::nalgebra::Point3<{scalar}>, &::dh_robot::nalgebra::UnitVector3<{scalar}>)")
+            format!("(::dh_robot::nalgebra::Point3<{scalar}>, ::dh_robot::nalgebra::UnitVector3<{scalar}>)")
         }
     };
     let fields: Vec<String> = sketch.fields.iter().map(|f| f.name.to_string()).collect();

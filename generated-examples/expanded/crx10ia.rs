@@ -311,6 +311,16 @@ impl ::dh_robot::Jacobian<6, f64> for Crx10ia {
     fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         Crx10ia::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 6],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 6>,
+    ) {
+        Crx10ia::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl Crx10ia {
@@ -609,9 +619,13 @@ impl ::dh_robot::runtime::Kinematics<6> for Crx10ia {
         )
     }
 }
-impl ::dh_robot::InverseKinematics<6, 16, f64> for Crx10ia {
+impl ::dh_robot::InverseKinematics<6, f64> for Crx10ia {
     type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 6, 16> {
+    type Solutions = ::dh_robot::Solutions<f64, 6, 16>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         Crx10ia::inverse(self, target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for Crx10ia {
+    type Joints = ::dh_robot::runtime::Joints<6>;
 }

@@ -306,6 +306,16 @@ impl ::dh_robot::Jacobian<6, f64> for CupArm {
     fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         CupArm::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 6],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 6>,
+    ) {
+        CupArm::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl CupArm {
@@ -1020,9 +1030,13 @@ impl ::dh_robot::runtime::Kinematics<6> for CupArm {
         )
     }
 }
-impl ::dh_robot::InverseKinematics<6, 8, f64> for CupArm {
+impl ::dh_robot::InverseKinematics<6, f64> for CupArm {
     type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 6, 8> {
+    type Solutions = ::dh_robot::Solutions<f64, 6, 8>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         CupArm::inverse(self, target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for CupArm {
+    type Joints = ::dh_robot::runtime::Joints<6>;
 }

@@ -202,6 +202,16 @@ impl ::dh_robot::Jacobian<6, f64> for GantryWrist {
     fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         GantryWrist::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 6],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 6>,
+    ) {
+        GantryWrist::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl GantryWrist {
@@ -720,9 +730,13 @@ impl ::dh_robot::runtime::Kinematics<6> for GantryWrist {
         )
     }
 }
-impl ::dh_robot::InverseKinematics<6, 2, f64> for GantryWrist {
+impl ::dh_robot::InverseKinematics<6, f64> for GantryWrist {
     type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 6, 2> {
+    type Solutions = ::dh_robot::Solutions<f64, 6, 2>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         GantryWrist::inverse(self, target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for GantryWrist {
+    type Joints = ::dh_robot::runtime::Joints<6>;
 }

@@ -305,6 +305,16 @@ impl ::dh_robot::Jacobian<6, f64> for KukaKr6R700 {
     fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         KukaKr6R700::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 6],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 6>,
+    ) {
+        KukaKr6R700::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl KukaKr6R700 {
@@ -1042,9 +1052,13 @@ impl ::dh_robot::runtime::Kinematics<6> for KukaKr6R700 {
         )
     }
 }
-impl ::dh_robot::InverseKinematics<6, 8, f64> for KukaKr6R700 {
+impl ::dh_robot::InverseKinematics<6, f64> for KukaKr6R700 {
     type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 6, 8> {
+    type Solutions = ::dh_robot::Solutions<f64, 6, 8>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         KukaKr6R700::inverse(self, target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for KukaKr6R700 {
+    type Joints = ::dh_robot::runtime::Joints<6>;
 }

@@ -411,6 +411,16 @@ impl ::dh_robot::Jacobian<7, f64> for Panda {
     fn jacobian(&self, q: &[f64; 7]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 7> {
         Panda::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 7],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 7>,
+    ) {
+        Panda::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl Panda {
@@ -1228,9 +1238,13 @@ impl ::dh_robot::runtime::Kinematics<7> for Panda {
         )
     }
 }
-impl ::dh_robot::InverseKinematics<7, 8, f64> for Panda {
+impl ::dh_robot::InverseKinematics<7, f64> for Panda {
     type Target = (::dh_robot::nalgebra::IsometryMatrix3<f64>, f64);
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 7, 8> {
+    type Solutions = ::dh_robot::Solutions<f64, 7, 8>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         Panda::inverse(self, &target.0, target.1)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for Panda {
+    type Joints = ::dh_robot::runtime::Joints<7>;
 }

@@ -601,6 +601,16 @@ impl ::dh_robot::Jacobian<6, f64> for Pieper {
     fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         Pieper::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 6],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 6>,
+    ) {
+        Pieper::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl Pieper {
@@ -1228,9 +1238,13 @@ impl ::dh_robot::runtime::Kinematics<6> for Pieper {
         )
     }
 }
-impl ::dh_robot::InverseKinematics<6, 8, f64> for Pieper {
+impl ::dh_robot::InverseKinematics<6, f64> for Pieper {
     type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 6, 8> {
+    type Solutions = ::dh_robot::Solutions<f64, 6, 8>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         Pieper::inverse(self, target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for Pieper {
+    type Joints = ::dh_robot::runtime::Joints<6>;
 }

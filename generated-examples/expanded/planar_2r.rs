@@ -145,6 +145,16 @@ impl ::dh_robot::Jacobian<2, f64> for Planar2r {
     fn jacobian(&self, q: &[f64; 2]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 2> {
         Planar2r::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 2],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 2>,
+    ) {
+        Planar2r::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl Planar2r {
@@ -386,9 +396,13 @@ impl ::dh_robot::runtime::Kinematics<2> for Planar2r {
         "m"
     }
 }
-impl ::dh_robot::InverseKinematics<2, 2, f64> for Planar2r {
+impl ::dh_robot::InverseKinematics<2, f64> for Planar2r {
     type Target = ::dh_robot::nalgebra::Point3<f64>;
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 2, 2> {
+    type Solutions = ::dh_robot::Solutions<f64, 2, 2>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         Planar2r::inverse(self, target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for Planar2r {
+    type Joints = ::dh_robot::runtime::Joints<2>;
 }

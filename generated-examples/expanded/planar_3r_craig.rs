@@ -160,6 +160,16 @@ impl ::dh_robot::Jacobian<3, f64> for Planar3rCraig {
     fn jacobian(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 3> {
         Planar3rCraig::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 3],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 3>,
+    ) {
+        Planar3rCraig::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl Planar3rCraig {
@@ -453,9 +463,13 @@ impl ::dh_robot::runtime::Kinematics<3> for Planar3rCraig {
         )
     }
 }
-impl ::dh_robot::InverseKinematics<3, 2, f64> for Planar3rCraig {
+impl ::dh_robot::InverseKinematics<3, f64> for Planar3rCraig {
     type Target = (f64, f64, f64);
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 3, 2> {
+    type Solutions = ::dh_robot::Solutions<f64, 3, 2>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         Planar3rCraig::inverse(self, *target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for Planar3rCraig {
+    type Joints = ::dh_robot::runtime::Joints<3>;
 }

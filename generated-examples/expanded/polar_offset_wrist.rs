@@ -310,6 +310,16 @@ impl ::dh_robot::Jacobian<6, f64> for PolarOffsetWrist {
     fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         PolarOffsetWrist::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 6],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 6>,
+    ) {
+        PolarOffsetWrist::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl PolarOffsetWrist {
@@ -599,9 +609,13 @@ impl ::dh_robot::runtime::Kinematics<6> for PolarOffsetWrist {
         )
     }
 }
-impl ::dh_robot::InverseKinematics<6, 16, f64> for PolarOffsetWrist {
+impl ::dh_robot::InverseKinematics<6, f64> for PolarOffsetWrist {
     type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 6, 16> {
+    type Solutions = ::dh_robot::Solutions<f64, 6, 16>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         PolarOffsetWrist::inverse(self, target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for PolarOffsetWrist {
+    type Joints = ::dh_robot::runtime::Joints<6>;
 }

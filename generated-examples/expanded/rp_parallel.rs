@@ -137,6 +137,16 @@ impl ::dh_robot::Jacobian<2, f64> for RpParallel {
     fn jacobian(&self, q: &[f64; 2]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 2> {
         RpParallel::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 2],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 2>,
+    ) {
+        RpParallel::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl RpParallel {
@@ -432,9 +442,13 @@ impl ::dh_robot::runtime::Kinematics<2> for RpParallel {
         "m"
     }
 }
-impl ::dh_robot::InverseKinematics<2, 1, f64> for RpParallel {
+impl ::dh_robot::InverseKinematics<2, f64> for RpParallel {
     type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 2, 1> {
+    type Solutions = ::dh_robot::Solutions<f64, 2, 1>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         RpParallel::inverse(self, target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for RpParallel {
+    type Joints = ::dh_robot::runtime::Joints<2>;
 }

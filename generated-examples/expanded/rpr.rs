@@ -150,6 +150,16 @@ impl ::dh_robot::Jacobian<3, f64> for Rpr {
     fn jacobian(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 3> {
         Rpr::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 3],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 3>,
+    ) {
+        Rpr::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl Rpr {
@@ -500,9 +510,13 @@ impl ::dh_robot::runtime::Kinematics<3> for Rpr {
         "m"
     }
 }
-impl ::dh_robot::InverseKinematics<3, 1, f64> for Rpr {
+impl ::dh_robot::InverseKinematics<3, f64> for Rpr {
     type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 3, 1> {
+    type Solutions = ::dh_robot::Solutions<f64, 3, 1>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         Rpr::inverse(self, target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for Rpr {
+    type Joints = ::dh_robot::runtime::Joints<3>;
 }

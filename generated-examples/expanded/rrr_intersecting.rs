@@ -187,6 +187,16 @@ impl ::dh_robot::Jacobian<3, f64> for RrrIntersecting {
     fn jacobian(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 3> {
         RrrIntersecting::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 3],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 3>,
+    ) {
+        RrrIntersecting::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl RrrIntersecting {
@@ -477,9 +487,13 @@ impl ::dh_robot::runtime::Kinematics<3> for RrrIntersecting {
         )
     }
 }
-impl ::dh_robot::InverseKinematics<3, 4, f64> for RrrIntersecting {
+impl ::dh_robot::InverseKinematics<3, f64> for RrrIntersecting {
     type Target = ::dh_robot::nalgebra::Point3<f64>;
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 3, 4> {
+    type Solutions = ::dh_robot::Solutions<f64, 3, 4>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         RrrIntersecting::inverse(self, target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for RrrIntersecting {
+    type Joints = ::dh_robot::runtime::Joints<3>;
 }

@@ -189,6 +189,16 @@ impl ::dh_robot::Jacobian<4, f64> for WaferPrrr {
     fn jacobian(&self, q: &[f64; 4]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 4> {
         WaferPrrr::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 4],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 4>,
+    ) {
+        WaferPrrr::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl WaferPrrr {
@@ -660,9 +670,13 @@ impl ::dh_robot::runtime::Kinematics<4> for WaferPrrr {
         "m"
     }
 }
-impl ::dh_robot::InverseKinematics<4, 2, f64> for WaferPrrr {
+impl ::dh_robot::InverseKinematics<4, f64> for WaferPrrr {
     type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 4, 2> {
+    type Solutions = ::dh_robot::Solutions<f64, 4, 2>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         WaferPrrr::inverse(self, target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for WaferPrrr {
+    type Joints = ::dh_robot::runtime::Joints<4>;
 }

@@ -224,6 +224,16 @@ impl ::dh_robot::Jacobian<5, f64> for Youbot {
     fn jacobian(&self, q: &[f64; 5]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 5> {
         Youbot::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 5],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 5>,
+    ) {
+        Youbot::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl Youbot {
@@ -247,8 +257,8 @@ impl Youbot {
     pub fn inverse(
         &self,
         target: (
-            &::dh_robot::nalgebra::Point3<f64>,
-            &::dh_robot::nalgebra::UnitVector3<f64>,
+            ::dh_robot::nalgebra::Point3<f64>,
+            ::dh_robot::nalgebra::UnitVector3<f64>,
         ),
     ) -> ::dh_robot::Solutions<f64, 5, 4> {
         let p: [f64; 3] = [target.0.x.into(), target.0.y.into(), target.0.z.into()];
@@ -639,12 +649,16 @@ impl ::dh_robot::runtime::Kinematics<5> for Youbot {
         "m"
     }
 }
-impl ::dh_robot::InverseKinematics<5, 4, f64> for Youbot {
+impl ::dh_robot::InverseKinematics<5, f64> for Youbot {
     type Target = (
         ::dh_robot::nalgebra::Point3<f64>,
         ::dh_robot::nalgebra::UnitVector3<f64>,
     );
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 5, 4> {
-        Youbot::inverse(self, (&target.0, &target.1))
+    type Solutions = ::dh_robot::Solutions<f64, 5, 4>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
+        Youbot::inverse(self, *target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for Youbot {
+    type Joints = ::dh_robot::runtime::Joints<5>;
 }

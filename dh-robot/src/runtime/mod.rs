@@ -1,6 +1,9 @@
 //! What generated code calls, and nobody else: not a stable interface, it changes with the macro from version to version.
 
 pub mod lanes;
+mod slices;
+
+pub use slices::{HasJoints, Joints, OverSlices};
 
 pub use crate::inverse::{
     Attempt, Path, Sample, Setting, direction, frame_of, frame_of_axis, frame_of_plane, in_units, nearest, solve,

@@ -1,7 +1,7 @@
 //! A redundant arm with the joint that the caller chooses at one value, as an arm of which everything is asked for.
 
 use dh_robot::nalgebra::SMatrix;
-use dh_robot::{ForwardKinematics, InverseKinematics, Jacobian, Joint, Robot, Solutions};
+use dh_robot::{ForwardKinematics, InverseKinematics, Jacobian, Joint, Robot};
 
 use crate::Pose;
 
@@ -41,15 +41,20 @@ impl<R: Jacobian<N>, const N: usize> Jacobian<N> for Locked<R, N> {
     fn jacobian(&self, q: &[f64; N]) -> SMatrix<f64, 6, N> {
         self.robot.jacobian(q)
     }
+
+    fn forward_and_jacobian(&self, q: &[f64; N]) -> (Pose, SMatrix<f64, 6, N>) {
+        self.robot.forward_and_jacobian(q)
+    }
 }
 
-impl<R, const N: usize, const M: usize> InverseKinematics<N, M> for Locked<R, N>
+impl<R, const N: usize> InverseKinematics<N> for Locked<R, N>
 where
-    R: InverseKinematics<N, M, Target = (Pose, f64)>,
+    R: InverseKinematics<N, Target = (Pose, f64)>,
 {
     type Target = Pose;
+    type Solutions = R::Solutions;
 
-    fn inverse(&self, target: &Pose) -> Solutions<f64, N, M> {
+    fn inverse(&self, target: &Pose) -> R::Solutions {
         self.robot.inverse(&(*target, self.value))
     }
 }

@@ -30,13 +30,13 @@ const REPETITIONS: usize = 15;
 const EXACT: f64 = 1e-6;
 
 /// What a robot needs to be in the tables.
-pub trait Arm<const N: usize, const M: usize>:
-    ForwardKinematics<N> + Jacobian<N> + InverseKinematics<N, M, f64, Target = Pose>
+pub trait Arm<const N: usize>:
+    ForwardKinematics<N> + Jacobian<N> + InverseKinematics<N, Target = Pose>
 {
 }
 
-impl<const N: usize, const M: usize, A> Arm<N, M> for A where
-    A: ForwardKinematics<N> + Jacobian<N> + InverseKinematics<N, M, f64, Target = Pose>
+impl<const N: usize, A> Arm<N> for A where
+    A: ForwardKinematics<N> + Jacobian<N> + InverseKinematics<N, Target = Pose>
 {
 }
 
@@ -65,9 +65,9 @@ impl Random {
 }
 
 /// The generated inverse in the shape of a peer.
-pub struct Ours<'a, R, const M: usize>(pub &'a R);
+pub struct Ours<'a, R>(pub &'a R);
 
-impl<R: Arm<N, M>, const N: usize, const M: usize> Peer<N> for Ours<'_, R, M> {
+impl<R: Arm<N>, const N: usize> Peer<N> for Ours<'_, R> {
     fn name(&self) -> String {
         "generated".into()
     }
@@ -81,7 +81,7 @@ impl<R: Arm<N, M>, const N: usize, const M: usize> Peer<N> for Ours<'_, R, M> {
     }
 
     fn answers(&self, target: &Pose) -> Vec<Answer<N>> {
-        self.0.inverse(target).into_iter().map(|s| Answer { q: s.q, claimed: true }).collect()
+        self.0.inverse(target).iter().map(|s| Answer { q: s.q, claimed: true }).collect()
     }
 }
 
@@ -136,12 +136,12 @@ fn median(mut values: Vec<f64>) -> f64 {
 }
 
 /// The rows of one arm in the table of times.
-fn times<R: Arm<N, M>, const N: usize, const M: usize>(title: &str, robot: &R, peers: &[Box<dyn Peer<N>>]) {
+fn times<R: Arm<N>, const N: usize>(title: &str, robot: &R, peers: &[Box<dyn Peer<N>>]) {
     let mut random = Random(7);
     let targets: Vec<Pose> = (0..POSES).map(|_| robot.forward(&random.joints(robot))).collect();
     let angles: Vec<[f64; 6]> =
         (0..POSES).map(|_| std::array::from_fn(|_| random.uniform() * std::f64::consts::PI)).collect();
-    let ours = Ours::<R, M>(robot);
+    let ours = Ours(robot);
     let mut all: Vec<&dyn Peer<N>> = vec![&ours];
     all.extend(peers.iter().map(AsRef::as_ref));
     let mut ratios = vec![Vec::new(); all.len()];
@@ -182,7 +182,7 @@ fn main() {
 /// Something to do with every arm.
 pub trait Visit {
     /// One arm, the solvers of it, and where it is singular.
-    fn arm<R: Arm<N, M>, const N: usize, const M: usize>(
+    fn arm<R: Arm<N>, const N: usize>(
         &mut self,
         title: &str,
         robot: &R,
@@ -194,7 +194,7 @@ pub trait Visit {
 struct Times;
 
 impl Visit for Times {
-    fn arm<R: Arm<N, M>, const N: usize, const M: usize>(
+    fn arm<R: Arm<N>, const N: usize>(
         &mut self,
         title: &str,
         robot: &R,

@@ -29,7 +29,7 @@ fn time<const N: usize>(peer: &dyn Peer<N>, targets: &[Pose], random: &mut Rando
 pub struct Singular;
 
 impl Visit for Singular {
-    fn arm<R: Arm<N, M>, const N: usize, const M: usize>(
+    fn arm<R: Arm<N>, const N: usize>(
         &mut self,
         title: &str,
         robot: &R,
@@ -39,7 +39,7 @@ impl Visit for Singular {
         if singular == [None; 2] {
             return;
         }
-        let ours = Ours::<R, M>(robot);
+        let ours = Ours(robot);
         let mut all: Vec<&dyn Peer<N>> = vec![&ours];
         all.extend(peers.iter().map(AsRef::as_ref));
         for peer in all {

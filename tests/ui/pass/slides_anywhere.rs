@@ -65,6 +65,6 @@ fn main() {
     let pose = FiveAxes.forward(&q);
     let point = dh_robot::nalgebra::Point3::from(pose.translation.vector);
     let axis = pose.rotation * dh_robot::nalgebra::Vector3::z_axis();
-    let solutions = FiveAxes.inverse((&point, &axis));
+    let solutions = FiveAxes.inverse((point, axis));
     assert_found(q, &solutions.iter().map(|s| s.q).collect::<Vec<_>>());
 }

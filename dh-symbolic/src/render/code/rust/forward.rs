@@ -97,6 +97,8 @@ pub(super) fn traits(chain: &Chain, name: &str) -> String {
          #[inline]\nfn forward(&self, q: &[{f}; {n}]) -> {iso} {{ {name}::forward(self, q) }}\n\
          #[inline]\nfn frames(&self, q: &[{f}; {n}]) -> [{iso}; {n}] {{ {name}::frames(self, q) }}\n}}\n\
          impl ::dh_robot::Jacobian<{n}, {f}> for {name} {{\n\
-         #[inline]\nfn jacobian(&self, q: &[{f}; {n}]) -> ::dh_robot::nalgebra::SMatrix<{f}, 6, {n}> {{ {name}::jacobian(self, q) }}\n}}\n"
+         #[inline]\nfn jacobian(&self, q: &[{f}; {n}]) -> ::dh_robot::nalgebra::SMatrix<{f}, 6, {n}> {{ {name}::jacobian(self, q) }}\n\
+         #[inline]\nfn forward_and_jacobian(&self, q: &[{f}; {n}]) -> ({iso}, ::dh_robot::nalgebra::SMatrix<{f}, 6, {n}>) \
+         {{ {name}::forward_and_jacobian(self, q) }}\n}}\n"
     )
 }

@@ -136,14 +136,15 @@ fn as_trait(chain: &Chain, name: &str, m: usize, kind: &str) -> String {
         Some(_) => (format!("({kind}, {f})"), "target.0", ", target.1"),
     };
     let target = match (chain.task, chain.redundant) {
-        (Task::Pose | Task::Position, None) | (Task::Planar, Some(_)) => target.to_string(),
+        (Task::Pose | Task::Position, None) | (Task::Planar | Task::Axis, Some(_)) => target.to_string(),
         (Task::Pose | Task::Position, Some(_)) => format!("&{target}"),
-        (Task::Planar, None) => format!("*{target}"),
-        (Task::Axis, _) => format!("(&{target}.0, &{target}.1)"),
+        (Task::Planar | Task::Axis, None) => format!("*{target}"),
     };
     format!(
-        "impl ::dh_robot::InverseKinematics<{n}, {m}, {f}> for {name} {{\ntype Target = {kind};\n\
-         fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<{f}, {n}, {m}> {{ {name}::inverse(self, {target}{given}) }}\n}}\n"
+        "impl ::dh_robot::InverseKinematics<{n}, {f}> for {name} {{\ntype Target = {kind};\n\
+         type Solutions = ::dh_robot::Solutions<{f}, {n}, {m}>;\n\
+         fn inverse(&self, target: &Self::Target) -> Self::Solutions {{ {name}::inverse(self, {target}{given}) }}\n}}\n\
+         impl ::dh_robot::runtime::HasJoints<{f}> for {name} {{\ntype Joints = ::dh_robot::runtime::Joints<{n}>;\n}}\n"
     )
 }
 

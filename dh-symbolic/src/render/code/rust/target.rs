@@ -55,7 +55,7 @@ impl Target {
             },
             Task::Axis => Target {
                 parameter: format!(
-                    "target: (&::dh_robot::nalgebra::Point3<{f}>, &::dh_robot::nalgebra::UnitVector3<{f}>)"
+                    "target: (::dh_robot::nalgebra::Point3<{f}>, ::dh_robot::nalgebra::UnitVector3<{f}>)"
                 ),
                 frame: format!(
                     "let p: [f64; 3] = [target.0.x.into(), target.0.y.into(), target.0.z.into()];\n\
