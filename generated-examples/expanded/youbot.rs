@@ -307,8 +307,8 @@ impl Youbot {
     pub fn inverse_near(
         &self,
         target: (
-            &::dh_robot::nalgebra::Point3<f64>,
-            &::dh_robot::nalgebra::UnitVector3<f64>,
+            ::dh_robot::nalgebra::Point3<f64>,
+            ::dh_robot::nalgebra::UnitVector3<f64>,
         ),
         q: &[f64; 5],
     ) -> ::core::result::Result<::dh_robot::Solution<f64, 5>, ::dh_robot::Why<f64>> {
@@ -357,8 +357,8 @@ impl Youbot {
     pub fn inverse_exhaustive(
         &self,
         target: (
-            &::dh_robot::nalgebra::Point3<f64>,
-            &::dh_robot::nalgebra::UnitVector3<f64>,
+            ::dh_robot::nalgebra::Point3<f64>,
+            ::dh_robot::nalgebra::UnitVector3<f64>,
         ),
     ) -> ::dh_robot::Solutions<f64, 5, 4> {
         let p: [f64; 3] = [target.0.x.into(), target.0.y.into(), target.0.z.into()];

@@ -1,14 +1,14 @@
 //! Two equations in two angles, each linear in the cosine and sine of both: what leads to Pieper's quartic.
 
-use super::found::{Angles, Found, Outcome};
+use super::elementary::sqrt;
+use super::least_squares::solve_many;
 use super::list::List;
-use super::many::solve_many;
-use super::math::sqrt;
-use super::newton2::{Unknown, polish_pair};
-use super::pair::solve_pair;
-use super::sincos::solve_sincos;
+use super::newton_pair::{Unknown, polish_pair};
+use super::one_equation::solve_sincos;
+use super::roots::{Angles, Outcome, Roots};
 use super::tolerance::{ACCEPT, SAME, TOUCH, ZERO};
 use super::trig_poly::TrigPoly;
+use super::two_equations::solve_pair;
 
 /// Two angles, `u` and `v`, each as `[cos, sin]`.
 pub type AnglePair = [[f64; 2]; 2];
@@ -36,9 +36,9 @@ const NEIGHBOUR: f64 = 4e-3;
 /// - [`Outcome::Free`]: the equations leave an angle free, at some value of the other one or altogether: an equation with all
 ///   coefficients at most `tol` (absolute), or two that have a curve of solutions in common. A free angle takes its value from
 ///   `choice`, and the other one is solved for. Solutions that stand alone are given as well.
-pub fn solve_bilinear_choosing(e1: &[f64; 9], e2: &[f64; 9], choice: AnglePair, tol: f64) -> Found<AnglePair, 8> {
+pub fn solve_bilinear_choosing(e1: &[f64; 9], e2: &[f64; 9], choice: AnglePair, tol: f64) -> Roots<AnglePair, 8> {
     if !(e1.iter().chain(e2).all(|x| x.is_finite())) {
-        return Found::none(Outcome::NoRealRoot);
+        return Roots::none(Outcome::NoRealRoot);
     }
     let (e1, e2) = match (scaled(e1, tol), scaled(e2, tol)) {
         (Some(e1), Some(e2)) => (e1, e2),
@@ -66,21 +66,16 @@ pub fn solve_bilinear_choosing(e1: &[f64; 9], e2: &[f64; 9], choice: AnglePair, 
     choose(&e1, &e2, choice)
 }
 
-/// The same with zero for a free angle.
-pub fn solve_bilinear(e1: &[f64; 9], e2: &[f64; 9], tol: f64) -> Found<AnglePair, 8> {
-    solve_bilinear_choosing(e1, e2, [[1.0, 0.0]; 2], tol)
-}
-
-fn free(root: AnglePair) -> Found<AnglePair, 8> {
-    let mut found = Found::none(Outcome::Free);
+fn free(root: AnglePair) -> Roots<AnglePair, 8> {
+    let mut found = Roots::none(Outcome::Free);
     found.roots.push(root);
     found
 }
 
 /// Solutions of two dependent equations: one angle as chosen, the other one to it.
 #[cold]
-fn choose(e1: &[f64; 9], e2: &[f64; 9], choice: AnglePair) -> Found<AnglePair, 8> {
-    let mut found = Found::none(Outcome::Free);
+fn choose(e1: &[f64; 9], e2: &[f64; 9], choice: AnglePair) -> Roots<AnglePair, 8> {
+    let mut found = Roots::none(Outcome::Free);
     for swap in [false, true] {
         let (e, u) = if swap { ([*e1, *e2], choice[1]) } else { ([transposed(e1), transposed(e2)], choice[0]) };
         let [[a1, b1, c1], [a2, b2, c2]] = e.map(|e| at_second(&e, u));
@@ -107,7 +102,7 @@ fn transposed(e: &[f64; 9]) -> [f64; 9] {
 }
 
 /// The solutions with the roles of the two angles exchanged.
-fn swapped(mut found: Found<AnglePair, 8>) -> Found<AnglePair, 8> {
+fn swapped(mut found: Roots<AnglePair, 8>) -> Roots<AnglePair, 8> {
     for root in found.roots.as_mut_slice() {
         root.swap(0, 1);
     }
@@ -136,9 +131,9 @@ fn first_angle(e: &[f64; 9], v: [f64; 2]) -> Angles<2> {
 }
 
 /// `first` has no `u`; where `second` has none either, it is `choice`.
-fn second_angle_first(first: &[f64; 9], second: &[f64; 9], choice: [f64; 2]) -> Found<AnglePair, 8> {
+fn second_angle_first(first: &[f64; 9], second: &[f64; 9], choice: [f64; 2]) -> Roots<AnglePair, 8> {
     let vs = solve_sincos(first[1], first[2], -first[0], ZERO);
-    let mut found = Found { roots: List::new(), outcome: vs.outcome };
+    let mut found = Roots { roots: List::new(), outcome: vs.outcome };
     let mut free = vs.is_free();
     for &v in &vs {
         let us = first_angle(second, v);
@@ -171,15 +166,15 @@ fn free_at(e1: &[f64; 9], e2: &[f64; 9], near: [f64; 2]) -> Option<[f64; 2]> {
 }
 
 /// The general case.
-fn by_elimination(e1: &[f64; 9], e2: &[f64; 9], choice: [f64; 2]) -> Found<AnglePair, 8> {
+fn by_elimination(e1: &[f64; 9], e2: &[f64; 9], choice: [f64; 2]) -> Roots<AnglePair, 8> {
     let ([a1, b1, c1], [a2, b2, c2]) = (in_second(e1), in_second(e2));
     let minor = |p: &TrigPoly<1>, q: &TrigPoly<1>, r: &TrigPoly<1>, s: &TrigPoly<1>| -> TrigPoly<2> {
         p.times::<1, 2>(q).plus(&r.times::<1, 2>(s), -1.0)
     };
     let (x, y, w) = (minor(&c1, &a2, &c2, &a1), minor(&a1, &b2, &a2, &b1), minor(&b1, &c2, &b2, &c1));
     let eliminant: TrigPoly<4> = x.times(&x).plus(&y.times(&y), 1.0).plus(&w.times(&w), -1.0);
-    let vs: Found<_, 8> = eliminant.marked_roots(ZERO, TOUCH);
-    let mut found = Found { roots: List::new(), outcome: vs.outcome };
+    let vs: Roots<_, 8> = eliminant.marked_roots(ZERO, TOUCH);
+    let mut found = Roots { roots: List::new(), outcome: vs.outcome };
     for &(v, touches) in &vs {
         if touches && let Some(v) = free_at(e1, e2, v) {
             found.outcome = Outcome::Free;
@@ -245,6 +240,11 @@ mod tests {
     use super::*;
     use crate::testing::Rng;
 
+    /// With zero for a free angle.
+    fn solve(e1: &[f64; 9], e2: &[f64; 9]) -> Roots<AnglePair, 8> {
+        solve_bilinear_choosing(e1, e2, [[1.0, 0.0]; 2], 1e-12)
+    }
+
     fn circle(t: f64) -> [f64; 2] {
         [t.cos(), t.sin()]
     }
@@ -260,7 +260,7 @@ mod tests {
         e
     }
 
-    fn contains(found: &Found<AnglePair, 8>, u: [f64; 2], v: [f64; 2], tol: f64) -> bool {
+    fn contains(found: &Roots<AnglePair, 8>, u: [f64; 2], v: [f64; 2], tol: f64) -> bool {
         let d = |p: [f64; 2], q: [f64; 2]| (p[0] - q[0]).hypot(p[1] - q[1]);
         found.iter().any(|r| d(r[0], u) + d(r[1], v) < tol)
     }
@@ -288,7 +288,7 @@ mod tests {
         for i in 0..400 {
             let (u, v) = (circle(rng.angle()), circle(rng.angle()));
             let (e1, e2) = (through(&mut rng, u, v), through(&mut rng, u, v));
-            let found = solve_bilinear(&e1, &e2, 1e-12);
+            let found = solve(&e1, &e2);
             assert!(contains(&found, u, v, 1e-6), "{found:?}");
             assert!(found.len().is_multiple_of(2));
             for r in &found {
@@ -316,7 +316,7 @@ mod tests {
                 let quarter = core::f64::consts::FRAC_PI_4;
                 let (u, v) = (circle(f64::from(i) * quarter), circle(f64::from(j) * quarter));
                 let (e1, e2) = (through(&mut rng, u, v), through(&mut rng, u, v));
-                assert!(contains(&solve_bilinear(&e1, &e2, 1e-12), u, v, 1e-7));
+                assert!(contains(&solve(&e1, &e2), u, v, 1e-7));
             }
         }
     }
@@ -334,7 +334,7 @@ mod tests {
                 e2[i] -= v[0] * f;
                 e2[i + 1] += f;
             }
-            let found = solve_bilinear(&e1, &e2, 1e-12);
+            let found = solve(&e1, &e2);
             for &u in &first_angle(&e1, v) {
                 assert!(contains(&found, u, v, 1e-6), "{u:?} {v:?} {found:?}");
             }
@@ -353,7 +353,7 @@ mod tests {
                 alone[0] = -value(&alone, u, v);
                 let (a, b) = if swap { (transposed(&alone), transposed(&full)) } else { (alone, full) };
                 let (u, v) = if swap { (v, u) } else { (u, v) };
-                let found = if order { solve_bilinear(&a, &b, 1e-12) } else { solve_bilinear(&b, &a, 1e-12) };
+                let found = if order { solve(&a, &b) } else { solve(&b, &a) };
                 assert!(contains(&found, u, v, 1e-12) && found.len() >= 2);
             }
         }
@@ -365,16 +365,16 @@ mod tests {
         (e1[0], e1[3]) = (-0.5, 1.0);
         let mut e2 = [0.0; 9];
         (e2[0], e2[2]) = (-0.6, 1.0);
-        assert_eq!(solve_bilinear(&e1, &e2, 1e-12).len(), 4);
+        assert_eq!(solve(&e1, &e2).len(), 4);
         e2[0] = -1.6;
-        assert!(matches!(solve_bilinear(&e1, &e2, 1e-12).outcome, Outcome::OutOfReach { .. }));
-        assert!(solve_bilinear(&[0.0; 9], &e1, 1e-12).is_free());
+        assert!(matches!(solve(&e1, &e2).outcome, Outcome::OutOfReach { .. }));
+        assert!(solve(&[0.0; 9], &e1).is_free());
         // Both in v alone, with one v in common: u is free there.
         let (alone, again) =
             ([0.5, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, 3f64.sqrt(), 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
-        assert!(solve_bilinear(&alone, &again, 1e-12).is_free() && solve_bilinear(&again, &alone, 1e-12).is_free());
+        assert!(solve(&alone, &again).is_free() && solve(&again, &alone).is_free());
         let e = [0.1, 0.2, 0.3, -0.4, 0.5, 0.6, 0.7, -0.8, 0.9];
-        assert!(solve_bilinear(&e, &e.map(|x| -3.0 * x), 1e-12).is_free());
-        assert!(solve_bilinear(&[f64::NAN; 9], &e, 1e-12).is_empty());
+        assert!(solve(&e, &e.map(|x| -3.0 * x)).is_free());
+        assert!(solve(&[f64::NAN; 9], &e).is_empty());
     }
 }

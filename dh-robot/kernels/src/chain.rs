@@ -1,8 +1,9 @@
 //! A serial chain of rigid transforms: what the numeric kernels know of an arm.
 
-use super::math::{sin_cos, sqrt};
+use super::elementary::{sin_cos, sqrt};
 use super::polish::Kinematics;
-use super::pose::{IDENTITY, Pose, compose, cross, slide, turn};
+use super::pose::{IDENTITY, Pose, compose, slide, turn};
+use super::vector::cross;
 
 /// A serial chain `J1(q1) C1 J2(q2) C2 ... JN(qN) CN` with `J = Rz` (or `Tz` where `slides`) and constant transforms `C`.
 ///

@@ -1,6 +1,6 @@
-//! Coupled drives of which a whole turn of a row is no whole turn of the motors: gears, and motors that turn and lift together.
+//! Drives where one joint turn is not a whole number of motor turns.
 
-use super::math::floor;
+use super::elementary::floor;
 
 /// How motors move the rows of a table: row = `rows` times motor values, motors = `motors` times row values.
 ///

@@ -1,10 +1,10 @@
-//! Equations with a prismatic unknown: alone, with an angle, or with a second one.
+//! Equations with a prismatic unknown: alone, or together with an angle.
 
-use super::found::{Found, Outcome};
+use super::elementary::sqrt;
 use super::list::List;
-use super::math::sqrt;
-use super::newton2::polish_pair;
-use super::sincos::solve_sincos;
+use super::newton_pair::polish_pair;
+use super::one_equation::solve_sincos;
+use super::roots::{Outcome, Roots};
 use super::tolerance::{ACCEPT, BLUR, BOUNDARY, DOUBLE, GRAZING, SAME, ZERO};
 use super::trig_poly::TrigPoly;
 
@@ -20,46 +20,38 @@ pub type LengthAngle = (f64, [f64; 2]);
 ///   `tol` is absolute: scale the unknown so that it is of order one.
 /// - A discriminant within [`BOUNDARY`] (relative) below zero counts as zero: one root, [`Outcome::Touching`].
 #[inline]
-pub fn solve_quadratic(a: f64, b: f64, c: f64, tol: f64) -> Found<f64, 2> {
+pub fn solve_quadratic(a: f64, b: f64, c: f64, tol: f64) -> Roots<f64, 2> {
     let mut roots = List::new();
     if a.abs() <= tol {
         if b.abs() <= tol {
             let needed = c.abs();
-            return Found::none(if needed <= tol {
+            return Roots::none(if needed <= tol {
                 Outcome::Free
             } else {
                 Outcome::OutOfReach { needed, available: 0.0 }
             });
         }
         if b.abs() <= BLUR && c.abs() <= BLUR && c.abs() > 4.0 * b.abs() {
-            return Found::none(Outcome::Free);
+            return Roots::none(Outcome::Free);
         }
         roots.push(-c / b);
-        return Found { roots, outcome: Outcome::Regular };
+        return Roots { roots, outcome: Outcome::Regular };
     }
     let (bb, ac) = (b * b, 4.0 * a * c);
     let (discriminant, size) = (bb - ac, bb.max(ac.abs()));
     if !(discriminant >= -BOUNDARY * size && size < f64::INFINITY && a.abs() < f64::INFINITY) {
-        return Found::none(Outcome::NoRealRoot);
+        return Roots::none(Outcome::NoRealRoot);
     }
     // Roots that differ by less than 1e-7 are one: the square root of rounding.
     if discriminant <= DOUBLE * size.max(a * a) {
         roots.push(-0.5 * b / a);
-        return Found { roots, outcome: Outcome::Touching };
+        return Roots { roots, outcome: Outcome::Touching };
     }
     let q = -0.5 * (b + sqrt(discriminant).copysign(b));
     roots.push(q / a);
     roots.push(c / q);
     let grazing = discriminant <= GRAZING * size.max(a * a);
-    Found { roots, outcome: if grazing { Outcome::Touching } else { Outcome::Regular } }
-}
-
-/// All `(d, v)` with `sum_ij e[3 i + j] D_i V_j = 0` for both equations, `D = (1, d)`, `V = (1, cos v, sin v)`.
-///
-/// Elimination of `d` leaves a trigonometric polynomial of degree 2: up to four solutions. See [`solve_length_squared_and_angle`].
-pub fn solve_length_and_angle(e1: &[f64; 6], e2: &[f64; 6], tol: f64) -> Found<LengthAngle, 8> {
-    let widen = |e: &[f64; 6]| [e[0], e[1], e[2], e[3], e[4], e[5], 0.0, 0.0, 0.0];
-    solve_length_squared_and_angle(&widen(e1), &widen(e2), tol)
+    Roots { roots, outcome: if grazing { Outcome::Touching } else { Outcome::Regular } }
 }
 
 /// All `(d, v)` with `sum_ij e[3 i + j] D_i V_j = 0` for both equations, `D = (1, d, d^2)`, `V = (1, cos v, sin v)`.
@@ -77,9 +69,9 @@ pub fn solve_length_squared_and_angle_choosing(
     e2: &[f64; 9],
     choice: LengthAngle,
     tol: f64,
-) -> Found<LengthAngle, 8> {
+) -> Roots<LengthAngle, 8> {
     if !e1.iter().chain(e2).all(|x| x.is_finite()) {
-        return Found::none(Outcome::NoRealRoot);
+        return Roots::none(Outcome::NoRealRoot);
     }
     let size = |e: &[f64; 9]| e.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     let (s1, s2) = (size(e1), size(e2));
@@ -105,7 +97,7 @@ pub fn solve_length_squared_and_angle_choosing(
         let eliminant: TrigPoly<4> = minor(0, 2).times(&minor(0, 2)).plus(&minor(0, 1).times(&minor(1, 2)), -1.0);
         eliminant.roots::<8>(ZERO)
     };
-    let mut found = Found { roots: List::new(), outcome: vs.outcome };
+    let mut found = Roots { roots: List::new(), outcome: vs.outcome };
     for &v in &vs {
         let (q1, q2) = (at_angle(&e1, v), at_angle(&e2, v));
         // The equation that says more about d gives the candidates, the other one decides.
@@ -143,15 +135,10 @@ pub fn solve_length_squared_and_angle_choosing(
     found
 }
 
-/// The same with zero for what is free.
-pub fn solve_length_squared_and_angle(e1: &[f64; 9], e2: &[f64; 9], tol: f64) -> Found<LengthAngle, 8> {
-    solve_length_squared_and_angle_choosing(e1, e2, (0.0, [1.0, 0.0]), tol)
-}
-
 /// Solutions of one equation: the angle as chosen and the lengths to it, or the length as chosen and the angles to it.
 #[cold]
-fn choose(e: &[f64; 9], choice: LengthAngle) -> Found<LengthAngle, 8> {
-    let mut found = Found::none(Outcome::Free);
+fn choose(e: &[f64; 9], choice: LengthAngle) -> Roots<LengthAngle, 8> {
+    let mut found = Roots::none(Outcome::Free);
     let [a, b, c] = at_angle(e, choice.1);
     for &d in &solve_quadratic(c, b, a, ZERO).or_if_free(choice.0) {
         found.roots.push((d, choice.1));
@@ -162,42 +149,6 @@ fn choose(e: &[f64; 9], choice: LengthAngle) -> Found<LengthAngle, 8> {
         for &v in &solve_sincos(b, c, -a, ZERO).or_if_free(choice.1) {
             found.roots.push((d, v));
         }
-    }
-    found
-}
-
-/// All `(x, y)` with `e[0] + e[1] y + e[2] x + e[3] x y = 0` for both equations: up to two solutions.
-///
-/// Lengths should be of order one. [`Outcome::Free`] where an equation vanishes (at most `tol`) or both have a common curve.
-pub fn solve_two_lengths(e1: &[f64; 4], e2: &[f64; 4], tol: f64) -> Found<[f64; 2], 2> {
-    let size = |e: &[f64; 4]| e.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-    let (s1, s2) = (size(e1), size(e2));
-    if s1 <= tol || s2 <= tol {
-        return Found::none(Outcome::Free);
-    }
-    let (a, b) = (e1.map(|x| x / s1), e2.map(|x| x / s2));
-    // (a0 + a1 y) + (a2 + a3 y) x = 0 and the same for b.
-    let ys = solve_quadratic(
-        a[1] * b[3] - b[1] * a[3],
-        a[0] * b[3] + a[1] * b[2] - b[0] * a[3] - b[1] * a[2],
-        a[0] * b[2] - b[0] * a[2],
-        ZERO,
-    );
-    let mut found = Found { roots: List::new(), outcome: ys.outcome };
-    for &y in &ys {
-        let (fa, fb) = (a[2] + a[3] * y, b[2] + b[3] * y);
-        let norm = fa * fa + fb * fb;
-        // Where both equations lose x, the root belongs to no finite x, or to every x.
-        if norm > ZERO * ZERO * (1.0 + y * y) {
-            let x = -((a[0] + a[1] * y) * fa + (b[0] + b[1] * y) * fb) / norm;
-            let residual = |e: &[f64; 4]| (e[0] + e[1] * y + e[2] * x + e[3] * x * y).abs();
-            if residual(&a).max(residual(&b)) <= ACCEPT * (1.0 + x.abs()) * (1.0 + y.abs()) {
-                found.roots.push([x, y]);
-            }
-        }
-    }
-    if found.roots.is_empty() && found.outcome != Outcome::Free {
-        found.outcome = Outcome::NoRealRoot;
     }
     found
 }
@@ -254,6 +205,11 @@ mod tests {
         assert_eq!(solve_quadratic(1.0, 0.0, 0.0, 1e-12).as_ref(), &[0.0]);
     }
 
+    /// With zero for what is free.
+    fn solve(e1: &[f64; 9], e2: &[f64; 9]) -> Roots<LengthAngle, 8> {
+        solve_length_squared_and_angle_choosing(e1, e2, (0.0, [1.0, 0.0]), 1e-12)
+    }
+
     fn through<const K: usize>(rng: &mut Rng, degree: usize, d: f64, v: [f64; 2]) -> [f64; K] {
         let mut e = [(); K].map(|()| rng.symmetric());
         let mut sum = 0.0;
@@ -264,7 +220,7 @@ mod tests {
         e
     }
 
-    fn contains(found: &Found<LengthAngle, 8>, d: f64, v: [f64; 2]) -> bool {
+    fn contains(found: &Roots<LengthAngle, 8>, d: f64, v: [f64; 2]) -> bool {
         found.iter().any(|r| (r.0 - d).abs() + (r.1[0] - v[0]).abs() + (r.1[1] - v[1]).abs() < 1e-6)
     }
 
@@ -274,49 +230,30 @@ mod tests {
         for i in 0..400 {
             let t = if i < 16 { f64::from(i) * core::f64::consts::PI / 8.0 } else { rng.angle() };
             let (d, v) = (if i % 5 == 0 { 0.0 } else { rng.symmetric() }, [t.cos(), t.sin()]);
+            // Both linear in the length.
             let (e1, e2): ([f64; 6], [f64; 6]) = (through(&mut rng, 1, d, v), through(&mut rng, 1, d, v));
-            assert!(contains(&solve_length_and_angle(&e1, &e2, 1e-12), d, v));
+            let widen = |e: [f64; 6]| [e[0], e[1], e[2], e[3], e[4], e[5], 0.0, 0.0, 0.0];
+            assert!(contains(&solve(&widen(e1), &widen(e2)), d, v));
             let (e1, e2): ([f64; 9], [f64; 9]) = (through(&mut rng, 2, d, v), through(&mut rng, 2, d, v));
-            let found = solve_length_squared_and_angle(&e1, &e2, 1e-12);
+            let found = solve(&e1, &e2);
             assert!(contains(&found, d, v) && found.len().is_multiple_of(2));
             // One quadratic and one linear equation; and one without the length.
             let mut flat = e1;
             flat[6..].fill(0.0);
             flat[0] -= at_angle(&flat, v)[0] + d * at_angle(&flat, v)[1];
-            assert!(contains(&solve_length_squared_and_angle(&flat, &e2, 1e-12), d, v));
+            assert!(contains(&solve(&flat, &e2), d, v));
             flat[3..].fill(0.0);
             flat[0] -= at_angle(&flat, v)[0];
-            assert!(contains(&solve_length_squared_and_angle(&flat, &e2, 1e-12), d, v));
-            assert!(contains(&solve_length_squared_and_angle(&e2, &flat, 1e-12), d, v));
+            assert!(contains(&solve(&flat, &e2), d, v));
+            assert!(contains(&solve(&e2, &flat), d, v));
         }
     }
 
     #[test]
     fn common_curves_are_free() {
         let e = [0.1, 0.2, 0.3, -0.4, 0.5, 0.6, 0.7, -0.8, 0.9];
-        assert!(solve_length_squared_and_angle(&e, &e.map(|x| 2.0 * x), 1e-12).is_free());
-        assert!(solve_length_squared_and_angle(&e, &[0.0; 9], 1e-12).is_free());
-        assert!(solve_length_squared_and_angle(&e, &[f64::NAN; 9], 1e-12).is_empty());
-        assert!(solve_two_lengths(&[1.0, 2.0, 3.0, 4.0], &[2.0, 4.0, 6.0, 8.0], 1e-12).is_free());
-    }
-
-    #[test]
-    fn two_lengths_come_back() {
-        let mut rng = Rng::new(51);
-        for _ in 0..300 {
-            let (x, y) = (rng.symmetric(), rng.symmetric());
-            let equation = |rng: &mut Rng, bilinear: f64| {
-                let mut e = [0.0, rng.symmetric(), rng.symmetric(), bilinear * rng.symmetric()];
-                e[0] = -(e[1] * y + e[2] * x + e[3] * x * y);
-                e
-            };
-            for bilinear in [0.0, 1.0] {
-                let (e1, e2) = (equation(&mut rng, bilinear), equation(&mut rng, bilinear));
-                let found = solve_two_lengths(&e1, &e2, 1e-12);
-                assert!(found.iter().any(|r| (r[0] - x).hypot(r[1] - y) < 1e-6), "{found:?}");
-            }
-        }
-        // x y = 0 has two lines; with x = 1 only one of them meets it.
-        assert_eq!(solve_two_lengths(&[0.0, 0.0, 0.0, 1.0], &[-1.0, 0.0, 1.0, 0.0], 1e-12).as_ref(), &[[1.0, 0.0]]);
+        assert!(solve(&e, &e.map(|x| 2.0 * x)).is_free());
+        assert!(solve(&e, &[0.0; 9]).is_free());
+        assert!(solve(&e, &[f64::NAN; 9]).is_empty());
     }
 }

@@ -1,9 +1,10 @@
 //! Moves an approximate joint vector onto its target: damped Newton steps on the full pose, or on a part of it.
 
 use super::drive::Drive;
-use super::math::{atan2, sqrt};
-use super::pose::{Pose, cross, dot, rotation_between};
+use super::elementary::{atan2, sqrt};
+use super::pose::{Pose, rotation_between};
 use super::tolerance::{BLURRED, NEAR, POLISHED, SAME, VALLEY};
+use super::vector::{cross, dot, norm};
 
 /// Most steps back to the floor of a bent valley.
 const BACK: usize = 4;
@@ -62,7 +63,7 @@ impl Task {
                 let m = miss(*target);
                 let z = [pose[0][2], pose[1][2], pose[2][2]];
                 let mut v = cross(z, *direction);
-                let (sin, cos) = (sqrt(dot(v, v)), dot(z, *direction));
+                let (sin, cos) = (norm(v), dot(z, *direction));
                 if sin > 0.0 {
                     let factor = atan2(sin, cos) / sin;
                     v = v.map(|x| x * factor);
@@ -73,7 +74,7 @@ impl Task {
                 [m[0], m[1], m[2], v[0], v[1], v[2]]
             }
             Self::Planar(x, y, phi) => {
-                let (s, c) = super::math::sin_cos(*phi);
+                let (s, c) = super::elementary::sin_cos(*phi);
                 let (ps, pc) = (pose[1][0], pose[0][0]);
                 [(x - p[0]) / reach, (y - p[1]) / reach, 0.0, 0.0, 0.0, atan2(s * pc - c * ps, c * pc + s * ps)]
             }
@@ -96,7 +97,7 @@ impl Task {
                 set(i, 2, z[i]);
             }),
             Self::Planar(x, y, phi) => {
-                let (s, c) = super::math::sin_cos(*phi);
+                let (s, c) = super::elementary::sin_cos(*phi);
                 set(0, 3, *x);
                 set(1, 3, *y);
                 set(0, 0, c);
@@ -203,7 +204,7 @@ pub fn same_solution<const N: usize>(
         way = drive.shortest(way);
     }
     for i in 0..N {
-        let (s, c) = super::math::sin_cos(way[i]);
+        let (s, c) = super::elementary::sin_cos(way[i]);
         if c < 0.0 || s.abs() > NEAR {
             return false;
         }

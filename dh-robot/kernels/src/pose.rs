@@ -1,6 +1,7 @@
-//! Rigid transforms as plain arrays, and a serial chain of them: what the numeric kernels know of an arm.
+//! Rigid transforms as plain arrays of three rows and four columns: products, inverses, and the rotation between two of them.
 
-use super::math::{atan2, sqrt};
+use super::elementary::{atan2, sqrt};
+pub use super::vector::{cross, dot};
 
 /// A rigid transform, the upper three rows `[R | p]` of its homogeneous matrix.
 pub type Pose = [[f64; 4]; 3];
@@ -93,20 +94,8 @@ pub fn rotation_between(from: &Pose, to: &Pose) -> [f64; 3] {
     }
     axis[k] -= cos;
     let n = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
-    let sign = if axis[0] * v[0] + axis[1] * v[1] + axis[2] * v[2] < 0.0 { -1.0 } else { 1.0 };
+    let sign = if dot(axis, v) < 0.0 { -1.0 } else { 1.0 };
     axis.map(|x| sign * x * angle / n)
-}
-
-/// The vector product.
-#[inline]
-pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-/// The scalar product.
-#[inline]
-pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 #[cfg(test)]
@@ -138,7 +127,7 @@ mod tests {
                 let b = compose(&compose(&turn(&axis, [c, s]), &inverse(&axis)), &a);
                 let v = rotation_between(&a, &b);
                 let along: f64 = (0..3).map(|i| v[i] * axis[i][2]).sum();
-                let norm = dot(v, v).sqrt();
+                let norm = crate::vector::norm(v);
                 assert!((norm - angle).abs() < 1e-14, "{angle} {norm}");
                 let along = if angle > 3.1 { along.abs() } else { along };
                 assert!((along - angle).abs() < 1e-7 * angle + 1e-15, "{angle} {along}");

@@ -1,6 +1,6 @@
 //! How a run of the closed form ended: whether solutions may be missing, and why.
 
-use super::found::Outcome;
+use super::roots::Outcome;
 
 /// What the steps of a run say about solutions that it may have missed. The JavaScript runtime has the same.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,4 +1,4 @@
-//! Every tolerance of the kernels, each with its reason.
+//! The tolerances that several kernels share, each with its reason.
 //!
 //! All of them are relative: to the size of the coefficients of an equation, or to the reach of the arm. Absolute
 //! sizes ("this coefficient counts as zero") are arguments of the kernels, because only the caller knows the scale.

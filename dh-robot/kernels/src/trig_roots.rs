@@ -4,10 +4,10 @@
 //! tell a pair of real angles from a pair of complex ones. Here, an arc is thrown away only when its Bernstein coefficients prove
 //! that there is no root, halved while there may be several, and its root is bracketed as soon as there is exactly one.
 
-use super::arcs::{Arc, Bracket, Search, between, point, square};
 use super::bernstein::{ARCS, MAX_DEGREE, Tables};
-use super::found::{Angles, Found, Outcome};
 use super::list::{Blank, List};
+use super::root_isolation::{Arc, Bracket, Search, between, point, square};
+use super::roots::{Angles, Outcome, Roots};
 use super::tolerance::TOUCH;
 use super::trig_poly::TrigPoly;
 
@@ -36,7 +36,7 @@ impl<const D: usize> TrigPoly<D> {
     /// - All coefficients together at most `zero` (absolute): [`Outcome::Free`], no root.
     /// - [`Outcome::NoRealRoot`], also for coefficients that aren't finite.
     pub fn roots<const R: usize>(&self, zero: f64) -> Angles<R> {
-        let marked: Found<([f64; 2], bool), R> = self.marked_roots(zero, TOUCH);
+        let marked: Roots<([f64; 2], bool), R> = self.marked_roots(zero, TOUCH);
         let mut roots = List::new();
         for &(root, _) in &marked {
             roots.push(root);
@@ -45,14 +45,14 @@ impl<const D: usize> TrigPoly<D> {
     }
 
     /// [`TrigPoly::roots`], each with a mark: does it only touch zero (within `touch`, relative to the sum of all coefficients)?
-    pub(super) fn marked_roots<const R: usize>(&self, zero: f64, touch: f64) -> Found<([f64; 2], bool), R> {
+    pub(super) fn marked_roots<const R: usize>(&self, zero: f64, touch: f64) -> Roots<([f64; 2], bool), R> {
         const { assert!(2 * D <= R, "a trigonometric polynomial of degree D has up to 2 D roots") };
         let size = self.size();
         if size <= zero {
-            return Found::none(Outcome::Free);
+            return Roots::none(Outcome::Free);
         }
         if !(size < f64::INFINITY) {
-            return Found::none(Outcome::NoRealRoot);
+            return Roots::none(Outcome::NoRealRoot);
         }
         let mut roots = List::new();
         // 2 D + 1 coefficients, spelled out because a constant can't be computed from D.
@@ -79,7 +79,7 @@ impl<const D: usize> TrigPoly<D> {
             Some((_, false)) => Outcome::Regular,
             Some((_, true)) => Outcome::Touching,
         };
-        Found { roots, outcome }
+        Roots { roots, outcome }
     }
 
     /// Calls `found` with every real root, and whether it only touches zero; `C = 2 D + 1`.

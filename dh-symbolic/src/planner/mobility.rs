@@ -6,6 +6,7 @@ use super::sample::joint_vectors;
 use super::span::Span;
 use crate::chain::{Chain, Task};
 use dh_kernels::pose::{self, Pose};
+use dh_kernels::vector::cross;
 
 /// Ranks at a generic configuration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,16 +82,16 @@ fn algebra(twists: &[Twist]) -> Vec<Twist> {
 fn commutator(a: &Twist, b: &Twist) -> Twist {
     let (w, v) = ([a[0], a[1], a[2]], [a[3], a[4], a[5]]);
     let (x, u) = ([b[0], b[1], b[2]], [b[3], b[4], b[5]]);
-    let (wx, wu, vx) = (pose::cross(w, x), pose::cross(w, u), pose::cross(v, x));
+    let (wx, wu, vx) = (cross(w, x), cross(w, u), cross(v, x));
     [wx[0], wx[1], wx[2], wu[0] + vx[0], wu[1] + vx[1], wu[2] + vx[2]]
 }
 
 /// What the task sees of a twist of the tool.
 fn seen(task: Task, t: &Twist, tool: &Pose) -> Vec<f64> {
     let w = [t[0], t[1], t[2]];
-    let p = pose::cross(w, [tool[0][3], tool[1][3], tool[2][3]]);
+    let p = cross(w, [tool[0][3], tool[1][3], tool[2][3]]);
     let v = [t[3] + p[0], t[4] + p[1], t[5] + p[2]];
-    let z = pose::cross(w, [tool[0][2], tool[1][2], tool[2][2]]);
+    let z = cross(w, [tool[0][2], tool[1][2], tool[2][2]]);
     match task {
         Task::Pose => [v, w].concat(),
         Task::Position => v.to_vec(),

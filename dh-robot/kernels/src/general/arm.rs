@@ -1,7 +1,7 @@
 //! The arm of the general elimination: six joints, lengths over its reach.
 
 use super::super::chain::Chain;
-use super::super::math::wrapped;
+use super::super::elementary::wrapped;
 use super::super::pose::{Pose, slide};
 use super::choice::Choice;
 

@@ -1,8 +1,8 @@
 //! One elimination with one choice: from the roots of its determinant to joint vectors, each root accounted for.
 
-use super::super::arcs::square;
-use super::super::math::{atan2, sin_cos};
+use super::super::elementary::{atan2, sin_cos};
 use super::super::pose::{IDENTITY, Pose, compose, inverse, slide, turn};
+use super::super::root_isolation::square;
 use super::super::tolerance::REACHED;
 use super::super::{Kinematics, List, Task, polish};
 use super::arm::General6R;

@@ -1,7 +1,7 @@
 //! The closed loop of six joints as fourteen equations in five joint values, and the linear elimination of two of them.
 
 use super::super::chain::Chain;
-use super::super::math::sqrt;
+use super::super::elementary::sqrt;
 use super::super::pose::{Pose, compose, inverse};
 use super::choice::Choice;
 use super::conformal::{Axis, EXPRESSIONS};

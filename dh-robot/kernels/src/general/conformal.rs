@@ -10,7 +10,8 @@
 //! are a representation of the group. A turn about z acts on them linearly in its cosine and sine, a slide along z
 //! quadratically, so a product of joints and links has three monomials per joint. This is why the fourteen equations have so few.
 
-use super::super::pose::{Pose, cross, dot};
+use super::super::pose::Pose;
+use super::super::vector::{cross, dot};
 
 /// The number of expressions, without the constant.
 pub(super) const EXPRESSIONS: usize = 14;

@@ -1,8 +1,8 @@
 //! All real roots of the determinant, from its values.
 
-use super::super::arcs::{Arc, Bracket, MAX_DEPTH, Search, point};
 use super::super::bernstein::{Nodes, sin_cos_series};
-use super::super::math::sqrt;
+use super::super::elementary::sqrt;
+use super::super::root_isolation::{Arc, Bracket, MAX_DEPTH, Search, point};
 use super::super::{List, TrigPoly};
 
 /// The same for an arc on which the polynomial seems to touch zero.

@@ -9,7 +9,8 @@
 //!
 //! which have a solution other than zero only where the determinant vanishes. If the joint of `y` slides, `(1, y, y^2)` does as well.
 
-use super::super::math::{sin_cos, sqrt};
+use super::super::elementary::{sin_cos, sqrt};
+use super::super::vector::{dot, norm};
 use super::super::{Blank, List};
 use super::choice::Choice;
 use super::closure::{Closure, EQUATIONS, monomials, unit};
@@ -133,7 +134,7 @@ impl Dialytic {
                 }
             }
             let y = lu.solve(&self.slope_times(at, &x));
-            let along: f64 = x.iter().zip(&y).map(|(a, b)| a * b).sum();
+            let along = dot(x, y);
             let by = -1.0 / along;
             if !(by.abs() < 0.5) {
                 break;
@@ -180,7 +181,7 @@ impl Dialytic {
         for _ in 0..3 {
             a = normalised(&lu.solve(&a));
             b = lu.solve(&b);
-            let along: f64 = a.iter().zip(&b).map(|(a, b)| a * b).sum();
+            let along = dot(a, b);
             for (b, a) in b.iter_mut().zip(&a) {
                 *b -= along * a;
             }
@@ -308,7 +309,7 @@ fn values(v: &[f64; SIZE], slides: bool) -> ([[f64; 2]; 2], f64) {
 }
 
 fn normalised(x: &[f64; SIZE]) -> [f64; SIZE] {
-    let norm = sqrt(x.iter().map(|x| x * x).sum());
+    let norm = norm(*x);
     x.map(|x| x / norm)
 }
 

@@ -16,8 +16,9 @@
 //! If nothing tells `n` from `-n`, half of that is enough. No angle is singled out, and no matrix is needed.
 
 use super::super::chain::Chain;
-use super::super::math::sqrt;
-use super::super::pose::{IDENTITY, Pose, compose, cross, dot, inverse, turn};
+use super::super::elementary::sqrt;
+use super::super::pose::{IDENTITY, Pose, compose, inverse, turn};
+use super::super::vector::{cross, dot, norm};
 use super::super::{Blank, List};
 use super::choice::Choice;
 use super::closure::{loop_links, unit};
@@ -247,7 +248,7 @@ impl Pairs {
     fn complete(&self, place: &Place, n: [f64; 3], candidates: &mut List<Candidate, 16>) {
         let v = self.v(place, n);
         let u = 0.5 * (place.ww + self.u0) + self.g1 * (place.w[0] * n[1] - place.w[1] * n[0]);
-        let size = sqrt(dot(v, v)) + u.abs();
+        let size = norm(v) + u.abs();
         let kappa = dot(place.e, n);
         for &l in meeting(n, self.second.cos, place.e, self.c4).iter() {
             candidates.push(Candidate { n, l, misses: (dot(v, l) + u).abs() / size });

@@ -1,7 +1,7 @@
 //! The search for the best choices of an arm: by condition, then by trial.
 
 use super::super::chain::Chain;
-use super::super::math::sin_cos;
+use super::super::elementary::sin_cos;
 use super::super::{Blank, Kinematics, List};
 use super::arm::General6R;
 use super::attempt::Account;

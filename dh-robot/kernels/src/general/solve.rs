@@ -1,11 +1,11 @@
 //! All solutions of a target: eliminations with several choices, and what is left to do at singular poses.
 
 use super::super::chain::Chain;
-use super::super::math::{sin_cos, wrapped};
+use super::super::elementary::{sin_cos, wrapped};
 use super::super::pose::Pose;
 use super::super::tolerance::{NEAR, REACHED};
 use super::super::{
-    Found, Kinematics, List, Outcome, Task, polish, same_solution, solve_from_everywhere, solve_nearby,
+    Kinematics, List, Outcome, Roots, Task, polish, same_solution, solve_from_everywhere, solve_nearby,
 };
 use super::arm::General6R;
 use super::attempt::{Account, ELSEWHERE};
@@ -111,7 +111,7 @@ impl General6R {
 
     /// The same as `[cos, sin]` (or `[d, d]` where a joint slides), the way the other kernels answer; [`Outcome::Free`] where nothing was found at a pose that
     /// is singular or nearly so, [`Outcome::NoRealRoot`] where there is nothing.
-    pub fn find(&self, target: &Pose) -> Found<[[f64; 2]; 6], 16> {
+    pub fn find(&self, target: &Pose) -> Roots<[[f64; 2]; 6], 16> {
         let solved = self.solve(target);
         let mut roots = List::new();
         for q in solved.solutions.as_slice() {
@@ -125,7 +125,7 @@ impl General6R {
             (true, true) => Outcome::NoRealRoot,
             (true, false) => Outcome::Free,
         };
-        Found { roots, outcome }
+        Roots { roots, outcome }
     }
 
     /// Adds a solution if it is new.
@@ -200,6 +200,6 @@ pub fn solve_general(
     target: &Pose,
     prismatic: &[bool; 6],
     cuts: [u8; 3],
-) -> Found<[[f64; 2]; 6], 16> {
+) -> Roots<[[f64; 2]; 6], 16> {
     General6R::with_slides(links, prismatic, cuts.map(Choice::new)).find(target)
 }

@@ -1,6 +1,6 @@
 //! From the polynomial of two parallel and two meeting axes to the joint vectors of the arm.
 
-use super::super::math::{atan2, sin_cos};
+use super::super::elementary::{atan2, sin_cos};
 use super::super::pose::Pose;
 use super::super::tolerance::REACHED;
 use super::super::{List, Task, polish};

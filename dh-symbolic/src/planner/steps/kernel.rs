@@ -1,7 +1,7 @@
 //! Calls of kernels as data: a name, arguments and the shape of what comes back, which every printer prints in one way and the
 //! interpreter runs.
 
-use dh_kernels::{Found, Outcome};
+use dh_kernels::Outcome;
 
 /// Cosine and sine of an angle; of a displacement the length (over the reach) twice.
 pub type Unknown = [f64; 2];
@@ -20,7 +20,10 @@ impl Roots {
         Roots { roots: Vec::new(), outcome: Outcome::NoRealRoot }
     }
 
-    pub(super) fn of<T: Copy, const N: usize>(found: &Found<T, N>, unknowns: impl Fn(T) -> Vec<Unknown>) -> Roots
+    pub(super) fn of<T: Copy, const N: usize>(
+        found: &dh_kernels::Roots<T, N>,
+        unknowns: impl Fn(T) -> Vec<Unknown>,
+    ) -> Roots
     where
         T: dh_kernels::Blank,
     {

@@ -8,7 +8,7 @@ use super::{Indicator, Inverse, Naming};
 use crate::algebra::Transform;
 use crate::chain::Chain;
 use crate::planner::{Plan, joint_vectors, numeric};
-use dh_kernels::pose::{cross, dot};
+use dh_kernels::vector::{cross, dot};
 
 /// Parts of an arm with names for their two sides, in this order.
 const PARTS: usize = 3;

@@ -47,23 +47,12 @@ pub struct Meaning {
 
 /// Joint vectors at which statements are judged.
 const SAMPLES: usize = 4;
+use dh_kernels::vector::{cross, dot, norm};
 
 type Triple = [f64; 3];
 
-fn minus(a: &Triple, b: &Triple) -> Triple {
+fn minus(a: Triple, b: Triple) -> Triple {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn cross(a: &Triple, b: &Triple) -> Triple {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn dot(a: &Triple, b: &Triple) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn norm(a: &Triple) -> f64 {
-    dot(a, a).sqrt()
 }
 
 /// A value in general position.
@@ -103,14 +92,13 @@ impl Posture {
         Posture { frames, values: factors.iter().map(|f| f.evaluate(&at)).collect() }
     }
 
-    fn frame(&self, s: Stand) -> (&Triple, &Triple) {
+    fn frame(&self, s: Stand) -> (Triple, Triple) {
         let i = match s {
             Stand::Base => 0,
             Stand::Link(i) => i + 1,
             Stand::Tool => self.frames.len() - 1,
         };
-        let (z, o) = &self.frames[i.min(self.frames.len() - 1)];
-        (z, o)
+        self.frames[i.min(self.frames.len() - 1)]
     }
 }
 
@@ -118,18 +106,18 @@ impl Posture {
 fn number(chain: &Chain, p: &Posture, kind: Kind) -> f64 {
     let axis = |j: usize| p.frame(Stand::of_joint(chain, j));
     match kind {
-        Kind::Parallel(i, j) => norm(&cross(axis(i).0, axis(j).0)),
+        Kind::Parallel(i, j) => norm(cross(axis(i).0, axis(j).0)),
         Kind::Axes(i, j, k) => {
             let (z, o) = axis(i);
-            dot(z, &cross(&minus(axis(j).1, o), &minus(axis(k).1, o)))
+            dot(z, cross(minus(axis(j).1, o), minus(axis(k).1, o)))
         }
         Kind::Stretched(i, j, s) => {
             let (z, o) = axis(i);
-            dot(z, &cross(&minus(axis(j).1, o), &minus(p.frame(s).1, o)))
+            dot(z, cross(minus(axis(j).1, o), minus(p.frame(s).1, o)))
         }
-        Kind::OnAxis(s, i) => norm(&cross(axis(i).0, &minus(p.frame(s).1, axis(i).1))),
-        Kind::InPlane(s, i, j) => dot(&cross(axis(i).0, &minus(p.frame(s).1, axis(i).1)), axis(j).0),
-        Kind::Coplanar(i, j, k) => dot(axis(i).0, &cross(axis(j).0, axis(k).0)),
+        Kind::OnAxis(s, i) => norm(cross(axis(i).0, minus(p.frame(s).1, axis(i).1))),
+        Kind::InPlane(s, i, j) => dot(cross(axis(i).0, minus(p.frame(s).1, axis(i).1)), axis(j).0),
+        Kind::Coplanar(i, j, k) => dot(axis(i).0, cross(axis(j).0, axis(k).0)),
     }
 }
 
@@ -164,7 +152,7 @@ fn statements(chain: &Chain, d: &Determinant, postures: &[Posture]) -> Vec<Kind>
                 // In a plane that the point never leaves sideways, it is the axis itself.
                 let square = |p: &Posture| {
                     let (axis, other) = (p.frame(Stand::of_joint(chain, *i)), p.frame(Stand::of_joint(chain, *j)));
-                    dot(axis.0, other.0).abs() + dot(&minus(p.frame(*s).1, axis.1), other.0).abs() < 1e-9
+                    dot(axis.0, other.0).abs() + dot(minus(p.frame(*s).1, axis.1), other.0).abs() < 1e-9
                 };
                 if !postures.iter().all(square) {
                     list.push(Kind::InPlane(*s, *i, *j));

@@ -1,18 +1,12 @@
 //! From space to paper: parallel projection, as large as fits.
 
+pub(super) use dh_kernels::vector::{cross, dot};
+
 /// A point or direction in space.
 pub(super) type V3 = [f64; 3];
 
 pub(super) fn plus(a: V3, b: V3, k: f64) -> V3 {
     std::array::from_fn(|i| a[i] + k * b[i])
-}
-
-pub(super) fn dot(a: V3, b: V3) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
-}
-
-pub(super) fn cross(a: V3, b: V3) -> V3 {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 pub(super) fn distance(a: V3, b: V3) -> f64 {

@@ -1,4 +1,4 @@
-//! What every kernel gives back: its solutions, and why there are as many.
+//! The result of a kernel: its roots, and the reason for their number.
 
 use core::ops::Deref;
 
@@ -48,7 +48,7 @@ impl Outcome {
 
 /// Up to `N` solutions, and the reason for their number; derefs to a slice.
 #[derive(Clone, Copy, Debug)]
-pub struct Found<T, const N: usize> {
+pub struct Roots<T, const N: usize> {
     /// The solutions, each once.
     pub roots: List<T, N>,
     /// Why there are as many.
@@ -56,9 +56,9 @@ pub struct Found<T, const N: usize> {
 }
 
 /// Angles, each as a point `[cos, sin]` of the unit circle.
-pub type Angles<const N: usize> = Found<[f64; 2], N>;
+pub type Angles<const N: usize> = Roots<[f64; 2], N>;
 
-impl<T: Blank, const N: usize> Found<T, N> {
+impl<T: Blank, const N: usize> Roots<T, N> {
     /// No solution, because of `outcome`.
     #[inline]
     pub(super) fn none(outcome: Outcome) -> Self {
@@ -88,7 +88,7 @@ impl<T: Blank, const N: usize> Found<T, N> {
     }
 }
 
-impl<T: Blank, const N: usize> Deref for Found<T, N> {
+impl<T: Blank, const N: usize> Deref for Roots<T, N> {
     type Target = [T];
     #[inline]
     fn deref(&self) -> &[T] {
@@ -96,7 +96,7 @@ impl<T: Blank, const N: usize> Deref for Found<T, N> {
     }
 }
 
-impl<'a, T: Blank, const N: usize> IntoIterator for &'a Found<T, N> {
+impl<'a, T: Blank, const N: usize> IntoIterator for &'a Roots<T, N> {
     type Item = &'a T;
     type IntoIter = core::slice::Iter<'a, T>;
     #[inline]

@@ -1,32 +1,16 @@
-//! The last resort at degenerate poses: solve a neighbour and walk back, or look from many starting points.
+//! Numeric search at singular poses: solves neighbouring poses and walks back, or starts from many joint vectors.
 //!
 //! At a singular pose an elimination may lose its rank, and closed-form steps may find their angle free. Neither says that there is no
 //! solution. What is found here is verified like everything else, but nothing proves that it is everything.
 
+use super::elementary::{floor, sin_cos, sqrt};
 use super::list::List;
-use super::math::{floor, sin_cos, sqrt};
 use super::polish::{Kinematics, Task, polish, same_solution};
 use super::pose::{IDENTITY, Pose, compose, turn};
 use super::tolerance::REACHED;
 
 /// Polishing steps from a neighbour, or from anywhere.
 const STEPS: usize = 40;
-
-/// Adds `q` to `known` if it can be polished onto `task` and is new there. Does it reach the task?
-pub fn add_polished<const N: usize, const R: usize>(
-    arm: &impl Kinematics<N>,
-    task: &Task,
-    reach: f64,
-    mut q: [f64; N],
-    steps: usize,
-    known: &mut List<[f64; N], R>,
-) -> bool {
-    let reached = polish(arm, &mut q, task, reach, steps).reaches(REACHED);
-    if reached && !known.iter().any(|p| same_solution(arm, task, reach, p, &q)) {
-        known.push(q);
-    }
-    reached
-}
 
 /// Solves poses near `target` and hands on their solutions, to be polished onto `target` itself. `solve` also tells whether its
 /// solutions are all there are; neighbours in further directions are only asked where those in the first one seldom know.
@@ -106,7 +90,7 @@ pub fn solve_from_everywhere<const N: usize, const R: usize>(
         if reached {
             for (q, slides) in q.iter_mut().zip(slides) {
                 if !slides {
-                    *q = super::math::wrapped(*q);
+                    *q = super::elementary::wrapped(*q);
                 }
             }
             if !known.iter().any(|p| same_solution(arm, task, reach, p, &q)) {

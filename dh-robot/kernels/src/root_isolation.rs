@@ -1,8 +1,8 @@
 //! Isolation of real roots on arcs, by halving in Bernstein form: needs the coefficients of `bernstein.rs` and nothing else.
 
 use super::bernstein::halve;
+use super::elementary::sqrt;
 use super::list::{Blank, List};
-use super::math::sqrt;
 
 /// Arcs are not halved more often than this: a quarter turn over 2^24 is a ten-millionth of a radian.
 pub(super) const MAX_DEPTH: usize = 24;

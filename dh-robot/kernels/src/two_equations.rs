@@ -1,9 +1,9 @@
-//! Two equations in the cosine and sine of the same angle: its value by `atan2`, without the `atan2`.
+//! Two equations in the cosine and sine of one angle, solved by Cramer's rule.
 
-use super::found::{Angles, Outcome};
+use super::elementary::sqrt;
+use super::least_squares::solve_many;
 use super::list::List;
-use super::many::solve_many;
-use super::math::sqrt;
+use super::roots::{Angles, Outcome};
 use super::tolerance::{BLUR, CONTRADICTION, RANK};
 
 /// The angle with `a1 cos t + b1 sin t = c1` and `a2 cos t + b2 sin t = c2`, by Cramer's rule and normalised.
@@ -41,14 +41,6 @@ pub fn solve_pair(a1: f64, b1: f64, c1: f64, a2: f64, b2: f64, c2: f64, tol: f64
     Angles { roots, outcome: Outcome::Regular }
 }
 
-/// A convenience for the commonest pair, a vector turned by the angle: `p cos t - q sin t = x`, `q cos t + p sin t = y`.
-///
-/// `t = atan2(y, x) - atan2(q, p)`; free where `(p, q)` and `(x, y)` vanish together (both at most `tol`).
-#[inline]
-pub fn solve_turn(p: f64, q: f64, x: f64, y: f64, tol: f64) -> Angles<2> {
-    solve_pair(p, -q, x, q, p, y, tol)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -84,7 +76,6 @@ mod tests {
         assert!(matches!(solve_pair(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1e-12).outcome, Outcome::OutOfReach { .. }));
         assert!(matches!(solve_pair(0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1e-12).outcome, Outcome::OutOfReach { .. }));
         assert!(solve_pair(0.0, 1e-14, 0.0, 0.0, 0.0, 1e-14, 1e-12).is_free());
-        assert!(solve_turn(0.0, 1e-14, 0.0, 0.0, 1e-12).is_free());
         assert!(solve_pair(f64::NAN, 1.0, 0.0, 0.0, 1.0, 0.0, 1e-12).is_empty());
     }
 
@@ -94,12 +85,5 @@ mod tests {
         assert_eq!(contradiction(1e-5, 3e-5), Outcome::Free);
         assert!(matches!(contradiction(1e-3, 3e-3), Outcome::OutOfReach { .. }));
         assert!(matches!(contradiction(1e-5, 1e-3), Outcome::OutOfReach { .. }));
-    }
-
-    #[test]
-    fn turn_is_a_difference_of_two_arctangents() {
-        let found = solve_turn(0.3, -0.4, 0.4, 0.3, 1e-12);
-        let t = found[0][1].atan2(found[0][0]);
-        assert!((t - (0.3f64.atan2(0.4) - (-0.4f64).atan2(0.3))).abs() < 1e-15);
     }
 }

@@ -1,9 +1,9 @@
 //! Any number of equations in the cosine and sine of the same angle, in the sense of least squares.
 
-use super::found::{Angles, Outcome};
+use super::elementary::sqrt;
 use super::list::List;
-use super::math::sqrt;
-use super::sincos::solve_sincos;
+use super::one_equation::solve_sincos;
+use super::roots::{Angles, Outcome};
 use super::tolerance::{BLUR, CONTRADICTION, RANK};
 
 /// The angle with `a cos t + b sin t = c` for every row `[a, b, c]`.

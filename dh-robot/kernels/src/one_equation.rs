@@ -1,8 +1,8 @@
 //! One equation `a cos t + b sin t = c`: the workhorse of closed-form inverse kinematics.
 
-use super::found::{Angles, Outcome};
+use super::elementary::sqrt;
 use super::list::List;
-use super::math::sqrt;
+use super::roots::{Angles, Outcome};
 use super::tolerance::{BLUR, BOUNDARY, DOUBLE, GRAZING};
 
 /// All angles with `a cos t + b sin t = c`.

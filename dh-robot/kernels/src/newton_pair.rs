@@ -1,4 +1,4 @@
-//! Newton's method for two equations in two unknowns, each an angle or a length: polishes what elimination has found.
+//! Newton steps on two equations in two unknowns: removes the rounding of an elimination.
 
 /// Polishing steps; four are enough from 1e-3 away, some more next to a fold.
 const STEPS: usize = 12;
