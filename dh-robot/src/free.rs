@@ -44,6 +44,12 @@ impl FreeJoints {
         Self(self.0 | other.0)
     }
 
+    /// Whether the two sets have a joint in common.
+    #[inline]
+    pub const fn intersects(self, other: Self) -> bool {
+        self.0 & other.0 != 0
+    }
+
     /// Whether the joint is free.
     #[inline]
     pub const fn contains(self, index: usize) -> bool {

@@ -513,13 +513,13 @@ impl SixAxisChain {
                     let t_12 = t[2][2] * s5;
                     let t_13 = t_9 * s5;
                     // Step 4: q6 from sine and cosine.
-                    let q6_roots = ::dh_robot::runtime::solve_pair(
-                        c234c5,
-                        -s234,
-                        t_7,
-                        -s234,
-                        -c234c5,
-                        t_8,
+                    let q6_roots = ::dh_robot::runtime::solve_many(
+                        &[
+                            [c234c5, -s234, t_7],
+                            [-s234, -c234c5, t_8],
+                            [s5, 0.0, -(t[0][0] * s1 - t[1][0] * c1)],
+                            [0.0, -s5, -(t[0][1] * s1 - t[1][1] * c1)],
+                        ],
                         sample.tolerance,
                     );
                     if !q6_roots.is_regular() {
@@ -741,9 +741,11 @@ impl SixAxisChain {
         );
         let mut all_t_6 = [0.0; 2];
         let mut all_t_7 = [0.0; 2];
-        let mut all_t_8 = [0.0; 2];
-        let mut all_t_9 = [0.0; 2];
         let mut all_t_10 = [0.0; 2];
+        let mut all_t_8 = [0.0; 2];
+        let mut all_t_11 = [0.0; 2];
+        let mut all_t_9 = [0.0; 2];
+        let mut all_t_12 = [0.0; 2];
         let mut q2_plus_q3_plus_q4_pairs = [[0.0; 4]; 2];
         let mut all_margin_1 = [0.0; 2];
         for branch in 0..2 {
@@ -755,10 +757,14 @@ impl SixAxisChain {
             let t_9 = t[0][2] * c1 + t[1][2] * s1;
             all_t_6[branch] = t_6;
             all_t_7[branch] = t_7;
-            all_t_8[branch] = t_8;
-            all_t_9[branch] = t_9;
-            let t_10 = t[0][2] * s1 - t[1][2] * c1;
+            let t_10 = t[0][0] * s1 - t[1][0] * c1;
             all_t_10[branch] = t_10;
+            all_t_8[branch] = t_8;
+            let t_11 = t[0][1] * s1 - t[1][1] * c1;
+            all_t_11[branch] = t_11;
+            all_t_9[branch] = t_9;
+            let t_12 = t[0][2] * s1 - t[1][2] * c1;
+            all_t_12[branch] = t_12;
             // Step 2: q2 + q3 + q4 from a ratio of sine and cosine.
             let ([c234_first, s234_first], q2_plus_q3_plus_q4_margin) = ::dh_robot::runtime::lanes::half_turn([
                 [-t[2][2], t_9],
@@ -776,18 +782,20 @@ impl SixAxisChain {
         let all_c234 = q2_plus_q3_plus_q4_pairs[0];
         let all_s234 = q2_plus_q3_plus_q4_pairs[1];
         let all_t_9: [f64; 4] = ::core::array::from_fn(|branch| all_t_9[branch % 2]);
-        let mut all_t_11 = [0.0; 4];
-        let mut all_t_12 = [0.0; 4];
-        let all_t_10: [f64; 4] = ::core::array::from_fn(|branch| all_t_10[branch % 2]);
+        let mut all_t_13 = [0.0; 4];
+        let mut all_t_14 = [0.0; 4];
+        let all_t_12: [f64; 4] = ::core::array::from_fn(|branch| all_t_12[branch % 2]);
         let mut all_q5 = [0.0; 4];
         let all_c1: [f64; 4] = ::core::array::from_fn(|branch| all_c1[branch % 2]);
         let all_s1: [f64; 4] = ::core::array::from_fn(|branch| all_s1[branch % 2]);
         let all_t_7: [f64; 4] = ::core::array::from_fn(|branch| all_t_7[branch % 2]);
+        let all_t_10: [f64; 4] = ::core::array::from_fn(|branch| all_t_10[branch % 2]);
         let all_t_8: [f64; 4] = ::core::array::from_fn(|branch| all_t_8[branch % 2]);
+        let all_t_11: [f64; 4] = ::core::array::from_fn(|branch| all_t_11[branch % 2]);
         let mut all_q6 = [0.0; 4];
         let all_t_6: [f64; 4] = ::core::array::from_fn(|branch| all_t_6[branch % 2]);
-        let mut all_t_19 = [0.0; 4];
         let mut all_t_21 = [0.0; 4];
+        let mut all_t_23 = [0.0; 4];
         let mut q3_pairs = [[0.0; 8]; 2];
         let mut all_q3 = [0.0; 8];
         let mut all_margin_2 = [0.0; 4];
@@ -797,14 +805,14 @@ impl SixAxisChain {
             let t_9 = all_t_9[branch];
             let c234 = all_c234[branch];
             let s234 = all_s234[branch];
-            let t_11 = c234 * t_2;
-            let t_12 = s234 * t_2;
-            all_t_11[branch] = t_11;
-            all_t_12[branch] = t_12;
-            let t_10 = all_t_10[branch];
+            let t_13 = c234 * t_2;
+            let t_14 = s234 * t_2;
+            all_t_13[branch] = t_13;
+            all_t_14[branch] = t_14;
+            let t_12 = all_t_12[branch];
             // Step 3: q5 from sine and cosine.
             let [c5, s5] = ::dh_robot::runtime::lanes::unit(
-                t_10,
+                t_12,
                 t_9 * c234 + t[2][2] * s234,
             );
             let q5 = ::dh_robot::runtime::lanes::angle(s5, c5);
@@ -815,15 +823,17 @@ impl SixAxisChain {
             let c1 = all_c1[branch];
             let s1 = all_s1[branch];
             let c234c5 = c234 * c5;
-            let t_13 = t[0][2] * s5;
-            let t_14 = t[1][2] * s5;
-            let t_15 = t[2][2] * s5;
-            let t_16 = t_9 * s5;
+            let t_15 = t[0][2] * s5;
+            let t_16 = t[1][2] * s5;
+            let t_17 = t[2][2] * s5;
+            let t_18 = t_9 * s5;
             let c234s5 = c234 * s5;
             let q5_error = (c1 * c234s5 + s1 * c5 - t[0][2]).abs()
                 + (s1 * c234s5 - c1 * c5 - t[1][2]).abs() + (s234 * s5 - t[2][2]).abs();
             let t_7 = all_t_7[branch];
+            let t_10 = all_t_10[branch];
             let t_8 = all_t_8[branch];
+            let t_11 = all_t_11[branch];
             // Step 4: q6 from sine and cosine.
             let ([c6, s6], q6_margin) = ::dh_robot::runtime::lanes::pair(
                 c234c5,
@@ -839,23 +849,23 @@ impl SixAxisChain {
             q[5][branch] = q6_in_range;
             q[5][branch + 4] = q6_in_range;
             let t_6 = all_t_6[branch];
-            let t_17 = t[0][3] - (c5 * (t[0][0] * c6 - t[0][1] * s6) + t_13) * t_2;
-            let t_18 = t[1][3] - (c5 * (t[1][0] * c6 - t[1][1] * s6) + t_14) * t_2;
-            let t_19 = t[2][3] - (c5 * (t[2][0] * c6 - t[2][1] * s6) + t_15) * t_2;
+            let t_19 = t[0][3] - (c5 * (t[0][0] * c6 - t[0][1] * s6) + t_15) * t_2;
+            let t_20 = t[1][3] - (c5 * (t[1][0] * c6 - t[1][1] * s6) + t_16) * t_2;
+            let t_21 = t[2][3] - (c5 * (t[2][0] * c6 - t[2][1] * s6) + t_17) * t_2;
             let c5c6 = c5 * c6;
-            let c6s5 = c6 * s5;
-            let t_20 = c234 * c5c6 - s234 * s6;
-            all_t_19[branch] = t_19;
-            let t_21 = t_6 - t_2 * (c5 * (t_7 * c6 - t_8 * s6) + t_16);
+            let s5c6 = s5 * c6;
+            let t_22 = c234 * c5c6 - s234 * s6;
             all_t_21[branch] = t_21;
-            let q6_error = (c1 * t_20 - s1 * c6s5 - t[0][0]).abs()
-                + (s1 * t_20 + c1 * c6s5 - t[1][0]).abs()
+            let t_23 = t_6 - t_2 * (c5 * (t_7 * c6 - t_8 * s6) + t_18);
+            all_t_23[branch] = t_23;
+            let q6_error = (c1 * t_22 - s1 * s5c6 - t[0][0]).abs()
+                + (s1 * t_22 + c1 * s5c6 - t[1][0]).abs()
                 + (s234 * c5c6 + c234 * s6 - t[2][0]).abs();
             // Step 5: q3 from the law of cosines.
             let ([c3_first, s3_first, c3_second, s3_second], q3_valid, q3_margin) = ::dh_robot::runtime::lanes::sincos(
                 2.0 * t_3 * t_4,
                 0.0,
-                t_17 * t_17 + t_18 * t_18 + t_19 * t_19 - t_5,
+                t_19 * t_19 + t_20 * t_20 + t_21 * t_21 - t_5,
             );
             q3_pairs[0][branch] = c3_first;
             q3_pairs[1][branch] = s3_first;
@@ -878,12 +888,12 @@ impl SixAxisChain {
         }
         let all_c3 = q3_pairs[0];
         let all_s3 = q3_pairs[1];
-        let all_t_19: [f64; 8] = ::core::array::from_fn(|branch| all_t_19[branch % 4]);
         let all_t_21: [f64; 8] = ::core::array::from_fn(|branch| all_t_21[branch % 4]);
+        let all_t_23: [f64; 8] = ::core::array::from_fn(|branch| all_t_23[branch % 4]);
         let all_c1: [f64; 8] = ::core::array::from_fn(|branch| all_c1[branch % 4]);
         let all_s1: [f64; 8] = ::core::array::from_fn(|branch| all_s1[branch % 4]);
-        let all_t_11: [f64; 8] = ::core::array::from_fn(|branch| all_t_11[branch % 4]);
-        let all_t_12: [f64; 8] = ::core::array::from_fn(|branch| all_t_12[branch % 4]);
+        let all_t_13: [f64; 8] = ::core::array::from_fn(|branch| all_t_13[branch % 4]);
+        let all_t_14: [f64; 8] = ::core::array::from_fn(|branch| all_t_14[branch % 4]);
         let all_q1: [f64; 8] = ::core::array::from_fn(|branch| all_q1[branch / 1 % 2]);
         let all_q2_plus_q3_plus_q4: [f64; 8] = ::core::array::from_fn(|branch| {
             all_q2_plus_q3_plus_q4[branch / 2 % 2 * 2 + branch % 2]
@@ -909,27 +919,27 @@ impl SixAxisChain {
         for branch in 0..8 {
             let c3 = all_c3[branch];
             let s3 = all_s3[branch];
-            let t_22 = t_3 + t_4 * c3;
-            let t_23 = t_4 * s3;
-            let t_19 = all_t_19[branch];
+            let t_24 = t_3 + t_4 * c3;
+            let t_25 = t_4 * s3;
             let t_21 = all_t_21[branch];
+            let t_23 = all_t_23[branch];
             // Step 6: q2 from sine and cosine.
             let ([c2, s2], q2_margin) = ::dh_robot::runtime::lanes::pair(
-                t_22,
-                -t_23,
-                t_21,
+                t_24,
+                -t_25,
                 t_23,
-                t_22,
-                t_19,
+                t_25,
+                t_24,
+                t_21,
             );
             let q2 = ::dh_robot::runtime::lanes::angle(s2, c2);
             let c1 = all_c1[branch];
             let s1 = all_s1[branch];
-            let t_11 = all_t_11[branch];
-            let t_12 = all_t_12[branch];
-            let t_24 = t_11 + t_4 * (c3 * c2 - s3 * s2) + t_3 * c2;
-            let q2_error = (c1 * t_24 - t[0][3]).abs() + (s1 * t_24 - t[1][3]).abs()
-                + (t_12 + t_4 * (c3 * s2 + s3 * c2) + t_3 * s2 - t[2][3]).abs();
+            let t_13 = all_t_13[branch];
+            let t_14 = all_t_14[branch];
+            let t_26 = t_13 + t_4 * (c3 * c2 - s3 * s2) + t_3 * c2;
+            let q2_error = (c1 * t_26 - t[0][3]).abs() + (s1 * t_26 - t[1][3]).abs()
+                + (t_14 + t_4 * (c3 * s2 + s3 * c2) + t_3 * s2 - t[2][3]).abs();
             let q1 = all_q1[branch];
             let q2_plus_q3_plus_q4 = all_q2_plus_q3_plus_q4[branch];
             let q3 = all_q3[branch];

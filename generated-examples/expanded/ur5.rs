@@ -546,13 +546,13 @@ impl Ur5 {
                     let t_13 = t_12 * c5;
                     let t_14 = t[2][2] * c5;
                     // Step 4: q6 from sine and cosine.
-                    let q6_roots = ::dh_robot::runtime::solve_pair(
-                        c234c5,
-                        -s234,
-                        t_8,
-                        -s234,
-                        -c234c5,
-                        t_10,
+                    let q6_roots = ::dh_robot::runtime::solve_many(
+                        &[
+                            [c234c5, -s234, t_8],
+                            [-s234, -c234c5, t_10],
+                            [-s5, 0.0, -t_9],
+                            [0.0, s5, -t_11],
+                        ],
                         sample.tolerance,
                     );
                     if !q6_roots.is_regular() {
@@ -576,9 +576,9 @@ impl Ur5 {
                         let t_19 = t_16 * t_16 + t_17 * t_17 + t_18 * t_18
                             - 0.2434638836493361;
                         let t_20 = 0.09150668715611636
-                            * ((t_8 * c6 - t_10 * s6) * s5 + t_13);
+                            * (s5 * (t_8 * c6 - t_10 * s6) + t_13);
                         let t_21 = 0.09150668715611636
-                            * ((t[2][0] * c6 - t[2][1] * s6) * s5 + t_14);
+                            * (s5 * (t[2][0] * c6 - t[2][1] * s6) + t_14);
                         // Step 5: q3 from the law of cosines.
                         let q3_roots = ::dh_robot::runtime::solve_sincos(
                             0.23433656705012487,
@@ -830,12 +830,12 @@ impl Ur5 {
         let mut all_t_23 = [0.0; 4];
         let mut all_t_24 = [0.0; 4];
         let all_t_8: [f64; 4] = ::core::array::from_fn(|branch| all_t_8[branch % 2]);
+        let all_t_9: [f64; 4] = ::core::array::from_fn(|branch| all_t_9[branch % 2]);
         let all_t_10: [f64; 4] = ::core::array::from_fn(|branch| all_t_10[branch % 2]);
+        let all_t_11: [f64; 4] = ::core::array::from_fn(|branch| all_t_11[branch % 2]);
         let mut all_q6 = [0.0; 4];
         let all_t_6: [f64; 4] = ::core::array::from_fn(|branch| all_t_6[branch % 2]);
         let all_t_7: [f64; 4] = ::core::array::from_fn(|branch| all_t_7[branch % 2]);
-        let all_t_9: [f64; 4] = ::core::array::from_fn(|branch| all_t_9[branch % 2]);
-        let all_t_11: [f64; 4] = ::core::array::from_fn(|branch| all_t_11[branch % 2]);
         let mut all_t_33 = [0.0; 4];
         let mut all_t_34 = [0.0; 4];
         let mut all_t_35 = [0.0; 4];
@@ -885,7 +885,9 @@ impl Ur5 {
             let q5_error = (-t_20 - t[0][2]).abs() + (-t_21 - t[1][2]).abs()
                 + (-s234s5 - t[2][2]).abs();
             let t_8 = all_t_8[branch];
+            let t_9 = all_t_9[branch];
             let t_10 = all_t_10[branch];
+            let t_11 = all_t_11[branch];
             // Step 4: q6 from sine and cosine.
             let ([c6, s6], q6_margin) = ::dh_robot::runtime::lanes::pair(
                 c234c5,
@@ -902,17 +904,15 @@ impl Ur5 {
             q[5][branch + 4] = q6_in_range;
             let t_6 = all_t_6[branch];
             let t_7 = all_t_7[branch];
-            let t_9 = all_t_9[branch];
-            let t_11 = all_t_11[branch];
             let t_25 = (t[2][0] * s6 + t[2][1] * c6) * 0.07935050791870282;
             let t_26 = t_6 + (t_8 * s6 + t_10 * c6) * 0.07935050791870282;
             let t_27 = t_7 + (t_9 * s6 + t_11 * c6) * 0.07935050791870282;
             let t_28 = t_5 + t_25;
             let t_29 = t_26 * t_26 + t_27 * t_27 + t_28 * t_28 - 0.2434638836493361;
-            let t_30 = 0.09150668715611636 * ((t_8 * c6 - t_10 * s6) * s5 + t_18);
-            let t_31 = 0.09150668715611636 * ((t[2][0] * c6 - t[2][1] * s6) * s5 + t_19);
+            let t_30 = 0.09150668715611636 * (s5 * (t_8 * c6 - t_10 * s6) + t_18);
+            let t_31 = 0.09150668715611636 * (s5 * (t[2][0] * c6 - t[2][1] * s6) + t_19);
             let c5c6 = c5 * c6;
-            let c6s5 = c6 * s5;
+            let s5c6 = s5 * c6;
             let t_32 = c234 * c5c6 - s234 * s6;
             let t_33 = t_26 - t_30;
             all_t_33[branch] = t_33;
@@ -920,8 +920,8 @@ impl Ur5 {
             all_t_34[branch] = t_34;
             let t_35 = 0.07499859575170878 + t_31 - (t_4 + t_25);
             all_t_35[branch] = t_35;
-            let q6_error = (c1 * t_32 + s1 * c6s5 - t[0][0]).abs()
-                + (s1 * t_32 - c1 * c6s5 - t[1][0]).abs()
+            let q6_error = (c1 * t_32 + s1 * s5c6 - t[0][0]).abs()
+                + (s1 * t_32 - c1 * s5c6 - t[1][0]).abs()
                 + (s234 * c5c6 + c234 * s6 - t[2][0]).abs();
             // Step 5: q3 from the law of cosines.
             let ([c3_first, s3_first, c3_second, s3_second], q3_valid, q3_margin) = ::dh_robot::runtime::lanes::sincos(

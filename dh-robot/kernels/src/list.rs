@@ -51,6 +51,12 @@ impl<T: Blank, const N: usize> List<T, N> {
         }
     }
 
+    /// The values, to be changed.
+    #[inline]
+    pub fn iter_mut(&mut self) -> core::slice::IterMut<'_, T> {
+        self.items.get_mut(..self.len).unwrap_or(&mut []).iter_mut()
+    }
+
     /// The values.
     #[inline]
     pub fn as_slice(&self) -> &[T] {

@@ -1,9 +1,10 @@
 //! Do two solutions belong to one continuum: does a motion of the arm lead from one to the other while the target stays reached?
 
+use super::Setting;
 use super::motion::Motions;
 use super::verifier::{SAME, Verifier};
 use crate::{Real, math};
-use dh_kernels::Kinematics;
+use dh_kernels::{Drive, Kinematics};
 
 /// Most steps along a continuum.
 const WALK: usize = 40;
@@ -14,21 +15,31 @@ const ROUND: f64 = 2.0;
 /// Joint vectors nearer than this are the same.
 const ARRIVED: f64 = 1e-4;
 
+/// The shortest way from `p` to `q`, in rad and reach.
+pub(super) fn apart<T: Real, const N: usize>(
+    drive: &Option<Drive<N>>,
+    setting: &Setting<T, N>,
+    p: &[f64; N],
+    q: &[f64; N],
+) -> [f64; N] {
+    let mut way: [f64; N] = core::array::from_fn(|k| q[k] - p[k]);
+    if let Some(drive) = drive {
+        way = drive.shortest(way);
+    }
+    core::array::from_fn(|k| {
+        let x = way[k];
+        if setting.joints[k].is_revolute() {
+            x - core::f64::consts::TAU * math::floor(x / core::f64::consts::TAU + 0.5)
+        } else {
+            x / setting.reach
+        }
+    })
+}
+
 impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, T, N, M> {
     /// The shortest way from `p` to `q`, in rad and reach.
     pub(super) fn apart(&self, p: &[f64; N], q: &[f64; N]) -> [f64; N] {
-        let mut way: [f64; N] = core::array::from_fn(|k| q[k] - p[k]);
-        if let Some(drive) = &self.drive {
-            way = drive.shortest(way);
-        }
-        core::array::from_fn(|k| {
-            let x = way[k];
-            if self.setting.joints[k].is_revolute() {
-                x - core::f64::consts::TAU * math::floor(x / core::f64::consts::TAU + 0.5)
-            } else {
-                x / self.setting.reach
-            }
-        })
+        apart(&self.drive, &self.setting, p, q)
     }
 
     /// `p` after a step in rad and reach.

@@ -15,7 +15,7 @@ use crate::{Branch, FreeJoints, Real, Solution, Solutions, Why};
 use dh_kernels::{Kinematics, List, Pose, Task};
 
 /// Residual up to which a candidate is taken as it is.
-const EXACT: f64 = 1e-13;
+const EXACT: f64 = 1e-12;
 /// Newton steps for a candidate that misses by rounding, and for one that only leads to a solution.
 const FEW: usize = 4;
 const MANY: usize = 14;
@@ -68,11 +68,13 @@ pub(super) struct Search<'a, A, T: 'static, const N: usize, const M: usize> {
     pub(super) work: Work,
     /// A candidate behind a free unknown missed the target, or is a solution that stands alone: other values lead to others.
     alone: bool,
+    /// A candidate missed the target, or more than one motion leaves it alone: what vanishes there may be as large as the error of a double root.
+    blurred: bool,
 }
 
 impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'a, A, T, N, M> {
     pub(super) fn new(arm: &'a A, setting: Setting<T, N>, task: &'a Task, most: Work) -> Self {
-        Search { verifier: Verifier::new(arm, setting, task), work: Work::new(most), alone: false }
+        Search { verifier: Verifier::new(arm, setting, task), work: Work::new(most), alone: false, blurred: false }
     }
 
     /// Newton steps from `q`; gives back by how much it misses then.
@@ -102,7 +104,9 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'a, A
     fn run(&mut self, frame: &Pose, sample: &Sample, plan: &impl Plan<N>, kept: &mut List<Node<N>, RUN>) -> Attempt {
         self.work.runs += 1;
         let angle = sample.value();
-        plan(frame, sample, &mut |q, branch, path| _ = kept.push(Node { q, branch, path, angle, cell: None }))
+        plan(frame, sample, &mut |q, branch, path| {
+            _ = kept.push(Node { q, branch, path, angle, cell: None, moved: FreeJoints::NONE })
+        })
     }
 
     /// Finds all solutions; gives back why the plan found none.
@@ -114,12 +118,14 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'a, A
             let mut q = node.q;
             if self.settle(&mut q, MANY) {
                 self.take(q, node.branch);
+            } else {
+                self.blurred = true;
             }
         }
         if run.degenerate {
             self.self_motions(frame, &first, &run, sample, plan);
         }
-        if sample == Sample::FIRST && (run.grazed || run.lost && !run.degenerate) {
+        if sample == Sample::FIRST && (run.grazed && self.blurred || run.lost && !run.degenerate) {
             // Behind a double root what vanishes is as large as its error.
             let blunt = Sample::FIRST.with_tolerance(BLUNT);
             let mut second: List<Node<N>, RUN> = List::new();
@@ -147,8 +153,11 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'a, A
         }
         let mut free = FreeJoints::NONE;
         let level = self.verifier.level(&q);
-        for v in motions.directions() {
-            free = free.union(self.moved_along(&q, &v, level));
+        self.blurred |= motions.len > 1;
+        for (i, v) in motions.directions().enumerate() {
+            if i < motions.len || free.is_empty() {
+                free = free.union(self.moved_along(&q, &v, level));
+            }
         }
         if !free.is_empty() && self.is_known(&q) {
             return;
@@ -206,15 +215,23 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'a, A
         let Some(step) = free else { return };
         // Solutions that stand alone beside a self-motion: the candidates miss.
         let mut kept: List<Node<N>, RUN> = List::new();
+        let (mut crossed, mut wide) = (false, false);
         for node in first.iter().filter(|n| n.path.is_chosen()) {
             let mut node = *node;
             self.alone |= !self.keep(&mut node);
+            crossed |= self.verifier.motions(&node.q).len > 1;
+            wide |= node.path.free.count_ones() > 1;
             kept.push(node);
         }
-        let plain = run.equations.is_empty() && !run.lost && !self.alone;
+        wide = wide && self.surfaces(frame, run, plan);
+        let is_curve = |n: &Node<N>| n.path.is_chosen() && !(wide && n.path.free.count_ones() > 1);
+        if !run.lost && !kept.iter().any(is_curve) {
+            return;
+        }
+        let plain = run.equations.is_empty() && !run.lost && !self.alone && !crossed;
         let mut sheets: Sheets<N> = Sheets::new();
         if plain {
-            for node in &kept {
+            for node in kept.iter().filter(|n| is_curve(n)) {
                 sheets.push(*node);
             }
             return self.take_sheets(&sheets, &Cells::of(&[], &[]));
@@ -230,11 +247,21 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'a, A
         }
         let cells = Cells::of(&ANGLES, &equations.each_ref().map(|l| l.as_slice()));
         let mut sampled = 0_u32;
+        let (drive, setting) = (self.verifier.drive, self.verifier.setting);
+        let differ = |p: &[f64; N], q: &[f64; N]| {
+            let way = super::component::apart(&drive, &setting, p, q);
+            (0..N).filter(|k| way[*k].abs() > 1e-6).fold(FreeJoints::NONE, FreeJoints::with)
+        };
         let mut add = |sheets: &mut Sheets<N>, list: &List<Node<N>, RUN>, angle: f64| {
             let cell = cells.cell(angle);
             let new = cell.is_none_or(|c| sampled >> c & 1 == 0) || cells.rough;
-            for node in list.iter().filter(|n| new && n.path.is_chosen()) {
-                sheets.push(Node { cell, angle, ..*node });
+            for node in list.iter().filter(|n| is_curve(n)) {
+                let node = Node { cell, angle, ..*node };
+                if new {
+                    sheets.push(node);
+                } else {
+                    sheets.compare(&node, &differ);
+                }
             }
             if let Some(c) = cell {
                 sampled |= 1 << c;
@@ -271,6 +298,40 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'a, A
             }
         }
         self.take_sheets(&sheets, &cells);
+    }
+
+    /// Self-motions of two dimensions, where two steps are free at values of no special kind: one point of each stands for it. Paths that differ
+    /// in the half turns of later steps meet where those are free too. Are there such?
+    fn surfaces(&mut self, frame: &Pose, run: &Attempt, plan: &impl Plan<N>) -> bool {
+        let mut lists: [List<Node<N>, RUN>; 2] = [List::new(); 2];
+        for (k, list) in lists.iter_mut().enumerate() {
+            let sample = self.verifier.first_sample();
+            self.run(frame, &Sample::nth(k as u8 + 1).with_tolerance(sample.tolerance), plan, list);
+        }
+        let half_turn = |step: usize| run.equations.iter().filter(|e| e.step == step).all(|e| e.coefficients[2] == 0.0);
+        let mut taken: List<Path, RUN> = List::new();
+        for node in lists[0].iter().filter(|n| n.path.free.count_ones() > 1) {
+            let path = (0..16).filter(|k| half_turn(*k)).fold(node.path, Path::without);
+            let mut node = *node;
+            if taken.iter().any(|p| *p == path) || !self.keep(&mut node) {
+                continue;
+            }
+            let motions = self.verifier.motions(&node.q);
+            let basis = motions.list.iter().take(motions.len).flatten();
+            let mut free = FreeJoints::NONE;
+            for (k, x) in basis.enumerate() {
+                free = if x.abs() > 1e-6 { free.with(k % N) } else { free };
+            }
+            let same = |n: &&Node<N>| (0..16).filter(|k| half_turn(*k)).fold(n.path, Path::without) == path;
+            for other in lists.iter().flat_map(|l| l.iter()).filter(same) {
+                let way = self.verifier.apart(&node.q, &other.q);
+                free = (0..N).filter(|k| way[*k].abs() > 1e-6).fold(free, FreeJoints::with);
+            }
+            if motions.len > 1 && taken.push(path) {
+                self.verifier.push(Solution::new(node.q.map(T::of), node.branch).with_free(free));
+            }
+        }
+        !taken.is_empty()
     }
 
     /// Solutions that stand alone, where a step left free what other equations decide: what the candidates miss changes with the unknown like a
@@ -357,16 +418,14 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'a, A
                     self.verifier.insert(node.q, node.branch);
                     continue;
                 }
-                let mut free = FreeJoints::NONE;
+                let mut free = node.moved;
                 for v in motions.list.iter().take(motions.len) {
-                    if motions.len == 1 {
-                        free = (0..N).filter(|k| v[*k].abs() > 1e-6).fold(free, FreeJoints::with);
-                    } else {
+                    let moves = (0..N).filter(|k| v[*k].abs() > 1e-6).fold(FreeJoints::NONE, FreeJoints::with);
+                    if motions.len == 1 && moves.intersects(node.path.joints) {
+                        free = free.union(moves);
+                    } else if free.is_empty() || node.path.free.count_ones() > 1 {
                         free = free.union(self.moved_along(&node.q, v, self.verifier.tolerance));
                     }
-                }
-                if free.is_empty() {
-                    free = node.path.joints;
                 }
                 chosen = Some((node.q, node.branch, free));
             }

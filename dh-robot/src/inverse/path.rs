@@ -79,3 +79,7 @@ pub(super) struct Equation {
 impl Blank for Equation {
     const BLANK: Self = Self { step: 0, path: Path::START, coefficients: [0.0; 3] };
 }
+
+impl Blank for Path {
+    const BLANK: Self = Self::START;
+}

@@ -2,7 +2,7 @@
 
 use super::cells::{Cells, Event};
 use super::path::Path;
-use crate::Branch;
+use crate::{Branch, FreeJoints};
 use dh_kernels::{Blank, List};
 
 /// Most points.
@@ -18,10 +18,13 @@ pub(super) struct Node<const N: usize> {
     pub(super) angle: f64,
     /// The cell in which that value lies; none where it is a cut.
     pub(super) cell: Option<usize>,
+    /// Joints that differ at another value of the free unknown.
+    pub(super) moved: FreeJoints,
 }
 
 impl<const N: usize> Blank for Node<N> {
-    const BLANK: Self = Node { q: [0.0; N], branch: Branch::ANY, path: Path::START, angle: 0.0, cell: None };
+    const BLANK: Self =
+        Node { q: [0.0; N], branch: Branch::ANY, path: Path::START, angle: 0.0, cell: None, moved: FreeJoints::NONE };
 }
 
 /// The points.
@@ -42,6 +45,14 @@ impl<const N: usize> Sheets<N> {
 
     pub(super) fn push(&mut self, node: Node<N>) {
         self.0.push(node);
+    }
+
+    /// Notes which joints another point of a known sheet has moved.
+    pub(super) fn compare(&mut self, other: &Node<N>, differ: impl Fn(&[f64; N], &[f64; N]) -> FreeJoints) {
+        let known = self.0.iter_mut().find(|n| n.path == other.path && n.cell == other.cell);
+        if let Some(n) = known {
+            n.moved = n.moved.union(differ(&n.q, &other.q));
+        }
     }
 
     /// Is there a point in a cell?

@@ -135,14 +135,21 @@ fn independent<'r>(at: &SingleUnknown<'_>, rows: &[&'r Row]) -> Option<Vec<&'r R
     }
     let mut set = best?.1.to_vec();
     for k in 2..samples.len() {
-        if set.len() < 4 && quality(&set, k) <= 1e-6 {
-            let better = (0..rows.len()).filter(|i| !set.contains(i)).find(|i| {
-                let mut with = set.clone();
-                with.push(*i);
-                quality(&with, k) > 1e-6
-            });
-            set.extend(better);
+        if set.len() == 4 || quality(&set, k) > 1e-6 {
+            continue;
         }
+        // One more row, or two where both of the set vanish.
+        let fixes = |more: &[usize]| quality(&[&set[..], more].concat(), k) > 1e-6;
+        let others: Vec<usize> = (0..rows.len()).filter(|i| !set.contains(i)).collect();
+        let one = others.iter().find(|i| fixes(&[**i])).map(|i| vec![*i]);
+        let two = || {
+            others
+                .iter()
+                .enumerate()
+                .find_map(|(n, i)| others[..n].iter().find(|j| fixes(&[**j, *i])).map(|j| vec![*j, *i]))
+        };
+        let more = if set.len() == 2 { one.or_else(two) } else { one };
+        set.extend(more.unwrap_or_default());
     }
     Some(set.into_iter().map(|i| rows[i]).collect())
 }
