@@ -5,8 +5,8 @@ use dh_symbolic::chain::table::parse;
 use dh_symbolic::render::document::notes::Part;
 use dh_symbolic::render::{Format, Options, notes};
 use dh_symbolic::verify::check::{Report, Verdict, check};
-use dh_symbolic::verify::document::Paper;
-use dh_symbolic::verify::report::paper_text;
+use dh_symbolic::verify::document::DocumentClaims;
+use dh_symbolic::verify::report::document_text;
 use generated_examples::{corpus, source};
 use std::path::Path;
 
@@ -14,8 +14,8 @@ fn chain(text: &str) -> Chain {
     Chain::new(parse(text.parse().expect("words")).spec.expect("a table"))
 }
 
-fn judged(chain: &Chain, text: &str) -> (Paper, Report) {
-    let paper = Paper::read(chain, text);
+fn judged(chain: &Chain, text: &str) -> (DocumentClaims, Report) {
+    let paper = DocumentClaims::read(chain, text);
     let report = check(chain, &paper.derivation);
     (paper, report)
 }
@@ -35,7 +35,7 @@ fn derivations_of_the_puma() {
     for name in ["puma560_slides.md", "puma560.txt", "puma560.tex"] {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("papers").join(name);
         let (paper, report) = judged(&puma, &std::fs::read_to_string(path).unwrap());
-        text.push_str(&format!("=== {name}\n\n{}\n", paper_text(&report, &paper)));
+        text.push_str(&format!("=== {name}\n\n{}\n", document_text(&report, &paper)));
     }
     insta::assert_snapshot!("papers", text);
 }
@@ -63,7 +63,7 @@ fn printed_notes_are_read_back() {
             let known = PARTLY.iter().any(|p| p.0 == source.module);
             let printed = if known { before_inverse(&printed) } else { &printed };
             let (paper, report) = judged(&chain, printed);
-            let shown = || paper_text(&report, &paper);
+            let shown = || document_text(&report, &paper);
             // the determinant of an arm with fewer or more joints is that of a part of the Jacobian, or of J J^T
             let lines = paper.derivation.lines.iter().zip(&report.verdicts);
             let parts = lines.filter(|(l, v)| {
@@ -100,7 +100,7 @@ fn a_moved_first_frame_is_read_back() {
         let note = notes(&chain, &Options { parts: PARTS.to_vec(), ..Options::default() });
         for format in [Format::Latex, Format::Text] {
             let (paper, report) = judged(&chain, &note.print(format));
-            assert_eq!(faults(&report), (0, 0), "{convention} {base}:\n{}", paper_text(&report, &paper));
+            assert_eq!(faults(&report), (0, 0), "{convention} {base}:\n{}", document_text(&report, &paper));
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Errors at places of the input: collected, and told to rustc (`compile_error!`) or drawn for a terminal.
+//! Errors with their places in the input, reported to rustc as `compile_error!` or drawn for a terminal.
 
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use std::fmt::Write;

@@ -1,4 +1,4 @@
-//! Partial derivatives.
+//! Partial derivatives of formulas, by a symbol or by an angle.
 
 use super::{AngleVar, Factor, Monomial, Poly, Rational, Symbol};
 

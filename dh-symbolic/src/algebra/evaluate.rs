@@ -1,4 +1,4 @@
-//! Numbers at a point: the one place of the algebra where floats occur.
+//! Numeric evaluation of a formula at a point, the only use of floating point in the algebra.
 
 use super::{AngleVar, Factor, Poly, Symbol};
 
@@ -13,14 +13,14 @@ pub struct Point<'a> {
 impl Poly {
     /// The value at a point.
     pub fn evaluate(&self, at: &Point<'_>) -> f64 {
-        let wave = |t: &[(AngleVar, i8)]| t.iter().map(|(v, k)| f64::from(*k) * (at.angle)(*v)).sum::<f64>();
+        let angle_sum = |t: &[(AngleVar, i8)]| t.iter().map(|(v, k)| f64::from(*k) * (at.angle)(*v)).sum::<f64>();
         let term = |(m, c): &(super::Monomial, super::Rational)| {
             m.factors().fold(c.to_f64(), |x, f| {
                 x * match f {
                     Factor::Root(n) => f64::from(n).sqrt(),
                     Factor::Power(s, n) => (at.symbol)(s).powi(n as i32),
-                    Factor::Cos(t) => wave(&t).cos(),
-                    Factor::Sin(t) => wave(&t).sin(),
+                    Factor::Cos(t) => angle_sum(&t).cos(),
+                    Factor::Sin(t) => angle_sum(&t).sin(),
                 }
             })
         };

@@ -1,4 +1,4 @@
-//! Factors of a formula: common ones, and those that depend on one angle (or group of parallel angles) alone; exact quotients.
+//! Factoring formulas: common factors, factors in a single angle or group of parallel angles, and exact division.
 //!
 //! The normal form decides equality; factors serve where a sign or a common divisor is asked for. Formulas are taken as polynomials
 //! in symbols, roots, sines and cosines, with powers instead of multiple angles. Not every factorisation is found.
@@ -23,12 +23,12 @@ enum Atom {
 impl Ord for Atom {
     /// Roots, symbols, then angles by their groups; c4 before s4 before c45.
     fn cmp(&self, other: &Atom) -> Ordering {
-        let wave = |a: &Atom| match a {
+        let harmonic = |a: &Atom| match a {
             Atom::Cos(t) => (t.clone(), false),
             Atom::Sin(t) => (t.clone(), true),
             _ => (vec![], false),
         };
-        slot(self).cmp(&slot(other)).then_with(|| wave(self).cmp(&wave(other)))
+        slot(self).cmp(&slot(other)).then_with(|| harmonic(self).cmp(&harmonic(other)))
     }
 }
 
@@ -102,7 +102,7 @@ fn multiple_angle(k: u32, sine: bool, extra: u32) -> Vec<(u32, u32, Rational)> {
 }
 
 /// Writes the harmonics of one angle `v` as powers, with as few terms as possible.
-fn unfold(wave: &[(u32, bool, Rational)], v: AngleVar) -> Sum {
+fn unfold(harmonic: &[(u32, bool, Rational)], v: AngleVar) -> Sum {
     let power = |i: u32, j: u32| {
         let mut p = Powers::new();
         if i > 0 {
@@ -115,8 +115,8 @@ fn unfold(wave: &[(u32, bool, Rational)], v: AngleVar) -> Sum {
     };
     let build = |homogeneous: bool| {
         let mut sum = Sum::new();
-        for (k, sine, c) in wave {
-            let top = wave.iter().map(|w| w.0).filter(|n| n % 2 == k % 2).max().unwrap_or(*k);
+        for (k, sine, c) in harmonic {
+            let top = harmonic.iter().map(|w| w.0).filter(|n| n % 2 == k % 2).max().unwrap_or(*k);
             let extra = if homogeneous { (top - k) / 2 } else { 0 };
             for (i, j, x) in multiple_angle(*k, *sine, extra) {
                 add(&mut sum, power(i, j), &(&x * c));
@@ -185,20 +185,20 @@ fn unfold_one(sum: &Sum, v: AngleVar) -> Sum {
     let mut classes: BTreeMap<Powers, Vec<(u32, bool, Rational)>> = BTreeMap::new();
     for (p, c) in sum {
         let mut rest = Powers::new();
-        let mut wave = (0, false);
+        let mut harmonic = (0, false);
         for (a, n) in p {
             match a {
                 Atom::Cos(t) | Atom::Sin(t) if t.first().is_some_and(|x| x.0 == v) => {
-                    wave = (t.first().map_or(0, |x| u32::from(x.1.unsigned_abs())), matches!(a, Atom::Sin(_)));
+                    harmonic = (t.first().map_or(0, |x| u32::from(x.1.unsigned_abs())), matches!(a, Atom::Sin(_)));
                 }
                 _ => rest.push((a.clone(), *n)),
             }
         }
-        classes.entry(rest).or_default().push((wave.0, wave.1, c.clone()));
+        classes.entry(rest).or_default().push((harmonic.0, harmonic.1, c.clone()));
     }
     let mut out = Sum::new();
-    for (rest, wave) in &classes {
-        for (p, c) in unfold(wave, v) {
+    for (rest, harmonic) in &classes {
+        for (p, c) in unfold(harmonic, v) {
             add(&mut out, times(rest, &p), &c);
         }
     }
@@ -397,9 +397,9 @@ mod tests {
         let q2 = ring.angle("q2");
         let q3 = ring.angle_parallel_to(q2, "q3");
         let q4 = ring.angle("q4");
-        let waves = [vec![(q1, 1)], vec![(q2, 1)], vec![(q2, 1), (q3, 1)], vec![(q4, 1)]];
-        let c = waves.iter().map(|w| Poly::harmonic(w, false)).collect();
-        let s = waves.iter().map(|w| Poly::harmonic(w, true)).collect();
+        let harmonics = [vec![(q1, 1)], vec![(q2, 1)], vec![(q2, 1), (q3, 1)], vec![(q4, 1)]];
+        let c = harmonics.iter().map(|w| Poly::harmonic(w, false)).collect();
+        let s = harmonics.iter().map(|w| Poly::harmonic(w, true)).collect();
         Arm { length, c, s }
     }
 

@@ -1,4 +1,4 @@
-//! Values of formulas in a prime field: an identity test for formulas whose normal form would be too long to write out.
+//! Evaluation of formulas in a prime field, to test identities whose normal form would be too long to expand.
 //!
 //! p = 2^61 - 465 is a prime with p = 23 modulo 24, so that 2 and 3 have square roots, and the circle has its rational
 //! parametrisation: cos = (1 - t^2) / (1 + t^2), sin = 2 t / (1 + t^2). Two different formulas of degree D agree at a random point with
@@ -99,7 +99,7 @@ impl FieldPoint {
     }
 
     /// (cos, sin) of an integer combination.
-    fn wave(&self, terms: &[(AngleVar, i8)]) -> (Element, Element) {
+    fn cos_sin_of_sum(&self, terms: &[(AngleVar, i8)]) -> (Element, Element) {
         let (mut c, mut s) = (Element::ONE, Element::ZERO);
         for (v, k) in terms {
             let (a, b) = self.angle(*v);
@@ -113,7 +113,7 @@ impl FieldPoint {
 
     /// (cos, sin) of an angle sum; `None` where its constant part is no multiple of 15 degrees.
     pub fn cos_sin(&self, angle: &LinearAngle) -> Option<(Element, Element)> {
-        let (c, s) = self.wave(&angle.terms);
+        let (c, s) = self.cos_sin_of_sum(&angle.terms);
         if angle.constant.is_zero() {
             return Some((c, s));
         }
@@ -130,8 +130,8 @@ impl FieldPoint {
                     Factor::Root(2) => Element(ROOT_2),
                     Factor::Root(_) => Element(ROOT_3),
                     Factor::Power(s, n) => self.symbol(s).power(u64::from(n)),
-                    Factor::Cos(t) => self.wave(&t).0,
-                    Factor::Sin(t) => self.wave(&t).1,
+                    Factor::Cos(t) => self.cos_sin_of_sum(&t).0,
+                    Factor::Sin(t) => self.cos_sin_of_sum(&t).1,
                 })
             });
             sum.plus(term)

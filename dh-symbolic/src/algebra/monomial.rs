@@ -70,9 +70,9 @@ fn payload(code: Code) -> u128 {
 }
 
 /// Integer factors of the angles of a group.
-type Wave = [i8; GROUP_SIZE];
+type Multiples = [i8; GROUP_SIZE];
 
-fn wave_of(code: Code) -> Wave {
+fn multiples_of(code: Code) -> Multiples {
     let mut k = [0i8; GROUP_SIZE];
     for (i, x) in k.iter_mut().enumerate() {
         *x = (((code >> (8 * (GROUP_SIZE - 1 - i))) & 0xff) as u8 ^ 0x80) as i8;
@@ -80,40 +80,44 @@ fn wave_of(code: Code) -> Wave {
     k
 }
 
-fn packed(k: Wave) -> u128 {
+fn packed(k: Multiples) -> u128 {
     k.into_iter().fold(0, |payload, x| (payload << 8) | u128::from((x as u8) ^ 0x80))
 }
 
 /// The packed form of nothing but zeros: 0x80 in each byte, which is added to every factor.
 const ZEROS: u128 = (u128::MAX / 0xff * 0x80) >> (128 - 8 * GROUP_SIZE);
 
-/// Are all factors of a packed wave between -64 and 63? Then two of them add up, and change sign, as one number without a carry.
-fn is_small(wave: u128) -> bool {
-    (wave + ZEROS / 2) & ZEROS == ZEROS
+/// Are all factors of packed multiples between -64 and 63? Then two of them add up, and change sign, as one number without a carry.
+fn is_small(multiples: u128) -> bool {
+    (multiples + ZEROS / 2) & ZEROS == ZEROS
 }
 
-/// Sum and difference of two packed waves.
+/// Sum and difference of two packed multiples.
 fn sum_and_difference(x: u128, y: u128) -> [u128; 2] {
     if is_small(x) && is_small(y) {
         return [x + y - ZEROS, x + ZEROS - y];
     }
-    let (x, y) = (wave_of(x), wave_of(y));
+    let (x, y) = (multiples_of(x), multiples_of(y));
     let of = |f: fn(i8, i8) -> i8| packed(std::array::from_fn(|i| f(x[i], y[i])));
     [of(i8::saturating_add), of(i8::saturating_sub)]
 }
 
-/// The code of cos or sin of a packed wave; gives the sign that normalising took. `None`: the harmonic is the constant 1 (cos) or 0 (sin).
-fn harmonic_code(group: u16, sine: bool, mut wave: u128) -> Option<(Code, bool)> {
-    let bits = wave ^ ZEROS;
+/// The code of cos or sin of packed multiples; gives the sign that normalising took. `None`: the harmonic is the constant 1 (cos) or 0 (sin).
+fn harmonic_code(group: u16, sine: bool, mut multiples: u128) -> Option<(Code, bool)> {
+    let bits = multiples ^ ZEROS;
     if bits == 0 {
         return None;
     }
     // The first factor that isn't zero is negative where its byte's first bit differs.
     let flip = bits.leading_zeros().is_multiple_of(8);
     if flip {
-        wave = if is_small(wave) { 2 * ZEROS - wave } else { packed(wave_of(wave).map(i8::saturating_neg)) };
+        multiples = if is_small(multiples) {
+            2 * ZEROS - multiples
+        } else {
+            packed(multiples_of(multiples).map(i8::saturating_neg))
+        };
     }
-    let code = pack(GROUP_BASE + u128::from(group), if sine { SIN } else { COS }, wave);
+    let code = pack(GROUP_BASE + u128::from(group), if sine { SIN } else { COS }, multiples);
     Some((code, flip && sine))
 }
 
@@ -159,7 +163,7 @@ impl Monomial {
             POWER => Factor::Power(Symbol((slot(code) - SYMBOL_BASE) as u16), (code & 0xffff_ffff) as u32),
             which => {
                 let group = (slot(code) - GROUP_BASE) as u16;
-                let terms = wave_of(code)
+                let terms = multiples_of(code)
                     .iter()
                     .enumerate()
                     .filter(|(_, k)| **k != 0)
@@ -178,8 +182,8 @@ impl Monomial {
     /// Greatest factor of an angle in a sine or cosine: 2 in cos(2*q1 - q2). Products add them up; beyond 127 they would no
     /// longer be exact, so whoever multiplies formulas of unknown size asks first.
     pub fn order(&self) -> u8 {
-        let waves = self.0.iter().filter(|c| kind(**c) >= COS).map(|c| wave_of(*c));
-        waves.flat_map(|k| k.map(i8::unsigned_abs)).max().unwrap_or(0)
+        let multiples = self.0.iter().filter(|c| kind(**c) >= COS).map(|c| multiples_of(*c));
+        multiples.flat_map(|k| k.map(i8::unsigned_abs)).max().unwrap_or(0)
     }
 
     /// Does the angle occur?
@@ -244,9 +248,9 @@ impl Monomial {
             let mut next = Vec::with_capacity(terms.len() * 2);
             for (codes, c) in terms {
                 let half = &c * &Rational::HALF;
-                for (wave, sign) in [(difference, sign_difference), (sum, sign_sum)] {
+                for (multiples, sign) in [(difference, sign_difference), (sum, sign_sum)] {
                     let signed = if sign < 0 { -&half } else { half.clone() };
-                    match harmonic_code(group, sine, wave) {
+                    match harmonic_code(group, sine, multiples) {
                         Some((code, flip)) => {
                             let mut longer = codes.clone();
                             let at = longer.partition_point(|&c| slot(c) < slot(code));
@@ -275,10 +279,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn packed_waves_add_up_and_change_sign_like_lists() {
+    fn packed_multiples_add_up_and_change_sign_like_lists() {
         let mut x = 1u64;
         for round in 0..3000 {
-            let mut wave = |most: i8| -> Wave {
+            let mut multiples = |most: i8| -> Multiples {
                 std::array::from_fn(|_| {
                     x = x.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
                     // Many zeros.
@@ -287,15 +291,15 @@ mod tests {
             };
             // Small ones; some just too large; anything.
             let most = [3, 63, 66, 127][round % 4];
-            let (a, b) = (wave(most), wave(most));
+            let (a, b) = (multiples(most), multiples(most));
             let [sum, difference] = sum_and_difference(packed(a), packed(b));
-            assert_eq!(wave_of(sum), std::array::from_fn(|i| a[i].saturating_add(b[i])));
-            assert_eq!(wave_of(difference), std::array::from_fn(|i| a[i].saturating_sub(b[i])));
+            assert_eq!(multiples_of(sum), std::array::from_fn(|i| a[i].saturating_add(b[i])));
+            assert_eq!(multiples_of(difference), std::array::from_fn(|i| a[i].saturating_sub(b[i])));
             let first = a.iter().copied().find(|k| *k != 0);
             let code = harmonic_code(5, true, packed(a));
             assert_eq!(code.map(|c| c.1), first.map(|k| k < 0), "{a:?}");
             if let (Some((code, flip)), Some(_)) = (code, first) {
-                assert_eq!(wave_of(code), if flip { a.map(i8::saturating_neg) } else { a });
+                assert_eq!(multiples_of(code), if flip { a.map(i8::saturating_neg) } else { a });
             }
         }
     }

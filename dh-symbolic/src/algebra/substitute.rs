@@ -1,4 +1,4 @@
-//! Putting formulas in place of symbols and angles.
+//! Substitution of formulas for symbols and angles.
 
 use super::{AngleVar, Factor, LinearAngle, Poly, Symbol};
 

@@ -1,4 +1,4 @@
-//! Names of what formulas are made of: symbols (powers) and angles (harmonics, in groups).
+//! The ring of a robot: the names of its symbols, which occur in powers, and of its angles, which occur in sines and cosines.
 
 use super::{Angle, Poly, Rational};
 

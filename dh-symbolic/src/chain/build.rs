@@ -1,4 +1,4 @@
-//! From typed rows to a chain: names for every quantity, groups for parallel axes.
+//! Builds a chain from typed rows: every quantity gets a name, and joints with parallel axes share a group of angles.
 
 use super::*;
 use crate::algebra::{Angle, Rational, Transform};

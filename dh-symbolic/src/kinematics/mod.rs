@@ -1,4 +1,4 @@
-//! What follows for every chain: link transforms, their products, the geometric Jacobian, all as exact formulas.
+//! Forward kinematics as exact formulas: link transforms, their products and the geometric Jacobian of a chain.
 //!
 //! **In:** a [`Chain`](crate::chain::Chain). **Out:** [`Kinematics`]: T(i, j) in the normal form, and the reference that generated
 //! programs are proven against.
@@ -13,4 +13,4 @@ mod segments;
 
 pub use forward::Kinematics;
 pub use jacobian::jacobian;
-pub use segments::{Block, BlockJoint, FrameMark, Piece, Wave, blocks};
+pub use segments::{AngleSum, Block, BlockJoint, FrameMark, Piece, blocks};

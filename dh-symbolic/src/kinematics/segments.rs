@@ -1,4 +1,4 @@
-//! The chain cut into blocks: stretches in which every axis is parallel to one direction.
+//! Splits a chain into blocks of consecutive joints with parallel axes.
 //!
 //! Inside a block turns add up (the textbook's theta2 + theta3), shifts are plain vectors turned by partial sums, and sliding
 //! joints along the common direction change nothing. Between blocks stands a constant turn. Cutting here is what makes
@@ -17,22 +17,22 @@ pub struct Block {
     /// Link frames that end inside the block.
     pub frames: Vec<FrameMark>,
     /// Sum of all turns of the block.
-    pub turn: Wave,
+    pub turn: AngleSum,
     /// Constant turns after the block, into the next block's frame (or the tool's).
     pub exit: Vec<Elementary>,
 }
 
 /// An angle sum with a `Default` of zero and like terms collected.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Wave(pub LinearAngle);
+pub struct AngleSum(pub LinearAngle);
 
-impl Default for Wave {
-    fn default() -> Wave {
-        Wave(LinearAngle::constant(Angle::ZERO))
+impl Default for AngleSum {
+    fn default() -> AngleSum {
+        AngleSum(LinearAngle::constant(Angle::ZERO))
     }
 }
 
-impl Wave {
+impl AngleSum {
     /// Adds `sign` times an angle.
     fn add(&mut self, angle: &LinearAngle, sign: i8) {
         for (v, k) in &angle.terms {
@@ -50,7 +50,7 @@ impl Wave {
 #[derive(Clone, Debug)]
 pub struct Piece {
     /// Turn about z before the shift.
-    pub turn: Wave,
+    pub turn: AngleSum,
     /// The shift.
     pub v: [Poly; 3],
 }
@@ -76,7 +76,7 @@ pub struct FrameMark {
     /// Number of pieces before it.
     pub pieces: usize,
     /// Turn about the block's z so far.
-    pub turn: Wave,
+    pub turn: AngleSum,
     /// Constant turns after that.
     pub exit: Vec<Elementary>,
 }
@@ -162,7 +162,7 @@ impl Cutter {
             }
             Elementary::Rotate(axis, angle) => match self.now.exit.last_mut() {
                 Some(Elementary::Rotate(_, sum)) if merges => {
-                    let mut w = Wave(sum.clone());
+                    let mut w = AngleSum(sum.clone());
                     w.add(angle, 1);
                     *sum = reduce(w.0);
                 }
@@ -188,7 +188,7 @@ impl Cutter {
 
     fn join(exit: &mut Vec<Elementary>) {
         if let [Elementary::Rotate(0, a), Elementary::Rotate(0, b), ..] = exit.as_slice() {
-            let mut w = Wave(a.clone());
+            let mut w = AngleSum(a.clone());
             w.add(b, 1);
             exit[1] = Elementary::Rotate(0, reduce(w.0));
             exit.remove(0);

@@ -10,7 +10,7 @@ use super::vector::{V3, identity, turn_columns, unit};
 use super::{Cost, Program};
 use crate::algebra::Poly;
 use crate::chain::Chain;
-use crate::kinematics::{Block, Piece, Wave};
+use crate::kinematics::{AngleSum, Block, Piece};
 
 /// Turns a vector from the frame after block `n - 1` (that is, block n's frame, or the tool's) into the base.
 pub(super) fn to_base(g: &mut Graph, blocks: &[Block], v: V3) -> V3 {
@@ -23,7 +23,7 @@ pub(super) fn to_base(g: &mut Graph, blocks: &[Block], v: V3) -> V3 {
 /// Sum of the pieces of a block from the last one to piece `first`, on top of `tip`, which stands in the frame after the block's
 /// whole turn. Pieces with one turn are added before they are turned.
 pub(super) fn lever(g: &mut Graph, block: &Block, first: usize, tip: V3) -> V3 {
-    let mut groups: Vec<(Wave, V3)> = vec![(block.turn.clone(), tip)];
+    let mut groups: Vec<(AngleSum, V3)> = vec![(block.turn.clone(), tip)];
     for Piece { turn, v } in block.pieces[first.min(block.pieces.len())..].iter().rev() {
         let v = g.vector(v);
         match groups.iter_mut().find(|x| x.0 == *turn) {
@@ -78,7 +78,12 @@ pub(super) fn columns_from_tip(g: &mut Graph, blocks: &[Block], crossed: Option<
 }
 
 /// The columns after a block's turn and its constant turns, from the columns before it.
-pub(super) fn columns_forward(g: &mut Graph, turn: &Wave, exit: &[crate::chain::Elementary], m: [V3; 3]) -> [V3; 3] {
+pub(super) fn columns_forward(
+    g: &mut Graph,
+    turn: &AngleSum,
+    exit: &[crate::chain::Elementary],
+    m: [V3; 3],
+) -> [V3; 3] {
     let cs = g.cos_sin(&turn.0);
     let m = turn_columns(g, 2, cs, m);
     exit.iter().fold(m, |m, e| match e {

@@ -3,7 +3,7 @@
 use super::graph::{Graph, ONE, Value, ZERO};
 use crate::algebra::Poly;
 use crate::chain::Elementary;
-use crate::kinematics::Wave;
+use crate::kinematics::AngleSum;
 
 /// Three values.
 pub(super) type V3 = [Value; 3];
@@ -46,7 +46,7 @@ impl Graph {
     }
 
     /// Turns about z by an angle sum.
-    pub(super) fn turn_z(&mut self, wave: &Wave, v: V3) -> V3 {
+    pub(super) fn turn_z(&mut self, wave: &AngleSum, v: V3) -> V3 {
         let cs = self.cos_sin(&wave.0);
         self.turn(2, cs, v)
     }

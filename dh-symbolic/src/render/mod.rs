@@ -1,4 +1,4 @@
-//! Writing it down: formulas, code and documents.
+//! Output: formulas, code and documents.
 //!
 //! **In:** chains, plans, programs. **Out:** text and tokens.
 //!

@@ -1,4 +1,4 @@
-//! Why an arm gets no inverse, in words: for compile errors, plans, notes and pages.
+//! The wording of the reasons why an arm has no inverse: for compile errors, plans, notes and pages.
 
 use super::Language;
 use crate::chain::Chain;

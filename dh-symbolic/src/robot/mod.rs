@@ -269,9 +269,9 @@ impl Robot {
     /// # Ok::<(), dh_symbolic::TableError>(())
     /// ```
     pub fn check_document(&self, text: &str) -> Checked {
-        let paper = verify::document::Paper::read(&self.arm.chain, text);
-        let verdicts = check::check(&self.arm.chain, &paper.derivation);
-        Checked { fine: verdicts.is_fine(), text: report::paper_text(&verdicts, &paper) }
+        let document = verify::document::DocumentClaims::read(&self.arm.chain, text);
+        let verdicts = check::check(&self.arm.chain, &document.derivation);
+        Checked { fine: verdicts.is_fine(), text: report::document_text(&verdicts, &document) }
     }
 
     /// How the arm is inverted, step by step.

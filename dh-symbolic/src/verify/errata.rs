@@ -1,4 +1,4 @@
-//! The errata page of a set of hand derivations: what is wrong, what is right, and what holds under a condition that nobody printed.
+//! Writes an errata page for a set of hand derivations: wrong lines with their corrections, and lines that need a condition.
 
 use super::report::{condition_text, line_report, ratio_text, remarks, verdict_word};
 use crate::verify::check::{FaultKind, Report, Verdict};

@@ -1,4 +1,4 @@
-//! The lines of `prove` blocks: from Rust tokens to the words of a [`Derivation`], each with its place.
+//! Reads `prove` blocks: Rust tokens become the words of a [`Derivation`], each with its place in the source.
 
 use crate::chain::table::ClaimTokens;
 use crate::diagnostic::Place;

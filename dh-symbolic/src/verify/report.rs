@@ -1,4 +1,4 @@
-//! Verdicts on hand derivations in plain words: for `dh check`, for compile errors, for the errata page.
+//! The wording of verdicts on hand derivations, for `dh check`, compile errors and the errata page.
 
 use crate::algebra::Poly;
 use crate::render::formula::expression::Expression;
@@ -7,7 +7,7 @@ use crate::render::formula::plain;
 use crate::verify::Claims;
 use crate::verify::check::{Condition, Edit, Example, Fault, FaultKind, Mend, Pair, Ratio, Report, Verdict};
 #[cfg(feature = "documents")]
-use crate::verify::document::Paper;
+use crate::verify::document::DocumentClaims;
 use crate::verify::language::{Derivation, Line, Place, Token, TokenKind, line_text};
 use std::fmt::Write;
 
@@ -290,25 +290,25 @@ pub fn check_text(report: &Report, claims: &Claims) -> String {
 
 /// The same for a document: every line that says something about the robot, as it was understood.
 #[cfg(feature = "documents")]
-pub fn paper_text(report: &Report, paper: &Paper) -> String {
+pub fn document_text(report: &Report, document: &DocumentClaims) -> String {
     let mut out = String::new();
-    let mut counts = verdicts_text(report, &paper.derivation, |place| paper.line(place), &mut out);
+    let mut counts = verdicts_text(report, &document.derivation, |place| document.line(place), &mut out);
     if counts.is_empty() {
         counts.push("no formulas about the robot".into());
     }
-    let lines = if paper.prose == 1 { "line" } else { "lines" };
-    let _ = writeln!(out, "{}; {} {lines} of prose", counts.join(", "), paper.prose);
+    let lines = if document.prose == 1 { "line" } else { "lines" };
+    let _ = writeln!(out, "{}; {} {lines} of prose", counts.join(", "), document.prose);
     out
 }
 
 /// Writes the verdicts; gives how many there are of each kind.
 fn verdicts_text(report: &Report, d: &Derivation, number: impl Fn(&Place) -> usize, out: &mut String) -> Vec<String> {
     let mut counts: Vec<(&str, usize)> = Vec::new();
-    let mut told: Vec<(usize, &Line, &Verdict)> =
+    let mut sorted: Vec<(usize, &Line, &Verdict)> =
         d.lines.iter().zip(&report.verdicts).map(|(line, v)| (number(&line.place), line, v)).collect();
     // a document may use a name before it says what it means
-    told.sort_by_key(|t| t.0);
-    for (number, line, v) in told {
+    sorted.sort_by_key(|t| t.0);
+    for (number, line, v) in sorted {
         if matches!(v, Verdict::Noted) {
             continue;
         }

@@ -1,4 +1,4 @@
-//! Angles in radians: never exact (except 0), so they must say `approx`, and must not be exact angles in disguise.
+//! Angles in radians: since they are inexact (except 0), they must say `approx`, and a rounded multiple of 15 degrees is an error.
 
 use super::number::Number;
 use crate::algebra::{Angle, Rational};

@@ -1,4 +1,4 @@
-//! Bars, cells and rows. Line breaks have no meaning here; they only help to say what is wrong.
+//! Splits a table into rows and cells at its bars; line breaks only help to word the errors.
 //!
 //! A cell is never empty, so two bars side by side end one row and start the next.
 

@@ -1,4 +1,4 @@
-//! Words that were misspelt: which one was meant, and how a message shows them.
+//! Suggestions for misspelt words.
 
 /// The candidate that the text was probably meant to be: at most two slips (a letter left out, put in, changed, or two
 /// neighbours swapped), and fewer slips than half its length.

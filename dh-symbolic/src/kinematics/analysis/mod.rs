@@ -1,4 +1,4 @@
-//! What follows from the exact transforms about a whole arm: its singular poses and its workspace.
+//! Analysis of a whole arm from its exact transforms: singular configurations and workspace.
 
 pub mod reach;
 pub mod singular;

@@ -1,10 +1,10 @@
-//! What an arm with few joints, or with parallel axes only, can reach.
+//! The workspace of arms with few joints or with parallel axes only.
 //!
 //! Seen along its axes, an arm whose axes are all parallel is a chain of links in a plane (sliding joints along the axes change
 //! nothing there). The chain reaches a ring; every direction of its last link is possible where a circle about the point lies in the
 //! ring of the links before (Craig 2005, section 4.2).
 
-use super::singular::{Stand, seen};
+use super::singular::{ReferenceFrame, relative_transform};
 use crate::algebra::{AngleVar, Factor, Poly, Rational, Symbol};
 use crate::chain::{Chain, Coordinate};
 use crate::kinematics::Kinematics;
@@ -38,16 +38,18 @@ pub fn planar(chain: &Chain, k: &Kinematics) -> Option<Planar> {
         return None;
     }
     let parallel = |j: &usize| {
-        let z = seen(k, Stand::of_joint(chain, first), Stand::of_joint(chain, *j)).column(2);
+        let z = relative_transform(k, ReferenceFrame::of_joint(chain, first), ReferenceFrame::of_joint(chain, *j))
+            .column(2);
         z[0].is_zero() && z[1].is_zero()
     };
     if !(0..chain.dof()).all(|j| parallel(&j)) {
         return None;
     }
-    let stands: Vec<Stand> = turning.iter().map(|j| Stand::of_joint(chain, *j)).chain([Stand::Tool]).collect();
-    let link = |w: &[Stand]| match w {
+    let stands: Vec<ReferenceFrame> =
+        turning.iter().map(|j| ReferenceFrame::of_joint(chain, *j)).chain([ReferenceFrame::Tool]).collect();
+    let link = |w: &[ReferenceFrame]| match w {
         [a, b] => {
-            let p = seen(k, *a, *b).p;
+            let p = relative_transform(k, *a, *b).p;
             length(&p[0].square() + &p[1].square())
         }
         _ => length(Poly::zero()),

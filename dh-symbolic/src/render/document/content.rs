@@ -1,4 +1,4 @@
-//! A note as a tree: headings, paragraphs, equations, tables, lists, code. Written once, printed by every printer.
+//! The document tree that every printer prints: headings, paragraphs, equations, tables, lists, figures, code.
 
 use super::figure::Drawing;
 use crate::render::formula::math::Math;

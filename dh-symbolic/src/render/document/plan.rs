@@ -1,6 +1,6 @@
 //! The plan of the inverse kinematics at a glance: a table of steps, and the flow from the pose to the joints.
 
-use super::explanation::{StepStory, Story};
+use super::explanation::{Explanation, StepExplanation};
 use super::notes::words::Phrase;
 use super::{Block, Document, Format, Span, Text};
 use crate::chain::Chain;
@@ -45,19 +45,19 @@ impl InversePlan {
         Ok(InversePlan { chain, plan })
     }
 
-    fn story(&self) -> Story<'_> {
-        Story::new(&self.chain, &self.plan, &Notation::textbook(&self.chain))
+    fn explanation(&self) -> Explanation<'_> {
+        Explanation::new(&self.chain, &self.plan, &Notation::textbook(&self.chain))
     }
 
     /// The steps in order.
     pub fn steps(&self) -> Vec<PlanStep> {
-        let step = |s: &StepStory| PlanStep {
+        let step = |s: &StepExplanation| PlanStep {
             finds: s.unknown.iter().map(text::math).collect(),
             method: Language::English.of(s.words.name),
             needs: s.needs.clone(),
             solutions: s.roots,
         };
-        self.story().steps.iter().map(step).collect()
+        self.explanation().steps.iter().map(step).collect()
     }
 
     /// Most solutions that a target has.
@@ -69,16 +69,16 @@ impl InversePlan {
     /// their equations, the flow chart.
     pub fn document(&self, language: Language) -> Document {
         let title = Phrase::PlanTitle.in_language(language).replace("{}", &self.chain.name);
-        let story = self.story();
+        let explanation = self.explanation();
         let mut blocks = structure(&self.chain, language);
-        blocks.extend(steps(&story, language));
-        blocks.push(Block::Code("mermaid", chart(&story, language)));
+        blocks.extend(steps(&explanation, language));
+        blocks.push(Block::Code("mermaid", chart(&explanation, language)));
         Document { title, language: language.tag(), blocks }
     }
 
     /// The flow chart alone, as Mermaid reads it.
     pub fn mermaid(&self, language: Language) -> String {
-        chart(&self.story(), language)
+        chart(&self.explanation(), language)
     }
 }
 
@@ -114,7 +114,7 @@ fn structure(chain: &Chain, language: Language) -> Vec<Block> {
     if lines.is_empty() { Vec::new() } else { vec![Block::List(lines)] }
 }
 
-fn steps(story: &Story<'_>, language: Language) -> Vec<Block> {
+fn steps(explanation: &Explanation<'_>, language: Language) -> Vec<Block> {
     let words = |p: Phrase| p.in_language(language);
     let header = [
         Phrase::PlanStep,
@@ -127,7 +127,7 @@ fn steps(story: &Story<'_>, language: Language) -> Vec<Block> {
     ]
     .map(|p| Text::from(words(p)));
     let list = |items: &[Math]| Text::join(items.iter().cloned().map(Text::from), ", ");
-    let rows = story
+    let rows = explanation
         .steps
         .iter()
         .enumerate()
@@ -149,7 +149,7 @@ fn steps(story: &Story<'_>, language: Language) -> Vec<Block> {
         })
         .collect();
     let mut blocks = vec![Block::Table(header.to_vec(), rows)];
-    let equations = story.steps.iter().flat_map(|s| &s.equations);
+    let equations = explanation.steps.iter().flat_map(|s| &s.equations);
     let list: Vec<_> = equations
         .map(|(left, right)| super::Equation { left: left.clone(), right: vec![right.clone()], number: None })
         .collect();
@@ -157,13 +157,13 @@ fn steps(story: &Story<'_>, language: Language) -> Vec<Block> {
         blocks.push(Block::Paragraph(words(Phrase::PlanEquations).into()));
         blocks.push(Block::Equations(list));
     }
-    let poses = story.poses.iter().filter_map(|p| Some((p.matrix.clone(), p.product.clone()?)));
+    let poses = explanation.poses.iter().filter_map(|p| Some((p.matrix.clone(), p.product.clone()?)));
     let poses: Vec<_> = poses.map(|(left, right)| super::Equation { left, right: vec![right], number: None }).collect();
     if !poses.is_empty() {
         blocks.push(Block::Paragraph(words(Phrase::PlanPoses).into()));
         blocks.push(Block::Equations(poses));
     }
-    let differences = story.differences();
+    let differences = explanation.differences();
     if !differences.is_empty() {
         let list = differences
             .into_iter()
@@ -172,36 +172,36 @@ fn steps(story: &Story<'_>, language: Language) -> Vec<Block> {
         blocks.push(Block::Paragraph(words(Phrase::Differences).into()));
         blocks.push(Block::Equations(list));
     }
-    let product: Vec<String> = story.steps.iter().map(|s| s.roots.to_string()).collect();
-    let pieces = vec![Span::Plain(story.plan.max_solutions.to_string()), Span::Plain(product.join(" × "))];
+    let product: Vec<String> = explanation.steps.iter().map(|s| s.roots.to_string()).collect();
+    let pieces = vec![Span::Plain(explanation.plan.max_solutions.to_string()), Span::Plain(product.join(" × "))];
     blocks.push(Block::Paragraph(Text::fill(words(Phrase::PlanTotal), pieces)));
     blocks
 }
 
-fn chart(story: &Story<'_>, language: Language) -> String {
+fn chart(explanation: &Explanation<'_>, language: Language) -> String {
     let mut out = format!("flowchart TD\n  pose([\"{}\"])\n", Phrase::PlanPose.in_language(language));
-    for (i, s) in story.steps.iter().enumerate() {
+    for (i, s) in explanation.steps.iter().enumerate() {
         let _ = writeln!(out, "  s{}[\"{}\"]", i + 1, label(s, language));
     }
-    for (i, s) in story.steps.iter().enumerate() {
+    for (i, s) in explanation.steps.iter().enumerate() {
         if s.needs.is_empty() {
             let _ = writeln!(out, "  pose --> s{}", i + 1);
         }
-        for k in direct(story, i) {
+        for k in direct(explanation, i) {
             let _ = writeln!(out, "  s{} --> s{}", k + 1, i + 1);
         }
     }
     out
 }
 
-fn label(s: &StepStory, language: Language) -> String {
+fn label(s: &StepExplanation, language: Language) -> String {
     let unknown: Vec<String> = s.unknown.iter().map(text::math).collect();
     let count = if s.roots > 1 { format!(" (×{})", s.roots) } else { String::new() };
     format!("{}: {}{count}", unknown.join(", "), language.of(s.words.name))
 }
 
 /// Steps that step `i` needs, without those that another needed step needs already.
-fn direct(story: &Story<'_>, i: usize) -> Vec<usize> {
-    let needs = |k: usize| story.steps.get(k).map_or(&[][..], |s| &s.needs);
+fn direct(explanation: &Explanation<'_>, i: usize) -> Vec<usize> {
+    let needs = |k: usize| explanation.steps.get(k).map_or(&[][..], |s| &s.needs);
     needs(i).iter().copied().filter(|k| !needs(i).iter().any(|other| needs(*other).contains(k))).collect()
 }

@@ -12,7 +12,7 @@ pub enum Expression {
     /// A length, a sliding variable or an entry of a pose.
     Symbol(Symbol),
     /// A sine or cosine.
-    Wave(Wave),
+    Trig(Trig),
     /// A power with an exponent of 2 or more.
     Power(Box<Expression>, u32),
     /// A product of two or more factors.
@@ -32,7 +32,7 @@ pub struct Summand {
 
 /// The sine or cosine of an integer combination of angles.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Wave {
+pub struct Trig {
     /// The angles with their factors, in order; not empty.
     pub angles: Vec<(AngleVar, i8)>,
     /// Sine (or cosine)?
@@ -53,7 +53,7 @@ impl Expression {
             Expression::Root(3) => Poly::sqrt3(),
             Expression::Root(_) => &Poly::sqrt2() * &Poly::sqrt3(),
             Expression::Symbol(s) => Poly::symbol(*s),
-            Expression::Wave(w) => Poly::harmonic(&w.angles, w.sine),
+            Expression::Trig(w) => Poly::harmonic(&w.angles, w.sine),
             Expression::Power(base, n) => base.expand().pow(*n),
             Expression::Product(factors) => factors.iter().fold(Poly::one(), |p, f| &p * &f.expand()),
             Expression::Sum(list) => list
@@ -71,7 +71,7 @@ impl Expression {
         matches!(self, Expression::Sum(list) if list.is_empty())
     }
 
-    /// Calls `visit` for every leaf (number, root, symbol, wave), in reading order.
+    /// Calls `visit` for every leaf (number, root, symbol, sine or cosine), in reading order.
     pub fn leaves<'a>(&'a self, visit: &mut dyn FnMut(&'a Expression)) {
         match self {
             Expression::Power(base, _) => base.leaves(visit),

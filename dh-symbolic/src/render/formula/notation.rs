@@ -1,6 +1,6 @@
-//! How quantities are called on paper: c1 and s23 with their meaning, theta2, L1, alpha3.
+//! The printed names of quantities: c1 and s23 with their meaning, theta2, L1, alpha3.
 
-use super::expression::{Expression, Wave};
+use super::expression::{Expression, Trig};
 use super::math::{Math, Sign};
 pub use super::name::Name;
 use super::style::Style;
@@ -116,7 +116,7 @@ impl Notation {
     }
 
     /// A sine or cosine as typeset: c1, s23, c2-3 for joint angles with numbers; c alpha2 for other angles; else written out.
-    pub fn wave(&self, w: &Wave) -> Math {
+    pub fn trig(&self, w: &Trig) -> Math {
         if self.style.long_sines {
             return self.written_out(w);
         }
@@ -154,7 +154,7 @@ impl Notation {
     }
 
     /// A sine or cosine written out: cos(theta2 + theta3).
-    pub fn written_out(&self, w: &Wave) -> Math {
+    pub fn written_out(&self, w: &Trig) -> Math {
         let name = if w.sine { "sin" } else { "cos" };
         match w.angles.as_slice() {
             [(v, 1)] => Math::Row(vec![Math::word(name), Math::Sign(Sign::Apply), self.angle(*v)]),
@@ -183,20 +183,20 @@ impl Notation {
     /// What the abbreviations in these formulas mean, each as an equation; sines and cosines written out anyway are left
     /// away. Three or more single angles are told together: c_i = cos theta_i, s_i = sin theta_i, i = 1, 4, 5.
     pub fn legend<'a>(&self, expressions: impl IntoIterator<Item = &'a Expression>) -> Vec<Math> {
-        self.legend_of(&waves(expressions))
+        self.legend_of(&trigs(expressions))
     }
 
     /// The same for a sorted list of sines and cosines.
-    pub fn legend_of(&self, waves: &[Wave]) -> Vec<Math> {
+    pub fn legend_of(&self, trigs: &[Trig]) -> Vec<Math> {
         if self.style.long_sines {
             return Vec::new();
         }
-        let numbers: Vec<&str> = self.family(waves);
+        let numbers: Vec<&str> = self.family(trigs);
         let together = numbers.len() > 2;
         let mut out = Vec::new();
         if together {
             let i = || Math::Letter('i');
-            let stem = waves.iter().find_map(|w| self.number(w)).map_or("theta", |(stem, _)| stem);
+            let stem = trigs.iter().find_map(|w| self.number(w)).map_or("theta", |(stem, _)| stem);
             let angle = Name::with_index(stem, "i".into()).math();
             for (letter, word) in [('c', "cos"), ('s', "sin")] {
                 let long = Math::Row(vec![Math::word(word), Math::Sign(Sign::Apply), angle.clone()]);
@@ -222,11 +222,11 @@ impl Notation {
             }
             out.push(Math::Row(row));
         }
-        for w in waves {
+        for w in trigs {
             if together && self.number(w).is_some() {
                 continue;
             }
-            let (short, long) = (self.wave(w), self.written_out(w));
+            let (short, long) = (self.trig(w), self.written_out(w));
             if short != long {
                 out.push(Math::equation(short, long));
             }
@@ -234,8 +234,8 @@ impl Notation {
         out
     }
 
-    /// Stem and number of a wave of one numbered joint angle.
-    fn number<'a>(&'a self, w: &Wave) -> Option<(&'a str, &'a str)> {
+    /// Stem and number of the sine or cosine of one numbered joint angle.
+    fn number<'a>(&'a self, w: &Trig) -> Option<(&'a str, &'a str)> {
         let [(v, 1)] = w.angles.as_slice() else { return None };
         let (_, name) = self.angles.iter().find(|(x, _)| x == v)?;
         let fine =
@@ -244,8 +244,8 @@ impl Notation {
     }
 
     /// The numbers of the single joint angles, if all have one stem.
-    fn family(&self, waves: &[Wave]) -> Vec<&str> {
-        let list: Vec<(&str, &str)> = waves.iter().filter_map(|w| self.number(w)).collect();
+    fn family(&self, trigs: &[Trig]) -> Vec<&str> {
+        let list: Vec<(&str, &str)> = trigs.iter().filter_map(|w| self.number(w)).collect();
         let mut numbers: Vec<&str> = list.iter().map(|(_, n)| *n).collect();
         numbers.sort_by_key(|n| n.parse::<u32>().unwrap_or(0));
         numbers.dedup();
@@ -255,18 +255,18 @@ impl Notation {
 }
 
 /// The sines and cosines in these formulas, sorted: single angles first.
-pub fn waves<'a>(expressions: impl IntoIterator<Item = &'a Expression>) -> Vec<Wave> {
-    let mut waves: Vec<Wave> = Vec::new();
+pub fn trigs<'a>(expressions: impl IntoIterator<Item = &'a Expression>) -> Vec<Trig> {
+    let mut trigs: Vec<Trig> = Vec::new();
     for e in expressions {
         e.leaves(&mut |leaf| {
-            if let Expression::Wave(w) = leaf {
-                waves.push(w.clone());
+            if let Expression::Trig(w) = leaf {
+                trigs.push(w.clone());
             }
         });
     }
-    waves.sort_by(|a, b| (a.angles.len(), a).cmp(&(b.angles.len(), b)));
-    waves.dedup();
-    waves
+    trigs.sort_by(|a, b| (a.angles.len(), a).cmp(&(b.angles.len(), b)));
+    trigs.dedup();
+    trigs
 }
 
 fn base_of(m: &Math) -> &Math {

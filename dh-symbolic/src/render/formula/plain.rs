@@ -1,6 +1,6 @@
 //! Formulas on one line of ASCII, as `prove` reads them: `c1*(a2*c2 + a3*c23 - d4*s23) - d3*s1`.
 
-use super::expression::{Expression, Summand, Wave};
+use super::expression::{Expression, Summand, Trig};
 use super::grouping::Order;
 use crate::algebra::{Poly, Rational, Ring};
 
@@ -52,7 +52,7 @@ pub fn expression(ring: &Ring, e: &Expression) -> String {
         Expression::Number(x) => number(x),
         Expression::Root(n) => format!("sqrt({n})"),
         Expression::Symbol(s) => ring.symbol_name(*s).to_string(),
-        Expression::Wave(Wave { angles, sine }) => ring.harmonic_text(angles, *sine),
+        Expression::Trig(Trig { angles, sine }) => ring.harmonic_text(angles, *sine),
         Expression::Power(base, n) => format!("{}^{n}", bracketed(ring, base, false)),
         Expression::Product(factors) => factors.iter().map(|f| bracketed(ring, f, true)).collect::<Vec<_>>().join("*"),
         Expression::Sum(terms) if terms.is_empty() => "0".into(),
@@ -76,7 +76,7 @@ pub fn expression(ring: &Ring, e: &Expression) -> String {
 fn bracketed(ring: &Ring, e: &Expression, product_is_fine: bool) -> String {
     let text = expression(ring, e);
     let bare = match e {
-        Expression::Wave(_) | Expression::Symbol(_) | Expression::Root(_) => true,
+        Expression::Trig(_) | Expression::Symbol(_) | Expression::Root(_) => true,
         Expression::Number(_) | Expression::Power(..) | Expression::Product(_) => product_is_fine,
         Expression::Sum(terms) => terms.is_empty(),
     };

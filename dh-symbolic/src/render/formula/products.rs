@@ -1,4 +1,4 @@
-//! In which order the link transforms are multiplied on the blackboard.
+//! The order in which the notes multiply the link transforms, and the numbers of the equations this gives.
 
 use crate::chain::{Chain, Convention};
 

@@ -1,4 +1,4 @@
-//! Values of parameters, joint coordinates as functions of the motors: what a reader needs to know besides the formulas.
+//! Parameter values, and joint coordinates as functions of the actuators, as they are printed beside the formulas.
 
 use super::grouping::Order;
 use super::math::{Math, Sign};

@@ -15,7 +15,7 @@ impl Notation {
             Expression::Number(x) => number(x),
             Expression::Root(n) => Math::Root(Box::new(Math::number(n))),
             Expression::Symbol(s) => self.symbol(*s),
-            Expression::Wave(w) => self.wave(w),
+            Expression::Trig(w) => self.trig(w),
             Expression::Power(base, n) => self.power(base, *n),
             Expression::Product(factors) => self.product(factors),
             Expression::Sum(list) if list.is_empty() => Math::number(0),
@@ -46,7 +46,7 @@ impl Notation {
         }
         match (base, self.typeset(base)) {
             // c alpha^2 would square the angle
-            (Expression::Wave(_), Math::Row(row)) => match row.split_first() {
+            (Expression::Trig(_), Math::Row(row)) => match row.split_first() {
                 Some((letter @ Math::Letter(_), rest)) => {
                     let mut row = vec![letter.clone().above(exponent)];
                     row.extend(rest.iter().cloned());

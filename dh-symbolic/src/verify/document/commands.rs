@@ -1,6 +1,6 @@
 //! LaTeX commands: what comes after a backslash.
 
-use super::ink::{Ink, Item, rows};
+use super::layout::{Item, ItemKind, rows};
 use super::reader::Reader;
 use super::tables::{IGNORED, LOOKS, MATRICES, SILENT, function, greek_command, relation};
 
@@ -39,25 +39,25 @@ impl Reader<'_> {
             match c {
                 '\\' => {
                     self.take_while(|c| c == '*');
-                    self.push(Ink::Break);
+                    self.push(ItemKind::Break);
                 }
-                '{' | '}' => self.push(Ink::Mark(c)),
-                '|' => self.push(Ink::Mark('|')),
+                '{' | '}' => self.push(ItemKind::Mark(c)),
+                '|' => self.push(ItemKind::Mark('|')),
                 _ => self.spaced = true,
             }
             return false;
         }
         if let Some(word) = greek_command(&name).or_else(|| function(&name).filter(|f| *f != "sqrt")) {
-            self.push(Ink::Name(word.to_string()));
+            self.push(ItemKind::Name(word.to_string()));
         } else if let Some(r) = relation(&name) {
-            self.push(Ink::Relation(r));
+            self.push(ItemKind::Relation(r));
         } else if IGNORED.contains(&name.as_str()) {
             self.raw();
         } else if LOOKS.contains(&name.as_str()) {
             let inner = self.argument();
             match <[Item; 1]>::try_from(inner) {
-                Ok([only]) => self.push(only.ink),
-                Err(more) => self.push(Ink::Group(more)),
+                Ok([only]) => self.push(only.kind),
+                Err(more) => self.push(ItemKind::Group(more)),
             }
         } else if !SILENT.contains(&name.as_str()) {
             return self.other_command(&name, stop);
@@ -71,30 +71,30 @@ impl Reader<'_> {
         match name {
             "frac" | "dfrac" | "tfrac" => {
                 let (top, below) = (self.argument(), self.argument());
-                self.push(Ink::Fraction(top, below));
+                self.push(ItemKind::Fraction(top, below));
             }
             "sqrt" => {
                 let inner = self.argument();
-                self.push(Ink::Root(inner));
+                self.push(ItemKind::Root(inner));
             }
-            "cdot" | "times" | "ast" => self.push(Ink::Mark('*')),
-            "pm" | "mp" => self.push(Ink::PlusMinus),
-            "circ" | "degree" => self.push(Ink::Degree),
-            "dots" | "ldots" | "cdots" | "vdots" | "ddots" => self.push(Ink::Dots),
+            "cdot" | "times" | "ast" => self.push(ItemKind::Mark('*')),
+            "pm" | "mp" => self.push(ItemKind::PlusMinus),
+            "circ" | "degree" => self.push(ItemKind::Degree),
+            "dots" | "ldots" | "cdots" | "vdots" | "ddots" => self.push(ItemKind::Dots),
             "quad" | "qquad" | "to" | "rightarrow" | "Rightarrow" | "implies" | "Leftrightarrow" | "iff" => {
-                self.push(Ink::Gap);
+                self.push(ItemKind::Gap);
             }
             "text" | "textrm" | "textit" | "textbf" | "mbox" => {
                 let words = self.raw();
-                self.push(Ink::Text(words.trim().to_string()));
+                self.push(ItemKind::Text(words.trim().to_string()));
             }
             "mathrm" | "operatorname" | "texttt" | "mathop" => {
                 let word = self.raw();
                 let word = word.trim().trim_start_matches("\\,").replace("\\_", "_");
                 self.push(match function(&word) {
-                    Some(f) => Ink::Name(f.into()),
-                    None if matches!(word.as_str(), "or" | "and" | "where" | "with") => Ink::Text(word),
-                    None => Ink::Name(word),
+                    Some(f) => ItemKind::Name(f.into()),
+                    None if matches!(word.as_str(), "or" | "and" | "where" | "with") => ItemKind::Text(word),
+                    None => ItemKind::Name(word),
                 });
             }
             "begin" => {
@@ -105,14 +105,14 @@ impl Reader<'_> {
                         self.raw();
                     }
                     let inner = self.group('\0');
-                    self.push(Ink::Matrix(rows(inner)));
+                    self.push(ItemKind::Matrix(rows(inner)));
                 }
             }
             "end" => {
                 let environment = self.raw();
                 return stop == Some('\0') && MATRICES.contains(&environment.trim_end_matches('*'));
             }
-            other => self.push(Ink::Name(other.to_string())),
+            other => self.push(ItemKind::Name(other.to_string())),
         }
         false
     }

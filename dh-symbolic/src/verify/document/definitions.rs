@@ -1,6 +1,6 @@
-//! Statements that give a meaning and claim nothing: legends, names of entries, definitions, given values.
+//! Statements that define something and claim nothing: legends, names of matrix entries, definitions, given values.
 
-use super::ink::{Ink, Item};
+use super::layout::{Item, ItemKind};
 use super::letter::Letter;
 use super::meaning::formula;
 use super::names::{Names, Unknown};
@@ -30,13 +30,13 @@ impl Statement {
         // more frames than the table has: some joints are the document's own
         if letters.len() > 1 || frame > names.chain.links.len() || names.on_axes {
             names.waiting_pose = Some((frame, right.clone()));
-            self.told_pose(names, sheet);
+            self.stated_pose(names, sheet);
         }
         true
     }
 
     /// The given pose gets a name as soon as all its factors are known.
-    fn told_pose(&self, names: &mut Names<'_>, sheet: &mut Sheet) {
+    fn stated_pose(&self, names: &mut Names<'_>, sheet: &mut Sheet) {
         let Some((frame, factors)) = names.waiting_pose.take() else { return };
         let Ok(words) = formula(&factors, names) else {
             names.waiting_pose = Some((frame, factors));
@@ -52,7 +52,7 @@ impl Statement {
     /// A matrix with places that do not matter: `∗`.
     pub(super) fn is_pattern(&self) -> bool {
         let star = |cell: &Vec<Item>| matches!(cell.as_slice(), [only] if only.is('∗') || only.is('*'));
-        let in_matrix = |i: &Item| matches!(&i.ink, Ink::Matrix(rows) if rows.iter().flatten().any(star));
+        let in_matrix = |i: &Item| matches!(&i.kind, ItemKind::Matrix(rows) if rows.iter().flatten().any(star));
         let in_brackets = |s: &Vec<Item>| {
             s.windows(3).any(|w| w[1].is('∗') && "[,;".contains(mark(&w[0])) && "],;".contains(mark(&w[2])))
         };
@@ -65,11 +65,12 @@ impl Statement {
         if !self.loose {
             return false;
         }
-        let number = matches!(right.as_slice(), [Item { ink: Ink::Number(_), .. }]);
+        let number = matches!(right.as_slice(), [Item { kind: ItemKind::Number(_), .. }]);
         if number && matches!(left.as_slice(), [only] if only.is_bare() && matches!(only.name(), Some("x" | "y"))) {
             return true;
         }
-        let zero = self.sides.len() == 2 && matches!(right.as_slice(), [Item { ink: Ink::Number(n), .. }] if n == "0");
+        let zero =
+            self.sides.len() == 2 && matches!(right.as_slice(), [Item { kind: ItemKind::Number(n), .. }] if n == "0");
         let Ok(variable) = formula(left, names) else { return false };
         let variable = names.variable(&text(&variable)).is_some();
         let fixed = formula(right, names).is_ok_and(|w| {
@@ -92,8 +93,8 @@ impl Statement {
         let [left, right] = self.sides.as_slice() else { return false };
         let ([short], [function, angle, ..]) = (left.as_slice(), right.as_slice()) else { return false };
         let (Some(short), Some(f)) = (Letter::of(short), function.name()) else { return false };
-        let angle = match angle.ink {
-            Ink::Mark('(') if right.len() == 4 => right.get(2),
+        let angle = match angle.kind {
+            ItemKind::Mark('(') if right.len() == 4 => right.get(2),
             _ if right.len() == 2 => Some(angle),
             _ => None,
         };
@@ -109,7 +110,7 @@ impl Statement {
 
     /// A matrix of names on the right: each is from now on that entry of the left side.
     pub(super) fn names_entries(&self, names: &mut Names<'_>) -> bool {
-        let Some([Item { ink: Ink::Matrix(rows), .. }]) = self.sides.last().map(Vec::as_slice) else {
+        let Some([Item { kind: ItemKind::Matrix(rows), .. }]) = self.sides.last().map(Vec::as_slice) else {
             return self.names_entries_in_brackets(names);
         };
         let cells: Vec<Vec<&[Item]>> = rows.iter().map(|r| r.iter().map(Vec::as_slice).collect()).collect();
@@ -195,7 +196,7 @@ impl Statement {
         let mut line = vec![Word::new("let", self.line), Word::new(&name, self.line), Word::new("=", self.line)];
         line.extend(first.iter().cloned());
         sheet.put(line);
-        self.told_pose(names, sheet);
+        self.stated_pose(names, sheet);
         let own = letter.own();
         let (ready, others): (Vec<_>, Vec<_>) =
             std::mem::take(&mut sheet.waiting).into_iter().partition(|w| w.1.name.as_ref() == Some(&own));
@@ -247,8 +248,8 @@ impl Statement {
 }
 
 fn mark(item: &Item) -> char {
-    match item.ink {
-        Ink::Mark(c) => c,
+    match item.kind {
+        ItemKind::Mark(c) => c,
         _ => ' ',
     }
 }

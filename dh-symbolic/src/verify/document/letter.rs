@@ -1,6 +1,6 @@
 //! Letters with their indices as text.
 
-use super::ink::{Ink, Item};
+use super::layout::{Item, ItemKind};
 
 /// A letter with its indices as text.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -45,12 +45,12 @@ impl Letter {
 pub(super) fn index_text(items: &[Item]) -> Option<String> {
     let mut out = String::new();
     for item in items {
-        match &item.ink {
-            Ink::Number(n) => out.push_str(n),
-            Ink::Name(n) => out.push_str(n),
-            Ink::Text(n) => out.push_str(&n.replace(' ', "")),
-            Ink::Mark(c @ (',' | '+' | '-')) => out.push(*c),
-            Ink::Group(inner) => out.push_str(&index_text(inner)?),
+        match &item.kind {
+            ItemKind::Number(n) => out.push_str(n),
+            ItemKind::Name(n) => out.push_str(n),
+            ItemKind::Text(n) => out.push_str(&n.replace(' ', "")),
+            ItemKind::Mark(c @ (',' | '+' | '-')) => out.push(*c),
+            ItemKind::Group(inner) => out.push_str(&index_text(inner)?),
             _ => return None,
         }
         if let Some(sub) = &item.sub {

@@ -1,7 +1,7 @@
-//! From formulas on paper to words of a claim: product signs are written, brackets become round, letters get their meaning.
+//! Translates a printed formula into the notation of claims: explicit products, round brackets, letters with their meaning.
 
 use super::Word;
-use super::ink::{Ink, Item};
+use super::layout::{Item, ItemKind};
 use super::letter::{Letter, field, index_text};
 use super::names::{Names, Unknown};
 use super::tables::function;
@@ -24,13 +24,13 @@ pub(super) fn formula(items: &[Item], names: &Names<'_>) -> Read<Vec<Word>> {
 }
 
 fn describe(item: &Item) -> String {
-    match &item.ink {
-        Ink::Mark(c) => format!("`{c}`"),
-        Ink::Name(n) | Ink::Number(n) | Ink::Text(n) => format!("`{n}`"),
-        Ink::PlusMinus => "a sign ± inside of a formula".into(),
-        Ink::Dots => "`...`".into(),
-        Ink::Empty => "an index without a letter".into(),
-        Ink::Degree => "a degree sign without a number".into(),
+    match &item.kind {
+        ItemKind::Mark(c) => format!("`{c}`"),
+        ItemKind::Name(n) | ItemKind::Number(n) | ItemKind::Text(n) => format!("`{n}`"),
+        ItemKind::PlusMinus => "a sign ± inside of a formula".into(),
+        ItemKind::Dots => "`...`".into(),
+        ItemKind::Empty => "an index without a letter".into(),
+        ItemKind::Degree => "a degree sign without a number".into(),
         _ => "this".into(),
     }
 }
@@ -116,10 +116,10 @@ impl<'a> Writer<'a> {
 
     fn factor(&mut self, divisor: bool) -> Read<()> {
         let Some(item) = self.peek() else { return refuse("the formula ends too early") };
-        match &item.ink {
-            Ink::Number(n) => self.number(item, n),
-            Ink::Name(name) => self.name(item, name),
-            Ink::Group(inner) => {
+        match &item.kind {
+            ItemKind::Number(n) => self.number(item, n),
+            ItemKind::Name(name) => self.name(item, name),
+            ItemKind::Group(inner) => {
                 if let Some(only) = matrix_alone(inner) {
                     self.matrix(only)?;
                 } else {
@@ -130,7 +130,7 @@ impl<'a> Writer<'a> {
                 self.at += 1;
                 self.power(item.sup.as_deref())
             }
-            Ink::Fraction(top, below) => {
+            ItemKind::Fraction(top, below) => {
                 self.put(if divisor { "( (" } else { "(" });
                 self.inner(top)?;
                 self.put(") / (");
@@ -139,25 +139,25 @@ impl<'a> Writer<'a> {
                 self.at += 1;
                 self.power(item.sup.as_deref())
             }
-            Ink::Root(inner) => {
+            ItemKind::Root(inner) => {
                 self.put("sqrt (");
                 self.inner(inner)?;
                 self.put(")");
                 self.at += 1;
                 self.power(item.sup.as_deref())
             }
-            Ink::Matrix(rows) => {
+            ItemKind::Matrix(rows) => {
                 self.matrix(rows)?;
                 self.at += 1;
                 self.power(item.sup.as_deref())
             }
-            Ink::Mark('-') => {
+            ItemKind::Mark('-') => {
                 self.at += 1;
                 self.put("-");
                 self.factor(divisor)
             }
-            Ink::Mark('|') => self.absolute(),
-            Ink::Mark('(' | '[' | '{') => self.bracket(),
+            ItemKind::Mark('|') => self.absolute(),
+            ItemKind::Mark('(' | '[' | '{') => self.bracket(),
             _ => refuse(format!("{} does not belong here", describe(item))),
         }
     }
@@ -177,7 +177,7 @@ impl<'a> Writer<'a> {
             self.at += 2;
             return self.after_transform(t.sup.as_deref());
         }
-        let degrees = next.is_some_and(|i| i.ink == Ink::Degree);
+        let degrees = next.is_some_and(|i| i.kind == ItemKind::Degree);
         self.put(&if degrees { format!("{text}deg") } else { text.to_string() });
         self.at += 1 + usize::from(degrees);
         self.power(item.sup.as_deref())
@@ -343,7 +343,7 @@ impl<'a> Writer<'a> {
         let open = self.at + 1;
         let Some(close) = closing(self.items, open) else { return refuse("a bracket is not closed") };
         let inner = self.items.get(open + 1..close).unwrap_or_default();
-        let angle = |i: &Item| i.ink == Ink::Degree || Letter::of(i).is_some_and(|l| self.names.is_angle(&l));
+        let angle = |i: &Item| i.kind == ItemKind::Degree || Letter::of(i).is_some_and(|l| self.names.is_angle(&l));
         let turns = rotation.unwrap_or_else(|| inner.iter().any(angle));
         self.put(&format!("{}{axis} (", if turns { "R" } else { "T" }));
         self.inner(inner)?;
@@ -374,7 +374,7 @@ impl<'a> Writer<'a> {
                 let after = self.items.get(close).and_then(|i| i.sup.as_deref());
                 return self.power(power.or(after));
             }
-            Some(Item { ink: Ink::Group(inner), .. }) => {
+            Some(Item { kind: ItemKind::Group(inner), .. }) => {
                 let bracketed = inner.first().is_some_and(|i| i.is('(')) && closing(inner, 0) == Some(inner.len() - 1);
                 let inner = if bracketed { inner.get(1..inner.len() - 1).unwrap_or_default() } else { inner };
                 self.arguments(inner)?;
@@ -402,7 +402,7 @@ impl<'a> Writer<'a> {
     /// `\cos 35^\circ`, `\sin 2\theta_1`, `\cos\theta_1`.
     fn bare_argument(&mut self) -> Read<()> {
         if let Some(item) = self.peek()
-            && let Ink::Number(n) = &item.ink
+            && let ItemKind::Number(n) = &item.kind
         {
             self.number(item, n)?;
             if !self.peek().is_some_and(|i| Letter::of(i).is_some_and(|l| self.names.is_angle(&l))) {
@@ -421,24 +421,29 @@ impl<'a> Writer<'a> {
 
 /// Does a factor begin here?
 fn starts_factor(item: &Item) -> bool {
-    match &item.ink {
-        Ink::Number(_) | Ink::Name(_) | Ink::Group(_) | Ink::Fraction(..) | Ink::Root(_) | Ink::Matrix(_) => true,
-        Ink::Mark(c) => matches!(c, '(' | '[' | '{'),
+    match &item.kind {
+        ItemKind::Number(_)
+        | ItemKind::Name(_)
+        | ItemKind::Group(_)
+        | ItemKind::Fraction(..)
+        | ItemKind::Root(_)
+        | ItemKind::Matrix(_) => true,
+        ItemKind::Mark(c) => matches!(c, '(' | '[' | '{'),
         _ => false,
     }
 }
 
 fn matrix_alone(inner: &[Item]) -> Option<&Vec<Vec<Vec<Item>>>> {
     match inner {
-        [Item { ink: Ink::Matrix(rows), .. }] => Some(rows),
+        [Item { kind: ItemKind::Matrix(rows), .. }] => Some(rows),
         _ => None,
     }
 }
 
 fn depth_change(item: &Item) -> i32 {
-    match item.ink {
-        Ink::Mark('(' | '[' | '{') => 1,
-        Ink::Mark(')' | ']' | '}') => -1,
+    match item.kind {
+        ItemKind::Mark('(' | '[' | '{') => 1,
+        ItemKind::Mark(')' | ']' | '}') => -1,
         _ => 0,
     }
 }

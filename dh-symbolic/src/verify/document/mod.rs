@@ -1,6 +1,6 @@
-//! Derivations as they are printed: LaTeX, Markdown or plain text, read as lines of a [`Derivation`].
+//! Reads printed derivations (LaTeX, Markdown or plain text) as lines of a [`Derivation`].
 //!
-//! **In:** a [`Chain`] and the text of a document. **Out:** a [`Paper`]: the lines of the document that say something about the
+//! **In:** a [`Chain`] and the text of a document. **Out:** a [`DocumentClaims`]: the lines of the document that say something about the
 //! robot, in the notation of [`claim`](super::language), each with the number of its line. Prose is skipped and counted.
 //!
 //! **Never here:** verdicts (those are in `verify::check`), algebra.
@@ -23,10 +23,10 @@
 //! | `\theta_1 = 20^\circ`, `a_2 = 0.43` | given values; numbers with decimals on one side are then compared to their printed digits |
 //! | `A \pm B` | both of the two; what an angle is equated to must have the cosine that this says |
 
+mod ascii_matrices;
 mod commands;
 mod definitions;
-mod drawn;
-mod ink;
+mod layout;
 mod letter;
 mod meaning;
 mod names;
@@ -43,9 +43,9 @@ use super::language::{Derivation, NotUnderstood, Place, Statement, Token, TokenK
 use crate::chain::Chain;
 use names::Names;
 
-/// A document: its lines as a derivation, and where they stand.
+/// The claims of a document: its lines as a derivation, and where each one is.
 #[derive(Clone, Debug, Default)]
-pub struct Paper {
+pub struct DocumentClaims {
     /// What it says.
     pub derivation: Derivation,
     /// How many lines with text say nothing about the robot.
@@ -54,9 +54,9 @@ pub struct Paper {
     lines: Vec<usize>,
 }
 
-impl Paper {
+impl DocumentClaims {
     /// Reads a document. Never fails as a whole, never panics.
-    pub fn read(chain: &Chain, text: &str) -> Paper {
+    pub fn read(chain: &Chain, text: &str) -> DocumentClaims {
         let mut names = Names::new(chain);
         let mut sheet = Sheet::default();
         let turn = text.lines().position(|l| ON_AXES.iter().any(|words| l.contains(words)));
@@ -142,7 +142,7 @@ impl Sheet {
         self.used.push(line);
     }
 
-    fn finish(mut self, text: &str) -> Paper {
+    fn finish(mut self, text: &str) -> DocumentClaims {
         let mut derivation = Derivation::parse(self.tokens);
         for line in &mut derivation.lines {
             if let Some((_, why)) = self.refused.iter().find(|r| r.0 == line.place.start) {
@@ -153,6 +153,6 @@ impl Sheet {
         self.used.dedup();
         let full = |(k, l): &(usize, &str)| !l.trim().is_empty() && self.used.binary_search(&(k + 1)).is_err();
         let prose = text.lines().enumerate().filter(full).count();
-        Paper { derivation, prose, lines: self.lines }
+        DocumentClaims { derivation, prose, lines: self.lines }
     }
 }

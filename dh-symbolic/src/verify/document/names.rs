@@ -1,6 +1,6 @@
-//! What letters with indices stand for: names of the table, abbreviations, entries of matrices, names that the document gives.
+//! Resolves letters with indices: names of the table, abbreviations, matrix entries, names defined by the document.
 
-use super::ink::Item;
+use super::layout::Item;
 use super::letter::{Letter, field, general};
 use super::tables::function;
 use crate::algebra::{Poly, Rational};

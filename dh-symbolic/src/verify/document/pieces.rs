@@ -1,6 +1,6 @@
-//! A stretch of formulas cut into statements: rows, parts of rows, sides.
+//! Splits a run of formulas into statements: rows, parts of rows, sides of relations.
 
-use super::ink::{Ink, Item};
+use super::layout::{Item, ItemKind};
 use super::meaning::top_level;
 
 /// `A = B = C` as pieces of paper.
@@ -21,9 +21,9 @@ pub(super) struct Statement {
 pub(super) fn rows(items: Vec<Item>) -> Vec<Vec<Item>> {
     let mut rows: Vec<Vec<Item>> = vec![Vec::new()];
     for item in items {
-        match item.ink {
-            Ink::Break => rows.push(Vec::new()),
-            Ink::Tab | Ink::Empty if item.is_bare() => {}
+        match item.kind {
+            ItemKind::Break => rows.push(Vec::new()),
+            ItemKind::Tab | ItemKind::Empty if item.is_bare() => {}
             _ => {
                 if let Some(row) = rows.last_mut() {
                     row.push(item);
@@ -32,13 +32,13 @@ pub(super) fn rows(items: Vec<Item>) -> Vec<Vec<Item>> {
         }
     }
     let mut out: Vec<Vec<Item>> = Vec::new();
-    for row in rows.into_iter().filter(|r| r.iter().any(|i| i.ink != Ink::Gap)) {
-        let first = row.iter().find(|i| i.ink != Ink::Gap).map(|i| &i.ink);
-        let relates = top_level(&row).any(|i| matches!(i.ink, Ink::Relation(_)));
-        let sign = matches!(first, Some(Ink::Mark('+' | '-' | '*') | Ink::PlusMinus));
-        let continues = matches!(first, Some(Ink::Relation(_))) || sign && !relates;
+    for row in rows.into_iter().filter(|r| r.iter().any(|i| i.kind != ItemKind::Gap)) {
+        let first = row.iter().find(|i| i.kind != ItemKind::Gap).map(|i| &i.kind);
+        let relates = top_level(&row).any(|i| matches!(i.kind, ItemKind::Relation(_)));
+        let sign = matches!(first, Some(ItemKind::Mark('+' | '-' | '*') | ItemKind::PlusMinus));
+        let continues = matches!(first, Some(ItemKind::Relation(_))) || sign && !relates;
         match out.last_mut() {
-            Some(last) if continues => last.extend(row.into_iter().filter(|i| i.ink != Ink::Gap)),
+            Some(last) if continues => last.extend(row.into_iter().filter(|i| i.kind != ItemKind::Gap)),
             _ => out.push(row),
         }
     }
@@ -50,19 +50,19 @@ pub(super) fn pieces(row: &[Item], loose: bool) -> Vec<Statement> {
     let mut parts: Vec<Vec<Item>> = vec![Vec::new()];
     let mut depth = 0;
     for item in row {
-        depth += match item.ink {
-            Ink::Mark('(' | '[' | '{') => 1,
-            Ink::Mark(')' | ']' | '}') => -1,
+        depth += match item.kind {
+            ItemKind::Mark('(' | '[' | '{') => 1,
+            ItemKind::Mark(')' | ']' | '}') => -1,
             _ => 0,
         };
         let fresh = parts.len() > 1 && parts.last().is_some_and(Vec::is_empty);
-        match &item.ink {
-            Ink::Mark(',' | ';') if depth == 0 => parts.push(Vec::new()),
-            Ink::Gap | Ink::Text(_) if depth == 0 => {
+        match &item.kind {
+            ItemKind::Mark(',' | ';') if depth == 0 => parts.push(Vec::new()),
+            ItemKind::Gap | ItemKind::Text(_) if depth == 0 => {
                 // `A = B \qquad C`, or the room before an equals sign
                 parts.push(Vec::new());
             }
-            Ink::Relation(_) if fresh => {
+            ItemKind::Relation(_) if fresh => {
                 parts.pop();
                 if let Some(l) = parts.last_mut() {
                     l.push(item.clone());
@@ -78,7 +78,7 @@ pub(super) fn pieces(row: &[Item], loose: bool) -> Vec<Statement> {
     let mut out: Vec<Statement> = Vec::new();
     let mut heads: Vec<Vec<Item>> = Vec::new();
     for mut part in parts.into_iter().filter(|p| !p.is_empty()) {
-        while part.last().is_some_and(|i| i.is('.') || i.is(':') || i.ink == Ink::Empty) {
+        while part.last().is_some_and(|i| i.is('.') || i.is(':') || i.kind == ItemKind::Empty) {
             part.pop();
         }
         let statement = sides(&part);
@@ -123,13 +123,13 @@ fn sides(part: &[Item]) -> Statement {
     };
     let mut depth = 0;
     for item in part {
-        depth += match item.ink {
-            Ink::Mark('(' | '[' | '{') => 1,
-            Ink::Mark(')' | ']' | '}') => -1,
+        depth += match item.kind {
+            ItemKind::Mark('(' | '[' | '{') => 1,
+            ItemKind::Mark(')' | ']' | '}') => -1,
             _ => 0,
         };
-        match item.ink {
-            Ink::Relation(r) if depth == 0 => {
+        match item.kind {
+            ItemKind::Relation(r) if depth == 0 => {
                 s.relations.push(r);
                 s.sides.push(Vec::new());
             }

@@ -1,6 +1,6 @@
 //! The letters and signs of a document, read as pieces of formulas: indices go to the letter that carries them.
 
-use super::ink::{Ink, Item};
+use super::layout::{Item, ItemKind};
 use super::names::Names;
 use super::tables::{relation, script};
 use crate::render::formula::greek;
@@ -34,10 +34,10 @@ impl Reader<'_> {
         self.text.get(self.at).or(self.text.last()).map_or(0, |t| t.1)
     }
 
-    pub(super) fn push(&mut self, ink: Ink) {
-        let mut item = Item::new(ink, self.line(), std::mem::take(&mut self.spaced));
+    pub(super) fn push(&mut self, kind: ItemKind) {
+        let mut item = Item::new(kind, self.line(), std::mem::take(&mut self.spaced));
         if let Some(last) = self.out.last()
-            && last.ink == Ink::Empty
+            && last.kind == ItemKind::Empty
             && item.carries()
             && let Some(empty) = self.out.pop()
         {
@@ -72,7 +72,7 @@ impl Reader<'_> {
                 }
                 '\n' if self.plain => {
                     self.at += 1;
-                    self.push(Ink::Break);
+                    self.push(ItemKind::Break);
                 }
                 _ if c.is_whitespace() => {
                     self.spaced = true;
@@ -81,7 +81,7 @@ impl Reader<'_> {
                 '{' if !self.plain => {
                     self.at += 1;
                     let inner = self.group('}');
-                    self.push(if inner.is_empty() { Ink::Empty } else { Ink::Group(inner) });
+                    self.push(if inner.is_empty() { ItemKind::Empty } else { ItemKind::Group(inner) });
                 }
                 '}' if !self.plain => self.at += 1,
                 '^' | '_' => {
@@ -91,7 +91,7 @@ impl Reader<'_> {
                 }
                 '&' if !self.plain => {
                     self.at += 1;
-                    self.push(Ink::Tab);
+                    self.push(ItemKind::Tab);
                 }
                 '\'' | '′' => {
                     self.at += 1;
@@ -102,7 +102,7 @@ impl Reader<'_> {
                 '√' => {
                     self.at += 1;
                     let inner = self.argument();
-                    self.push(Ink::Root(inner));
+                    self.push(ItemKind::Root(inner));
                 }
                 '%' => {
                     self.take_while(|c| c != '\n');
@@ -123,27 +123,27 @@ impl Reader<'_> {
     }
 
     fn sign(&mut self, c: char) {
-        let ink = match c {
-            '−' | '–' | '-' => Ink::Mark('-'),
-            '·' | '×' | '*' | '⋅' | '∙' => Ink::Mark('*'),
-            '±' => Ink::PlusMinus,
-            '°' => Ink::Degree,
-            '…' | '⋯' => Ink::Dots,
-            '【' => Ink::Mark('['),
-            '】' => Ink::Mark(']'),
-            '（' => Ink::Mark('('),
-            '）' => Ink::Mark(')'),
-            '，' | '、' => Ink::Mark(','),
-            '；' => Ink::Mark(';'),
-            '。' => Ink::Mark('.'),
+        let kind = match c {
+            '−' | '–' | '-' => ItemKind::Mark('-'),
+            '·' | '×' | '*' | '⋅' | '∙' => ItemKind::Mark('*'),
+            '±' => ItemKind::PlusMinus,
+            '°' => ItemKind::Degree,
+            '…' | '⋯' => ItemKind::Dots,
+            '【' => ItemKind::Mark('['),
+            '】' => ItemKind::Mark(']'),
+            '（' => ItemKind::Mark('('),
+            '）' => ItemKind::Mark(')'),
+            '，' | '、' => ItemKind::Mark(','),
+            '；' => ItemKind::Mark(';'),
+            '。' => ItemKind::Mark('.'),
             c if relation(c.encode_utf8(&mut [0; 4])).is_some() => {
-                relation(c.encode_utf8(&mut [0; 4])).map_or(Ink::Gap, Ink::Relation)
+                relation(c.encode_utf8(&mut [0; 4])).map_or(ItemKind::Gap, ItemKind::Relation)
             }
-            c if greek::name(c).is_some() => Ink::Name(greek::name(c).unwrap_or_default().to_string()),
-            c if c.is_ascii_alphabetic() => Ink::Name(c.to_string()),
-            c => Ink::Mark(c),
+            c if greek::name(c).is_some() => ItemKind::Name(greek::name(c).unwrap_or_default().to_string()),
+            c if c.is_ascii_alphabetic() => ItemKind::Name(c.to_string()),
+            c => ItemKind::Mark(c),
         };
-        self.push(ink);
+        self.push(kind);
         if greek::name(c).is_some() || c.is_ascii_alphabetic() {
             self.digits_below();
         }
@@ -163,12 +163,12 @@ impl Reader<'_> {
             let from = self.at;
             let unit = self.take_while(|c| c.is_ascii_alphabetic());
             if matches!(unit.as_str(), "mm" | "cm" | "m" | "deg" | "in") {
-                self.push(Ink::Number(format!("{digits}{unit}")));
+                self.push(ItemKind::Number(format!("{digits}{unit}")));
                 return;
             }
             self.at = from;
         }
-        self.push(Ink::Number(digits));
+        self.push(ItemKind::Number(digits));
     }
 
     /// A run of letters in plain text: a word that is known, or letters side by side.
@@ -184,8 +184,8 @@ impl Reader<'_> {
             None if axis => {
                 let line = self.line();
                 self.at += 2;
-                self.push(Ink::Name(rest[..1].to_string()));
-                self.index(vec![Item::new(Ink::Name(rest[1..2].to_string()), line, false)], false);
+                self.push(ItemKind::Name(rest[..1].to_string()));
+                self.index(vec![Item::new(ItemKind::Name(rest[1..2].to_string()), line, false)], false);
                 return;
             }
             None if run == 1 || rest.chars().take(run).all(|c| "abcdlpqrsxyzTJLRP".contains(c)) => 1,
@@ -193,7 +193,7 @@ impl Reader<'_> {
         };
         let word: String = rest.chars().take(length).collect();
         self.at += length;
-        self.push(Ink::Name(word));
+        self.push(ItemKind::Name(word));
         self.digits_below();
     }
 
@@ -202,7 +202,7 @@ impl Reader<'_> {
         let line = self.line();
         let digits = self.take_while(|c| c.is_ascii_digit());
         if !digits.is_empty() {
-            self.index(vec![Item::new(Ink::Number(digits), line, false)], false);
+            self.index(vec![Item::new(ItemKind::Number(digits), line, false)], false);
         }
     }
 
@@ -224,23 +224,24 @@ impl Reader<'_> {
         let ahead = up && self.peek().is_some_and(|c| c.is_ascii_alphabetic());
         let apart = self.spaced || self.out.last().is_none_or(|l| !l.carries() || l.is('(') || l.is('['));
         if ahead && apart {
-            self.push(Ink::Empty);
+            self.push(ItemKind::Empty);
         }
         self.index(inner, up);
     }
 
     /// Puts indices to the last piece; to nothing, where there is none that can carry them.
     fn index(&mut self, inner: Vec<Item>, up: bool) {
-        if up && matches!(inner.as_slice(), [only] if only.ink == Ink::Degree) {
-            self.push(Ink::Degree);
+        if up && matches!(inner.as_slice(), [only] if only.kind == ItemKind::Degree) {
+            self.push(ItemKind::Degree);
             return;
         }
         let primes = inner.iter().filter(|i| i.name() == Some("prime")).count();
         let free = |i: &Item| if up { i.sup.is_none() } else { i.sub.is_none() };
         let apart = self.spaced && self.plain;
-        let fits = !apart && self.out.last().is_some_and(|l| l.carries() && free(l) || l.ink == Ink::Empty && free(l));
+        let fits =
+            !apart && self.out.last().is_some_and(|l| l.carries() && free(l) || l.kind == ItemKind::Empty && free(l));
         if !fits {
-            self.push(Ink::Empty);
+            self.push(ItemKind::Empty);
         }
         let Some(last) = self.out.last_mut() else { return };
         if up && primes > 0 && primes == inner.len() {
@@ -291,11 +292,11 @@ impl Reader<'_> {
             match c {
                 _ if c.is_ascii_digit() => {
                     let digits = self.take_while(|c| c.is_ascii_digit());
-                    self.push(Ink::Number(digits));
+                    self.push(ItemKind::Number(digits));
                 }
                 _ if c.is_ascii_alphabetic() => {
                     let name = self.take_while(|c| c.is_ascii_alphabetic());
-                    self.push(Ink::Name(name));
+                    self.push(ItemKind::Name(name));
                 }
                 _ => {
                     self.at += 1;
@@ -315,7 +316,7 @@ impl Reader<'_> {
         self.at += 1;
         let mut inner = Vec::new();
         if c.is_ascii_digit() {
-            inner.push(Item::new(Ink::Number(c.to_string()), line, false));
+            inner.push(Item::new(ItemKind::Number(c.to_string()), line, false));
         } else {
             let outer = std::mem::take(&mut self.out);
             self.sign(c);

@@ -1,6 +1,6 @@
 //! The parts of a document that hold formulas.
 
-use super::drawn;
+use super::ascii_matrices;
 use super::names::Names;
 use super::tables::{DISPLAYS, relation};
 
@@ -18,7 +18,7 @@ pub(super) struct Region {
 /// All regions, in order.
 pub(super) fn split(text: &str, names: &Names<'_>) -> Vec<Region> {
     let marked = text.contains('$') || ["\\[", "\\(", "\\begin{"].iter().any(|m| text.contains(m));
-    if marked { Marked::new(text).regions(names) } else { plain(&numbered(drawn::flatten(text)), names) }
+    if marked { Marked::new(text).regions(names) } else { plain(&numbered(ascii_matrices::flatten(text)), names) }
 }
 
 fn numbered(lines: Vec<String>) -> Vec<(usize, String)> {

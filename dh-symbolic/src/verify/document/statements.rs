@@ -1,6 +1,6 @@
-//! From a stretch of formulas to lines of a derivation: rows, sides, definitions, given values, claims.
+//! Turns the statements of a document into lines of a derivation: definitions, given values, claims.
 
-use super::ink::Ink;
+use super::layout::ItemKind;
 use super::letter::Letter;
 use super::meaning::{formula, top_level};
 use super::names::{Names, Unknown};
@@ -111,7 +111,7 @@ impl Statement {
             let mut depth = 0;
             let halves = s.split(move |i| {
                 depth += i32::from(i.is('(') || i.is('[')) - i32::from(i.is(')') || i.is(']'));
-                depth == 0 && i.ink == Ink::PlusMinus
+                depth == 0 && i.kind == ItemKind::PlusMinus
             });
             halves.filter(|h| !h.is_empty())
         });
@@ -125,7 +125,7 @@ impl Statement {
         if let Some((plain, common)) = self.signed_side(names) {
             return plain.tell_in(common, names, sheet);
         }
-        if self.sides.iter().any(|s| top_level(s).any(|i| i.ink == Ink::PlusMinus)) {
+        if self.sides.iter().any(|s| top_level(s).any(|i| i.kind == ItemKind::PlusMinus)) {
             return self.both_signs(names, sheet);
         }
         match self.words(names) {
@@ -163,7 +163,7 @@ impl Statement {
         let angle = formula(left, names).ok().filter(|w| names.variable(&text(w)) == Some(true));
         let [function, open, ..] = right.as_slice() else { return None };
         let whole = super::meaning::closing(right, 1) == Some(right.len() - 1);
-        let at = right.iter().position(|i| i.ink == Ink::PlusMinus)?;
+        let at = right.iter().position(|i| i.kind == ItemKind::PlusMinus)?;
         let common = match right.get(at.checked_sub(1)?) {
             Some(i) if i.is('(') && at == 2 => "cos",
             Some(i) if i.is(',') => "sin",
@@ -197,7 +197,7 @@ impl Statement {
         let mut depth = 0;
         let cut = right.iter().position(|i| {
             depth += i32::from(i.is('(') || i.is('[')) - i32::from(i.is(')') || i.is(']'));
-            depth == 0 && i.ink == Ink::PlusMinus
+            depth == 0 && i.kind == ItemKind::PlusMinus
         });
         let Some(cut) = cut else { return refuse(sheet, "± on the left side") };
         let (middle, apart) = (right.get(..cut).unwrap_or_default(), right.get(cut + 1..).unwrap_or_default());
@@ -207,7 +207,7 @@ impl Statement {
             return match self
                 .sides
                 .iter()
-                .find_map(|s| s.split(|i| i.ink == Ink::PlusMinus).find_map(|p| formula(p, names).err()))
+                .find_map(|s| s.split(|i| i.kind == ItemKind::PlusMinus).find_map(|p| formula(p, names).err()))
             {
                 Some(unknown) => refuse(sheet, &unknown.why),
                 None => refuse(sheet, "this ± is not understood"),

@@ -1,4 +1,4 @@
-//! Letters, signs and commands of printed formulas.
+//! Lookup tables for the letters, signs and commands of printed formulas.
 
 use crate::render::formula::greek::GREEK;
 

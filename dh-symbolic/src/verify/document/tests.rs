@@ -1,6 +1,6 @@
 //! Spellings of formulas and what they are read as.
 
-use super::Paper;
+use super::DocumentClaims;
 use crate::chain::samples::{PUMA, chain};
 use crate::verify::language::{Statement, line_text};
 
@@ -19,7 +19,7 @@ base = tz(300mm); tool = tz(100mm);
 
 /// The lines that a document is read as; what is not understood with its reason.
 fn lines(table: &str, text: &str) -> Vec<String> {
-    let paper = Paper::read(&chain(table), text);
+    let paper = DocumentClaims::read(&chain(table), text);
     let d = &paper.derivation;
     d.lines
         .iter()
@@ -111,12 +111,12 @@ $$ {}^1p_z = k $$";
 #[test]
 fn prose_is_skipped_and_counted() {
     let text = "The arm = six links.\n\nWe set x = 3 here, and then p_x = a2 c2 follows.\nNothing else.\n\np_y = a2 s2\n   + d3 c1\n";
-    let paper = Paper::read(&chain(PUMA), text);
+    let paper = DocumentClaims::read(&chain(PUMA), text);
     let d = &paper.derivation;
     let places: Vec<(usize, String)> = d.lines.iter().map(|l| (paper.line(&l.place), d.text(&l.place))).collect();
     assert_eq!(places, [(6, "T(0,6).py = a2*s2 + d3*c1".to_string())]);
     assert_eq!(paper.prose, 3);
-    assert_eq!(Paper::read(&chain(PUMA), "").prose, 0);
+    assert_eq!(DocumentClaims::read(&chain(PUMA), "").prose, 0);
 }
 
 /// Whatever stands in a document, reading it ends and does not panic.
@@ -171,9 +171,9 @@ fn anything_can_be_read() {
             seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
             text.push_str(pieces[(seed >> 33) as usize % pieces.len()]);
         }
-        Paper::read(&chain, &text);
+        DocumentClaims::read(&chain, &text);
     }
-    Paper::read(&chain, &"{".repeat(100_000));
-    Paper::read(&chain, &format!("$${}$$", "\\sqrt{".repeat(2000)));
-    Paper::read(&chain, &format!("$$p_x = {}$$", "(".repeat(2000)));
+    DocumentClaims::read(&chain, &"{".repeat(100_000));
+    DocumentClaims::read(&chain, &format!("$${}$$", "\\sqrt{".repeat(2000)));
+    DocumentClaims::read(&chain, &format!("$$p_x = {}$$", "(".repeat(2000)));
 }

@@ -1,6 +1,6 @@
 //! `{}^0_6T`, `T_6^0`, `A_1`, `{}^0_3R`, `{}^0P_4`: transforms between frames in their many spellings.
 
-use super::ink::{Ink, Item};
+use super::layout::{Item, ItemKind};
 use super::letter::{general, index_text};
 use super::names::{Names, Unknown};
 use crate::chain::{Convention, Coordinate};
@@ -263,8 +263,8 @@ pub(super) fn motion(item: &Item) -> Option<(char, Option<bool>)> {
         _ => return None,
     };
     let first = item.sub.as_deref()?.first()?;
-    let axis = match &first.ink {
-        Ink::Name(n) | Ink::Text(n) => n.chars().next()?.to_ascii_lowercase(),
+    let axis = match &first.kind {
+        ItemKind::Name(n) | ItemKind::Text(n) => n.chars().next()?.to_ascii_lowercase(),
         _ => return None,
     };
     matches!(axis, 'x' | 'y' | 'z').then_some((axis, rotation))

@@ -1,4 +1,4 @@
-//! What a hand derivation says: the lines of a `prove { ... }` block as trees. This page is the manual of that notation.
+//! The notation of hand derivations: its manual, and the syntax trees of the lines of a `prove { ... }` block.
 //!
 //! **In:** [`Token`]s (made from Rust tokens by `chain/table`). **Out:** a [`Derivation`]; a line that cannot be read is kept as
 //! [`Statement::Unreadable`] with its place and reason, so that one slip of the pen stays one message.

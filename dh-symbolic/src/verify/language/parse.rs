@@ -1,4 +1,4 @@
-//! Words to lines and formulas: recursive descent with a limit of depth.
+//! Recursive-descent parser for the lines of a derivation, with a depth limit.
 
 use super::{Expr, ExprKind, Line, NotUnderstood, Place, Quantity, Relation, Setting, Statement, Token, TokenKind};
 

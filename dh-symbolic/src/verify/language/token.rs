@@ -1,4 +1,4 @@
-//! The words of a derivation, and writing them down again.
+//! The tokens of a derivation, and their text.
 
 /// One word.
 #[derive(Clone, Debug, PartialEq, Eq)]

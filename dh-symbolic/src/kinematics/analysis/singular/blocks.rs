@@ -1,4 +1,4 @@
-//! Square matrices with zeros: blocks on the diagonal.
+//! Block-triangular form of a square matrix, found from the pattern of its zeros.
 
 /// Side of the matrices here: three linear and three angular rows.
 pub(super) const SIDE: usize = 6;

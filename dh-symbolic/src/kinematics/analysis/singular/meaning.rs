@@ -1,9 +1,9 @@
-//! What a factor of the determinant says about the arm: which axes line up, which point lies on which axis, what is stretched.
+//! The geometric meaning of a factor of the Jacobian determinant: axes that align, points that lie on an axis, a stretched elbow.
 //!
 //! Each statement is a number that vanishes when it holds (a distance, a triple product). A factor means the first statement whose
 //! number is a constant multiple of it, judged at joint vectors in general position with parameters in general position.
 
-use super::{Determinant, Stand};
+use super::{Determinant, ReferenceFrame};
 use crate::algebra::{Point, Poly};
 use crate::chain::{Chain, Coordinate, Handle};
 use crate::kinematics::Kinematics;
@@ -16,11 +16,11 @@ pub enum Kind {
     /// Three parallel axes come to lie in one plane.
     Axes(usize, usize, usize),
     /// Two parallel axes and a point come to lie in one plane.
-    Stretched(usize, usize, Stand),
+    Stretched(usize, usize, ReferenceFrame),
     /// A point comes to lie on the axis of a joint.
-    OnAxis(Stand, usize),
+    OnAxis(ReferenceFrame, usize),
     /// A point comes to lie in the plane through the axis of the first joint parallel to the axis of the second.
-    InPlane(Stand, usize, usize),
+    InPlane(ReferenceFrame, usize, usize),
     /// The directions of three axes come to lie in one plane.
     Coplanar(usize, usize, usize),
 }
@@ -92,11 +92,11 @@ impl Posture {
         Posture { frames, values: factors.iter().map(|f| f.evaluate(&at)).collect() }
     }
 
-    fn frame(&self, s: Stand) -> (Triple, Triple) {
+    fn frame(&self, s: ReferenceFrame) -> (Triple, Triple) {
         let i = match s {
-            Stand::Base => 0,
-            Stand::Link(i) => i + 1,
-            Stand::Tool => self.frames.len() - 1,
+            ReferenceFrame::Base => 0,
+            ReferenceFrame::Link(i) => i + 1,
+            ReferenceFrame::Tool => self.frames.len() - 1,
         };
         self.frames[i.min(self.frames.len() - 1)]
     }
@@ -104,7 +104,7 @@ impl Posture {
 
 /// The number of a statement.
 fn number(chain: &Chain, p: &Posture, kind: Kind) -> f64 {
-    let axis = |j: usize| p.frame(Stand::of_joint(chain, j));
+    let axis = |j: usize| p.frame(ReferenceFrame::of_joint(chain, j));
     match kind {
         Kind::Parallel(i, j) => norm(cross(axis(i).0, axis(j).0)),
         Kind::Axes(i, j, k) => {
@@ -136,8 +136,8 @@ fn statements(chain: &Chain, d: &Determinant, postures: &[Posture]) -> Vec<Kind>
     };
     let mut both = pairs(&turning);
     let mut points = vec![d.point];
-    points.extend([Stand::Tool].into_iter().filter(|s| *s != d.point));
-    points.extend(turning.iter().map(|j| Stand::of_joint(chain, *j)).filter(|s| *s != d.point));
+    points.extend([ReferenceFrame::Tool].into_iter().filter(|s| *s != d.point));
+    points.extend(turning.iter().map(|j| ReferenceFrame::of_joint(chain, *j)).filter(|s| *s != d.point));
     both.sort_by_key(|(i, j)| (j - i, *i));
     let mut list: Vec<Kind> =
         both.iter().filter(|(i, j)| !parallel(*i, *j)).map(|(i, j)| Kind::Parallel(*i, *j)).collect();
@@ -151,7 +151,8 @@ fn statements(chain: &Chain, d: &Determinant, postures: &[Posture]) -> Vec<Kind>
             for j in d.joints.iter().filter(|j| *j != i && !parallel(*i, **j)) {
                 // In a plane that the point never leaves sideways, it is the axis itself.
                 let square = |p: &Posture| {
-                    let (axis, other) = (p.frame(Stand::of_joint(chain, *i)), p.frame(Stand::of_joint(chain, *j)));
+                    let (axis, other) =
+                        (p.frame(ReferenceFrame::of_joint(chain, *i)), p.frame(ReferenceFrame::of_joint(chain, *j)));
                     dot(axis.0, other.0).abs() + dot(minus(p.frame(*s).1, axis.1), other.0).abs() < 1e-9
                 };
                 if !postures.iter().all(square) {

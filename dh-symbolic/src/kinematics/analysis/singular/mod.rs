@@ -1,4 +1,4 @@
-//! Where an arm is singular: the determinant of its Jacobian, taken apart along the structure of the arm.
+//! Singular configurations: the determinant of the Jacobian, factored along the structure of the arm.
 //!
 //! **In:** a [`Chain`]. **Out:** [`Determinant`]: the columns written where they have most zeros, the blocks that these leave, the
 //! factors of the blocks' determinants and what each says about the arm.
@@ -10,18 +10,18 @@
 
 mod blocks;
 mod meaning;
-mod stand;
+mod reference_frame;
 
 pub use blocks::Block;
 pub use meaning::{Kind, Meaning, Place};
-pub use stand::Stand;
+pub use reference_frame::ReferenceFrame;
 
 use crate::algebra::{Element, FieldPoint, Poly, Rational, Vector, determinant};
 use crate::chain::{Chain, Coordinate, Task};
 use crate::kinematics::{Kinematics, jacobian};
 use blocks::{Pattern, SIDE};
-pub(in crate::kinematics) use stand::seen;
-use stand::{Frame, Triple, cross, frames, minus};
+pub(in crate::kinematics) use reference_frame::relative_transform;
+use reference_frame::{NumericFrame, Triple, cross, frames, minus};
 
 /// Products of terms that one block may take.
 const BUDGET: usize = 60_000;
@@ -49,11 +49,11 @@ pub struct Determinant {
     /// Motions of the other columns.
     pub open: Vec<Open>,
     /// The point whose velocity the linear rows hold: the origin of this frame.
-    pub point: Stand,
+    pub point: ReferenceFrame,
     /// Axes of the linear rows.
-    pub linear: Stand,
+    pub linear: ReferenceFrame,
     /// Axes of the angular rows.
-    pub angular: Stand,
+    pub angular: ReferenceFrame,
     /// The columns, linear rows first.
     pub columns: Vec<[Poly; SIDE]>,
     /// Blocks on the diagonal, whose determinants multiply up to that of the whole (up to sign).
@@ -174,22 +174,22 @@ fn choices(chain: &Chain, joints: &[usize], views: &[View<'_>]) -> Vec<Vec<Open>
 /// The arm at a point of the field.
 struct View<'a> {
     chain: &'a Chain,
-    /// In the order of [`Stand::all`].
-    frames: Vec<Frame>,
+    /// In the order of [`ReferenceFrame::all`].
+    frames: Vec<NumericFrame>,
 }
 
-fn place(s: Stand, n: usize) -> usize {
+fn place(s: ReferenceFrame, n: usize) -> usize {
     match s {
-        Stand::Base => 0,
-        Stand::Link(i) => i + 1,
-        Stand::Tool => n + 2,
+        ReferenceFrame::Base => 0,
+        ReferenceFrame::Link(i) => i + 1,
+        ReferenceFrame::Tool => n + 2,
     }
 }
 
 impl View<'_> {
     /// Column of a joint: linear part in the axes of frame `a`, angular part in those of `b`, at the origin of `p`.
     fn joint(&self, joint: usize, a: usize, b: usize, p: usize) -> [Element; SIDE] {
-        let Some(f) = self.frames.get(place(Stand::of_joint(self.chain, joint), 0)) else {
+        let Some(f) = self.frames.get(place(ReferenceFrame::of_joint(self.chain, joint), 0)) else {
             return [Element::ZERO; SIDE];
         };
         let slides = self.chain.joints.get(joint).is_some_and(|j| matches!(j.coordinate, Coordinate::Length(_)));
@@ -224,13 +224,13 @@ impl View<'_> {
 /// Sizes of the blocks, the greatest first; entries in them; way from the joints.
 type Score = (Vec<usize>, usize, usize);
 /// Axes of the linear rows, of the angular rows, the point, and the blocks.
-type Written = ([Stand; 3], Vec<Block>);
+type Written = ([ReferenceFrame; 3], Vec<Block>);
 
 /// Points and axes with the smallest blocks; those with the fewest entries, then with the shortest way from the joints, come first.
 fn places(views: &[View<'_>], joints: &[usize], open: &[Open], n: usize) -> Vec<Written> {
-    let stands = Stand::all(n);
+    let stands = ReferenceFrame::all(n);
     let Some(first) = views.first() else { return Vec::new() };
-    let of_joint: Vec<usize> = joints.iter().map(|j| place(Stand::of_joint(first.chain, *j), n)).collect();
+    let of_joint: Vec<usize> = joints.iter().map(|j| place(ReferenceFrame::of_joint(first.chain, *j), n)).collect();
     // Zeros of linear rows by axes and point, of angular rows by axes.
     let halves = |a: usize, p: usize| -> Pattern {
         let mut pattern: Pattern = [0; SIDE];
@@ -310,9 +310,15 @@ fn eliminate(mut m: Vec<[Element; SIDE]>) -> Element {
 }
 
 /// The columns, exact.
-fn columns(chain: &Chain, k: &Kinematics, joints: &[usize], open: &[Open], at: [Stand; 3]) -> Vec<[Poly; SIDE]> {
+fn columns(
+    chain: &Chain,
+    k: &Kinematics,
+    joints: &[usize],
+    open: &[Open],
+    at: [ReferenceFrame; 3],
+) -> Vec<[Poly; SIDE]> {
     let [linear, angular, point] = at;
-    let (tool, tip) = (seen(k, linear, Stand::Tool).p, seen(k, linear, point).p);
+    let (tool, tip) = (relative_transform(k, linear, ReferenceFrame::Tool).p, relative_transform(k, linear, point).p);
     let column = |slides: bool, z: [Vector; 2], o: &Vector| -> [Poly; SIDE] {
         let arm: Vector = std::array::from_fn(|i| &tip[i] - &o[i]);
         let v = if slides { z[0].clone() } else { crate::algebra::cross(&z[0], &arm) };
@@ -323,17 +329,17 @@ fn columns(chain: &Chain, k: &Kinematics, joints: &[usize], open: &[Open], at: [
         })
     };
     let of_joint = |j: &usize| {
-        let s = Stand::of_joint(chain, *j);
+        let s = ReferenceFrame::of_joint(chain, *j);
         let slides = chain.joints.get(*j).is_some_and(|j| matches!(j.coordinate, Coordinate::Length(_)));
-        let t = seen(k, linear, s);
-        column(slides, [t.column(2), seen(k, angular, s).column(2)], &t.p)
+        let t = relative_transform(k, linear, s);
+        column(slides, [t.column(2), relative_transform(k, angular, s).column(2)], &t.p)
     };
     let of_open = |o: &Open| {
         let (s, axis) = match o {
-            Open::Slide(axis) | Open::Turn(axis) => (Stand::Base, *axis),
-            Open::Roll => (Stand::Tool, 2),
+            Open::Slide(axis) | Open::Turn(axis) => (ReferenceFrame::Base, *axis),
+            Open::Roll => (ReferenceFrame::Tool, 2),
         };
-        let z = [seen(k, linear, s).column(axis), seen(k, angular, s).column(axis)];
+        let z = [relative_transform(k, linear, s).column(axis), relative_transform(k, angular, s).column(axis)];
         column(matches!(o, Open::Slide(_)), z, &tool)
     };
     joints.iter().map(of_joint).chain(open.iter().map(of_open)).collect()

@@ -1,6 +1,6 @@
-//! A plan as it is told to people: every step with its equations in exact form, its solution, its reasons.
+//! Explains a plan of the inverse kinematics: for every step its exact equations, its solution and where they come from.
 //!
-//! **In:** a [`Plan`]. **Out:** [`Story`]: typeset formulas per step, still without prose. `notes` tells it as a derivation,
+//! **In:** a [`Plan`]. **Out:** [`Explanation`]: typeset formulas per step, still without prose. `notes` tells it as a derivation,
 //! `plan` as a summary and a flow chart.
 
 mod names;
@@ -21,7 +21,7 @@ pub(crate) use names::{PoseName, Source};
 pub(crate) use solution::Solution;
 
 /// A plan with names for everything in it.
-pub(crate) struct Story<'a> {
+pub(crate) struct Explanation<'a> {
     pub(crate) plan: &'a Plan,
     notation: Notation,
     order: Order,
@@ -36,11 +36,11 @@ pub(crate) struct Story<'a> {
     /// Known poses in order of first use.
     pub(crate) poses: Vec<PoseName>,
     /// The steps.
-    pub(crate) steps: Vec<StepStory>,
+    pub(crate) steps: Vec<StepExplanation>,
 }
 
 /// One step.
-pub(crate) struct StepStory {
+pub(crate) struct StepExplanation {
     /// What people call it.
     pub(crate) words: Words,
     /// The unknowns: angles, sums of angles, lengths.
@@ -55,7 +55,7 @@ pub(crate) struct StepStory {
     pub(crate) solution: Solution,
     /// Most solutions of this step.
     pub(crate) roots: usize,
-    /// Known poses that occur here first: indices into the story's list.
+    /// Known poses that occur here first: indices into the explanation's list.
     pub(crate) new_poses: Vec<usize>,
     /// Meaning of what occurs here first besides their elements.
     pub(crate) new_extras: Vec<(Math, Math)>,
@@ -65,10 +65,10 @@ pub(crate) struct StepStory {
     pub(crate) expressions: Vec<Expression>,
 }
 
-impl<'a> Story<'a> {
+impl<'a> Explanation<'a> {
     /// Names everything in a plan. `notation` has the names of the chain.
-    pub(crate) fn new(chain: &Chain, plan: &'a Plan, notation: &Notation) -> Story<'a> {
-        let mut story = Story {
+    pub(crate) fn new(chain: &Chain, plan: &'a Plan, notation: &Notation) -> Explanation<'a> {
+        let mut explanation = Explanation {
             plan,
             notation: names::notation(chain, plan, notation),
             order: Order::of(chain),
@@ -86,15 +86,15 @@ impl<'a> Story<'a> {
             poses: Vec::new(),
             steps: Vec::new(),
         };
-        story.name_poses(chain);
+        explanation.name_poses(chain);
         for (i, step) in plan.steps.iter().enumerate() {
-            let told = story.step(i, step);
-            story.steps.push(told);
+            let explained = explanation.step(i, step);
+            explanation.steps.push(explained);
         }
-        story
+        explanation
     }
 
-    fn step(&self, number: usize, step: &Step) -> StepStory {
+    fn step(&self, number: usize, step: &Step) -> StepExplanation {
         let step = &rows::without_repeats(step);
         let rows = rows::rows(self, step);
         let solution = solution::solution(self, number + 1, step, &rows);
@@ -120,7 +120,7 @@ impl<'a> Story<'a> {
             let right = std::mem::replace(&mut first.1, name.clone());
             equations.push((name.clone(), right));
         }
-        StepStory {
+        StepExplanation {
             words: step.words(),
             unknown: step.unknown.iter().map(|f| self.unknown(f)).collect(),
             sums: step.unknown.iter().filter_map(|f| self.sum(f)).collect(),
@@ -187,8 +187,8 @@ impl<'a> Story<'a> {
     fn plain(&self, p: &Poly) -> Poly {
         p.substitute_symbols(|s| {
             let known = self.plan.knowledge.known.iter().filter(|k| k.turns).find(|k| k.symbols.contains(&s))?;
-            let wave = self.angles(&known.form);
-            Some(Poly::harmonic(&wave, known.symbols.first() != Some(&s)))
+            let trig = self.angles(&known.form);
+            Some(Poly::harmonic(&trig, known.symbols.first() != Some(&s)))
         })
     }
 
@@ -196,7 +196,7 @@ impl<'a> Story<'a> {
         self.notation.typeset(&self.group(p))
     }
 
-    /// The notation of the story.
+    /// The notation of the explanation.
     pub(crate) fn notation(&self) -> &Notation {
         &self.notation
     }

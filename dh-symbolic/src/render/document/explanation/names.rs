@@ -1,11 +1,11 @@
-//! Names in a story: frames on the axes, poses that are known, unknowns, where an equation comes from.
+//! Names in an explanation: frames on the axes, poses that are known, unknowns, where an equation comes from.
 
-use super::Story;
+use super::Explanation;
 use crate::algebra::{AngleVar, Symbol, Transform};
 use crate::chain::{Chain, Convention, Coordinate, Elementary, Task};
 use crate::planner::{Equation, KnownPose, Plan, Scalar, constant_height};
 use crate::render::document::frames::Frame;
-use crate::render::formula::expression::Wave;
+use crate::render::formula::expression::Trig;
 use crate::render::formula::math::{Math, Sign};
 use crate::render::formula::notation::{Name, Notation};
 
@@ -79,7 +79,7 @@ pub(super) fn weighted(pieces: impl Iterator<Item = (i8, Math)>) -> Math {
     Math::Row(row)
 }
 
-impl Story<'_> {
+impl Explanation<'_> {
     /// The angles of a form with their factors; empty for a sliding joint.
     pub(super) fn angles(&self, form: &[i8]) -> Vec<(AngleVar, i8)> {
         let mut list: Vec<(AngleVar, i8)> = form
@@ -137,7 +137,7 @@ impl Story<'_> {
         let before = hops.get(..hop).unwrap_or(hops);
         let joints = before.iter().filter(|h| h.joint.is_some()).count();
         let shifted = before.last().is_some_and(|h| h.joint.is_none());
-        // The shift of the tool is none of the frame's.
+        // A tool translation isn't part of the frame's own shift.
         let own = !(self.end.is_some() && hop + 1 == hops.len());
         let will_shift = own && !before.is_empty() && hops.get(hop).is_some_and(|h| h.joint.is_none());
         (joints, if self.modified { will_shift && !shifted } else { shifted })
@@ -330,13 +330,13 @@ impl Story<'_> {
 impl Notation {
     /// A sum of angles under one letter: theta234.
     pub(super) fn angle_sum(&self, angles: &[(AngleVar, i8)]) -> Math {
-        let wave = self.wave(&Wave { angles: angles.to_vec(), sine: false });
+        let trig = self.trig(&Trig { angles: angles.to_vec(), sine: false });
         let letter = match angles.first().map(|(v, _)| self.angle(*v)) {
             Some(Math::Script(s)) => s.base,
             Some(m @ Math::Letter(_)) => m,
             _ => Math::Letter('θ'),
         };
-        match wave {
+        match trig {
             Math::Script(s) if s.base == Math::Letter('c') => match s.sub {
                 Some(index) => letter.below(index),
                 None => letter,

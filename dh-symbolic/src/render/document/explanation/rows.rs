@@ -1,9 +1,9 @@
-//! Equations of a step as rows: coefficient times sine, cosine or power of the unknown, and what is known on the right.
+//! The equations of a step with the unknown collected on the left (coefficients of its sine, cosine or powers) and known terms on the right.
 
-use super::Story;
+use super::Explanation;
 use crate::algebra::{Monomial, Poly, Rational, Symbol};
 use crate::planner::{Collected, Part, Step};
-use crate::render::formula::expression::{Expression, Summand, Wave};
+use crate::render::formula::expression::{Expression, Summand, Trig};
 use crate::render::formula::math::{Math, Sign};
 
 /// `sum of coefficient times unknown = right`.
@@ -20,8 +20,8 @@ pub(super) struct Row {
 }
 
 /// The rows of a step, signs and common lengths taken out.
-pub(super) fn rows(story: &Story<'_>, step: &Step) -> Vec<Row> {
-    step.collected.iter().map(|c| row(story, step, c)).collect()
+pub(super) fn rows(explanation: &Explanation<'_>, step: &Step) -> Vec<Row> {
+    step.collected.iter().map(|c| row(explanation, step, c)).collect()
 }
 
 /// The step without equations whose left sides are those of others: of two the one stays that needs fewer known poses.
@@ -55,7 +55,7 @@ pub(super) fn without_repeats(step: &Step) -> Step {
     out
 }
 
-fn row(story: &Story<'_>, step: &Step, collected: &Collected) -> Row {
+fn row(explanation: &Explanation<'_>, step: &Step, collected: &Collected) -> Row {
     let mut left: Vec<(Poly, Vec<Part>)> = Vec::new();
     let mut right = Poly::zero();
     for (parts, p) in collected {
@@ -65,7 +65,7 @@ fn row(story: &Story<'_>, step: &Step, collected: &Collected) -> Row {
             left.push((p.clone(), parts.clone()));
         }
     }
-    let (number, symbols) = common(story, left.iter().map(|(p, _)| p));
+    let (number, symbols) = common(explanation, left.iter().map(|(p, _)| p));
     for (p, _) in &mut left {
         *p = divide(p, &number, &symbols);
     }
@@ -76,7 +76,7 @@ fn row(story: &Story<'_>, step: &Step, collected: &Collected) -> Row {
     } else {
         divisor = Poly::constant(number);
     }
-    let (_, shared) = common(story, std::iter::once(&right));
+    let (_, shared) = common(explanation, std::iter::once(&right));
     for (s, n) in symbols {
         // What the right side is divisible by goes; the rest is written below it.
         let whole = if right.is_zero() { n } else { shared.iter().find(|x| x.0 == s).map_or(0, |x| x.1.min(n)) };
@@ -84,8 +84,8 @@ fn row(story: &Story<'_>, step: &Step, collected: &Collected) -> Row {
         divisor = &divisor * &Poly::power(s, n - whole);
     }
     let (mut left, mut right): (Vec<_>, Poly) =
-        (left.into_iter().map(|(p, k)| (story.plain(&p), k)).collect(), story.plain(&right));
-    let negative = |p: &Poly| leads_negative(&story.order.group(p));
+        (left.into_iter().map(|(p, k)| (explanation.plain(&p), k)).collect(), explanation.plain(&right));
+    let negative = |p: &Poly| leads_negative(&explanation.order.group(p));
     let minus = left.iter().filter(|(p, _)| negative(p)).count();
     let flip = match (2 * minus).cmp(&left.len()) {
         std::cmp::Ordering::Greater => true,
@@ -106,8 +106,8 @@ fn row(story: &Story<'_>, step: &Step, collected: &Collected) -> Row {
     }
     // What is added before what is subtracted.
     left.sort_by_key(|(p, _)| negative(p));
-    let terms = left.iter().map(|(p, parts)| story.part_term(p, parts, step)).collect();
-    Row { right_expression: story.order.group(&right), left, right, divisor, terms }
+    let terms = left.iter().map(|(p, parts)| explanation.part_term(p, parts, step)).collect();
+    Row { right_expression: explanation.order.group(&right), left, right, divisor, terms }
 }
 
 /// Does the expression begin with a minus sign?
@@ -116,12 +116,15 @@ fn leads_negative(e: &Expression) -> bool {
 }
 
 /// The greatest number and powers of lengths that divide all coefficients.
-fn common<'p>(story: &Story<'_>, coefficients: impl Iterator<Item = &'p Poly>) -> (Rational, Vec<(Symbol, u32)>) {
+fn common<'p>(
+    explanation: &Explanation<'_>,
+    coefficients: impl Iterator<Item = &'p Poly>,
+) -> (Rational, Vec<(Symbol, u32)>) {
     let mut symbols: Option<Vec<(Symbol, u32)>> = None;
     let mut number: Option<Rational> = None;
     for (m, c) in coefficients.flat_map(Poly::terms) {
         let own: Vec<(Symbol, u32)> =
-            story.lengths.iter().map(|s| (*s, m.exponent(*s))).filter(|(_, n)| *n > 0).collect();
+            explanation.lengths.iter().map(|s| (*s, m.exponent(*s))).filter(|(_, n)| *n > 0).collect();
         symbols = Some(match symbols {
             None => own,
             Some(list) => {
@@ -154,7 +157,7 @@ fn divide(p: &Poly, number: &Rational, symbols: &[(Symbol, u32)]) -> Poly {
         .sum()
 }
 
-impl Story<'_> {
+impl Explanation<'_> {
     /// Coefficient times unknown.
     fn part_term(&self, p: &Poly, parts: &[Part], step: &Step) -> Expression {
         let mut factors: Vec<Expression> = Vec::new();
@@ -178,10 +181,10 @@ impl Story<'_> {
             other => push_factors(&mut factors, other),
         }
         for (part, form) in parts.iter().zip(&step.unknown) {
-            let wave = |k: u8, sine: bool| {
+            let trig = |k: u8, sine: bool| {
                 let factor = i8::try_from(k).unwrap_or(1);
                 let angles = self.angles(form).into_iter().map(|(v, n)| (v, n.saturating_mul(factor))).collect();
-                Expression::Wave(Wave { angles, sine })
+                Expression::Trig(Trig { angles, sine })
             };
             let slide = || {
                 let axes = &self.plan.axes;
@@ -192,8 +195,8 @@ impl Story<'_> {
             };
             match part {
                 Part::One => {}
-                Part::Cos(k) => factors.push(wave(*k, false)),
-                Part::Sin(k) => factors.push(wave(*k, true)),
+                Part::Cos(k) => factors.push(trig(*k, false)),
+                Part::Sin(k) => factors.push(trig(*k, true)),
                 Part::Power(1) => factors.extend(slide()),
                 Part::Power(n) => factors.extend(slide().map(|s| Expression::Power(Box::new(s), u32::from(*n)))),
             }
@@ -217,7 +220,7 @@ fn push_factors(out: &mut Vec<Expression>, e: Expression) {
 
 impl Row {
     /// Both sides as typeset.
-    pub(super) fn sides(&self, story: &Story<'_>) -> (Math, Math) {
+    pub(super) fn sides(&self, explanation: &Explanation<'_>) -> (Math, Math) {
         let list: Vec<Summand> = self
             .terms
             .iter()
@@ -226,22 +229,22 @@ impl Row {
                 other => vec![Summand { negative: false, value: other.clone() }],
             })
             .collect();
-        let left = story.notation.typeset(&Expression::Sum(list));
-        (left, self.known_side(story))
+        let left = explanation.notation.typeset(&Expression::Sum(list));
+        (left, self.known_side(explanation))
     }
 
     /// The right side, divided.
-    pub(super) fn known_side(&self, story: &Story<'_>) -> Math {
-        let top = story.notation.typeset(&self.right_expression);
+    pub(super) fn known_side(&self, explanation: &Explanation<'_>) -> Math {
+        let top = explanation.notation.typeset(&self.right_expression);
         if self.divisor.is_one() {
             return top;
         }
-        let below = story.typeset(&self.divisor);
+        let below = explanation.typeset(&self.divisor);
         // A sign belongs before the bar.
         match &self.right_expression {
             Expression::Sum(list) if list.len() == 1 => match (list.first(), top) {
                 (Some(only), Math::Row(_)) if only.negative => {
-                    let value = story.notation.typeset(&only.value);
+                    let value = explanation.notation.typeset(&only.value);
                     Math::Row(vec![Math::Sign(Sign::Negative), Math::Fraction(Box::new(value), Box::new(below))])
                 }
                 (_, top) => Math::Fraction(Box::new(top), Box::new(below)),

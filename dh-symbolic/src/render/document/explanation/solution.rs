@@ -1,6 +1,6 @@
 //! The textbook's solution of each kind of equation.
 
-use super::Story;
+use super::Explanation;
 use super::rows::Row;
 use crate::algebra::{Poly, Rational, Ring};
 use crate::planner::{Part, Step, StepKind};
@@ -32,13 +32,13 @@ pub(crate) struct Solution {
     pub(crate) degenerate: Vec<Math>,
 }
 
-pub(super) fn solution(story: &Story<'_>, number: usize, step: &Step, rows: &[Row]) -> Solution {
-    let Some(unknown) = step.unknown.first().map(|f| story.unknown(f)) else { return Solution::default() };
+pub(super) fn solution(explanation: &Explanation<'_>, number: usize, step: &Step, rows: &[Row]) -> Solution {
+    let Some(unknown) = step.unknown.first().map(|f| explanation.unknown(f)) else { return Solution::default() };
     let mut w = Writer {
-        story,
+        explanation,
         number,
-        ring: story.plan.knowledge.ring.clone(),
-        notation: story.notation.clone(),
+        ring: explanation.plan.knowledge.ring.clone(),
+        notation: explanation.notation.clone(),
         names: Vec::new(),
         out: Solution::default(),
     };
@@ -54,7 +54,7 @@ pub(super) fn solution(story: &Story<'_>, number: usize, step: &Step, rows: &[Ro
 }
 
 struct Writer<'a, 'b> {
-    story: &'a Story<'b>,
+    explanation: &'a Explanation<'b>,
     /// Number of the step, an index of its letters.
     number: usize,
     ring: Ring,
@@ -82,7 +82,7 @@ fn over(m: Math, below: Math) -> Math {
 
 impl Writer<'_, '_> {
     fn typeset(&self, p: &Poly) -> Math {
-        self.notation.typeset(&self.story.order.group(p))
+        self.notation.typeset(&self.explanation.order.group(p))
     }
 
     /// The next letter, with the step's number.
@@ -95,7 +95,7 @@ impl Writer<'_, '_> {
 
     /// The right side, or its name where it is long.
     fn right(&mut self, row: &Row) -> Math {
-        let m = row.known_side(self.story);
+        let m = row.known_side(self.explanation);
         if m.glyphs() <= SHORT {
             return m;
         }
@@ -115,7 +115,7 @@ impl Writer<'_, '_> {
         }
         // The letter stands for the form that begins with a plus.
         let leading_minus = matches!(
-            self.story.order.group(p),
+            self.explanation.order.group(p),
             Expression::Sum(list) if list.first().is_some_and(|s| s.negative)
         );
         let positive = if leading_minus { negative } else { p.clone() };
@@ -130,14 +130,15 @@ impl Writer<'_, '_> {
 
     /// Notes what must not vanish all at once; constants of the arm never do.
     fn degenerate(&mut self, list: &[&Poly]) {
-        let constant = |p: &&&Poly| p.angles().is_empty() && p.symbols().iter().all(|s| self.story.lengths.contains(s));
+        let constant =
+            |p: &&&Poly| p.angles().is_empty() && p.symbols().iter().all(|s| self.explanation.lengths.contains(s));
         if list.iter().all(|p| constant(&p)) {
             return;
         }
         let shown = list.iter().filter(|p| !p.is_zero()).map(|p| {
-            let group = self.story.order.group(p);
+            let group = self.explanation.order.group(p);
             let negative = matches!(&group, Expression::Sum(list) if list.first().is_some_and(|s| s.negative));
-            if negative { self.story.typeset(&-*p) } else { self.story.notation.typeset(&group) }
+            if negative { self.explanation.typeset(&-*p) } else { self.explanation.notation.typeset(&group) }
         });
         self.out.degenerate = shown.collect();
     }
@@ -145,9 +146,9 @@ impl Writer<'_, '_> {
     fn linear(&mut self, unknown: Math, row: &Row) {
         let a = row.coefficient(Part::Power(1));
         let value = match a.as_rational() {
-            Some(x) if x.is_one() => row.known_side(self.story),
+            Some(x) if x.is_one() => row.known_side(self.explanation),
             Some(x) if (-&x).is_one() && row.divisor.is_one() => self.typeset(&-&row.right),
-            _ => over(row.known_side(self.story), self.typeset(&a)),
+            _ => over(row.known_side(self.explanation), self.typeset(&a)),
         };
         self.out.formulas.push((unknown, value));
         self.degenerate(&[&a]);
@@ -253,7 +254,7 @@ impl Writer<'_, '_> {
             let value = if cc == ss {
                 atan2(s, c)
             } else {
-                let below = |m: Math, p: &Poly| if p.is_one() { m } else { over(m, self.story.typeset(p)) };
+                let below = |m: Math, p: &Poly| if p.is_one() { m } else { over(m, self.explanation.typeset(p)) };
                 atan2(below(s, &ss), below(c, &cc))
             };
             self.out.formulas.push((unknown, value));

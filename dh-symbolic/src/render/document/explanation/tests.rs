@@ -1,13 +1,13 @@
 //! Every printed equation holds, and every printed solution solves it: the typeset formulas themselves are evaluated.
 
-use super::Story;
+use super::Explanation;
 use crate::algebra::{Point, Poly, Transform};
 use crate::chain::samples::*;
 use crate::chain::{Chain, Coordinate, Handle};
 use crate::planner::{Plan, search};
 use crate::render::formula::expression::Expression;
 use crate::render::formula::math::{Math, Sign};
-use crate::render::formula::notation::{Notation, waves};
+use crate::render::formula::notation::{Notation, trigs};
 use crate::render::formula::text;
 use std::collections::BTreeMap;
 
@@ -142,9 +142,9 @@ impl World<'_> {
         self.plan.axes.between(a, b).clone()
     }
 
-    fn values(&self, story: &Story<'_>) -> Values {
+    fn values(&self, explanation: &Explanation<'_>) -> Values {
         let mut v = Values::new();
-        let n = &story.notation;
+        let n = &explanation.notation;
         for p in &self.chain.parameters {
             let name = match p.handle {
                 Handle::Length(s) => n.symbol(s),
@@ -157,9 +157,9 @@ impl World<'_> {
                 v.insert(text::math(&n.symbol(*s)), self.x[k]);
             }
         }
-        let all: Vec<Expression> = story.steps.iter().flat_map(|s| s.expressions.clone()).collect();
-        for w in waves(&all) {
-            v.insert(text::math(&n.wave(&w)), self.number(&Poly::harmonic(&w.angles, w.sine)));
+        let all: Vec<Expression> = explanation.steps.iter().flat_map(|s| s.expressions.clone()).collect();
+        for w in trigs(&all) {
+            v.insert(text::math(&n.trig(&w)), self.number(&Poly::harmonic(&w.angles, w.sine)));
         }
         for pose in &self.plan.knowledge.poses {
             let t = self.between(pose.left, pose.right);
@@ -177,36 +177,36 @@ impl World<'_> {
 fn check(name: &str, table: &str) {
     let chain = chain(table);
     let plan = search(&chain).unwrap_or_else(|r| panic!("{name}: {r:?}"));
-    let story = Story::new(&chain, &plan, &Notation::textbook(&chain));
+    let explanation = Explanation::new(&chain, &plan, &Notation::textbook(&chain));
     let mut solved = 0;
     for seed in 1..4 {
         let x = (0..plan.axes.count()).map(|k| ((1 + k) as f64 * 1.7 * f64::from(seed)).sin() * 1.4).collect();
         let world = World { chain: &chain, plan: &plan, x };
-        let mut v = world.values(&story);
-        for (step, told) in plan.steps.iter().zip(&story.steps) {
+        let mut v = world.values(&explanation);
+        for (step, explained) in plan.steps.iter().zip(&explanation.steps) {
             let close = |a: f64, b: f64| (a - b).abs() < 1e-9 * (1.0 + a.abs());
-            for (left, right) in told.new_extras.iter() {
+            for (left, right) in explained.new_extras.iter() {
                 let value = evaluate(right, &v);
                 v.insert(text::math(left), value[0]);
             }
             let definitions: Vec<_> =
-                told.equations.iter().filter(|e| told.solution.right.as_ref() == Some(&e.0)).collect();
+                explained.equations.iter().filter(|e| explained.solution.right.as_ref() == Some(&e.0)).collect();
             for (left, right) in definitions {
                 let value = evaluate(right, &v);
                 v.insert(text::math(left), value[0]);
             }
-            for (left, right) in &told.equations {
+            for (left, right) in &explained.equations {
                 let (l, r) = (evaluate(left, &v)[0], evaluate(right, &v)[0]);
                 assert!(close(l, r), "{name}: {} = {l}, {} = {r}", text::math(left), text::math(right));
             }
-            for (left, right) in &told.solution.abbreviations {
+            for (left, right) in &explained.solution.abbreviations {
                 let value = evaluate(right, &v);
                 v.insert(text::math(left), value[0]);
             }
-            for (_, right) in &told.solution.formulas {
+            for (_, right) in &explained.solution.formulas {
                 let form = &step.unknown[0];
                 let want: f64 = form.iter().zip(&world.x).map(|(k, x)| f64::from(*k) * x).sum();
-                let turns = !story.angles(form).is_empty();
+                let turns = !explanation.angles(form).is_empty();
                 let same = |y: &f64| {
                     if turns {
                         (y - want).sin().abs() < 1e-6 && (y - want).cos() > 0.0

@@ -49,7 +49,7 @@ pub fn arm(chain: &Chain, notation: &Notation, posture: &Posture) -> Drawing {
         } else {
             name
         };
-        let [a, b] = bar.ends.map(|p| camera.paper(p));
+        let [a, b] = bar.ends.map(|p| camera.project(p));
         labels.beside(a, b, name, &mut shapes);
     }
     Drawing::around(shapes, 6.0)
@@ -60,7 +60,7 @@ pub fn postures(list: &[Posture]) -> Drawing {
     let points: Vec<V3> = list.iter().flat_map(Posture::points).collect();
     let flat = list.iter().all(Posture::is_flat);
     let camera = Camera::of(&points, flat, SMALL);
-    let corners: Vec<[f64; 2]> = points.iter().map(|p| camera.paper(*p)).collect();
+    let corners: Vec<[f64; 2]> = points.iter().map(|p| camera.project(*p)).collect();
     let low: [f64; 2] = std::array::from_fn(|i| corners.iter().map(|p| p[i]).fold(f64::INFINITY, f64::min));
     let drawings = list
         .iter()
@@ -86,7 +86,7 @@ fn floor(camera: &Camera, posture: &Posture) -> Vec<Shape> {
     }
     let ring: Vec<[f64; 2]> = (0..24)
         .map(|i| f64::from(i) * std::f64::consts::TAU / 24.0)
-        .map(|t| camera.paper([size * t.cos(), size * t.sin(), 0.0]))
+        .map(|t| camera.project([size * t.cos(), size * t.sin(), 0.0]))
         .collect();
     vec![Shape::Area(ring, Color(244, 246, 248), Some(Pen::new(FLOOR, 0.8)))]
 }
@@ -98,7 +98,7 @@ fn body(camera: &Camera, posture: &Posture, thick: f64) -> Vec<Shape> {
         let [a, b] = bar.ends;
         let width = thick * if bar.slides { 4.0 } else { 6.5 };
         let (fill, edge) = if bar.slides { (LIGHT_BRASS, Color(150, 125, 50)) } else { (BAR, BAR_EDGE) };
-        let line = vec![camera.paper(a), camera.paper(b)];
+        let line = vec![camera.project(a), camera.project(b)];
         let shapes = vec![
             Shape::Line(line.clone(), Pen::new(edge, width + 1.6 * thick.max(0.6))),
             Shape::Line(line, Pen::new(fill, width)),
@@ -131,7 +131,7 @@ fn prism(camera: &Camera, axis: &Axis, along: f64, across: f64, thick: f64) -> V
     let ring = |end: f64| -> Vec<[f64; 2]> {
         let turn = |i: usize| std::f64::consts::TAU * (i as f64 + 0.5) / corners as f64;
         let at = |t: f64| plus(plus(plus(axis.at, axis.along, end), u, across * t.cos()), v, across * t.sin());
-        (0..corners).map(|i| camera.paper(at(turn(i)))).collect()
+        (0..corners).map(|i| camera.project(at(turn(i)))).collect()
     };
     let near = if dot(axis.along, camera.toward) >= 0.0 { along } else { -along };
     let (front, back) = (ring(near), ring(-near));
@@ -146,7 +146,7 @@ fn prism(camera: &Camera, axis: &Axis, along: f64, across: f64, thick: f64) -> V
             let outward = plus(u.map(|x| x * t.cos()), v, t.sin());
             if dot(outward, camera.toward) > 0.3 {
                 let end = plus(plus(plus(axis.at, axis.along, -near), u, across * t.cos()), v, across * t.sin());
-                shapes.push(Shape::Line(vec![*corner, camera.paper(end)], Pen::new(edge, 0.6 * thick.max(0.6))));
+                shapes.push(Shape::Line(vec![*corner, camera.project(end)], Pen::new(edge, 0.6 * thick.max(0.6))));
             }
         }
     }
@@ -154,7 +154,7 @@ fn prism(camera: &Camera, axis: &Axis, along: f64, across: f64, thick: f64) -> V
     shapes
 }
 
-/// An arrow of a frame, on paper.
+/// An arrow of a frame, in the drawing plane.
 struct Arrow {
     letter: char,
     color: Color,
@@ -171,7 +171,7 @@ fn arrows(camera: &Camera, posture: &Posture, length: f64, shapes: &mut Vec<Shap
         for (letter, k, color) in [('x', 0, RED), ('z', 2, BLUE)] {
             let from = origin(frame);
             let to = plus(from, column(frame, k), length / camera.scale);
-            let ends = [camera.paper(from), camera.paper(to)];
+            let ends = [camera.project(from), camera.project(to)];
             let near = |p: [f64; 2], q: [f64; 2]| (p[0] - q[0]).hypot(p[1] - q[1]) < 3.0;
             match list.iter_mut().find(|a| a.letter == letter && near(a.ends[0], ends[0]) && near(a.ends[1], ends[1])) {
                 Some(same) => same.names.push(name.clone()),

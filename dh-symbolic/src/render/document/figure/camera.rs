@@ -1,4 +1,4 @@
-//! From space to paper: parallel projection, as large as fits.
+//! From space to the drawing plane: parallel projection, as large as fits.
 
 pub(super) use dh_kernels::vector::{cross, dot};
 
@@ -20,7 +20,7 @@ pub(super) struct Camera {
     pub(super) toward: V3,
     right: V3,
     up: V3,
-    /// Points of paper per unit of length.
+    /// Points of the drawing per unit of length.
     pub(super) scale: f64,
 }
 
@@ -34,7 +34,7 @@ impl Camera {
         let right = [-sa, ca, 0.0];
         let mut camera = Camera { toward, right, up: cross(toward, right), scale: 1.0 };
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for p in points.iter().map(|p| camera.paper(*p)) {
+        for p in points.iter().map(|p| camera.project(*p)) {
             for i in 0..2 {
                 low[i] = low[i].min(p[i]);
                 high[i] = high[i].max(p[i]);
@@ -45,8 +45,8 @@ impl Camera {
         camera
     }
 
-    /// The place on paper.
-    pub(super) fn paper(&self, p: V3) -> [f64; 2] {
+    /// The point in the drawing plane.
+    pub(super) fn project(&self, p: V3) -> [f64; 2] {
         [self.scale * dot(p, self.right), -self.scale * dot(p, self.up)]
     }
 
@@ -56,7 +56,7 @@ impl Camera {
     }
 }
 
-/// The convex hull of points on paper.
+/// The convex hull of points in the plane.
 pub(super) fn hull(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut sorted = points.to_vec();
     sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
@@ -94,7 +94,7 @@ mod tests {
         let points = [[0.0, 0.0, 0.0], [3.0, 1.0, 2.0], [-1.0, 0.5, 4.0]];
         for flat in [false, true] {
             let camera = Camera::of(&points, flat, 100.0);
-            let xs: Vec<f64> = points.iter().map(|p| camera.paper(*p)[0]).collect();
+            let xs: Vec<f64> = points.iter().map(|p| camera.project(*p)[0]).collect();
             let width = xs.iter().copied().fold(f64::MIN, f64::max) - xs.iter().copied().fold(f64::MAX, f64::min);
             assert!(width <= 100.0 + 1e-9);
         }

@@ -1,4 +1,4 @@
-//! An arm with numbers: where its frames, links and joints are.
+//! The positions of an arm's frames, links and joints at given joint values, for drawing.
 
 use super::camera::{V3, distance, dot, plus};
 use crate::algebra::{Point, Transform};

@@ -154,7 +154,7 @@ pub fn workspace(chain: &Chain, kinematics: &Kinematics, posture: &Posture) -> O
     let right = if axis.along[2].abs() > 0.5 { [1.0, 0.0, 0.0] } else { column(posture.frames.first()?, 0) };
     let right = plus(right, axis.along, -dot(right, axis.along));
     let up = super::camera::cross(axis.along, right);
-    let paper = |p: V3| {
+    let project = |p: V3| {
         let d = plus(p, axis.at, -1.0);
         [scale * dot(d, right), -scale * dot(d, up)]
     };
@@ -180,14 +180,14 @@ pub fn workspace(chain: &Chain, kinematics: &Kinematics, posture: &Posture) -> O
         }
     }
     for bar in posture.bars() {
-        let line: Vec<[f64; 2]> = bar.ends.iter().map(|p| paper(*p)).collect();
+        let line: Vec<[f64; 2]> = bar.ends.iter().map(|p| project(*p)).collect();
         shapes.push(Shape::Line(line.clone(), Pen::new(Color(120, 134, 147), 5.0)));
         shapes.push(Shape::Line(line, Pen::new(Color(201, 210, 218), 3.4)));
     }
     for joint in posture.axes() {
-        shapes.push(Shape::Circle(paper(joint.at), 3.4, Some(Color(111, 139, 166)), Some(Pen::new(INK, 0.7))));
+        shapes.push(Shape::Circle(project(joint.at), 3.4, Some(Color(111, 139, 166)), Some(Pen::new(INK, 0.7))));
     }
-    shapes.push(Shape::Circle(paper(origin(&posture.tip)), 2.0, Some(Color(198, 47, 47)), None));
+    shapes.push(Shape::Circle(project(origin(&posture.tip)), 2.0, Some(Color(198, 47, 47)), None));
     // Numbers of solutions towards the lower left, radii along the right.
     let label = |r: f64, direction: f64, text: String| {
         let (s, c) = f64::to_radians(direction).sin_cos();

@@ -1,4 +1,4 @@
-//! What the reader of a note gives for its example: joint values, a pose.
+//! Reads the joint values or the pose that `--example` and its like give for the worked example.
 
 use crate::chain::table::parse;
 use crate::chain::{AngleCell, Bound, Chain, Coordinate, LengthCell, MotionSpec, Role, Value};

@@ -5,7 +5,7 @@ use crate::algebra::Transform;
 use crate::chain::Task;
 use crate::planner::Slot;
 use crate::program::Inverse;
-use crate::render::document::explanation::{Source, StepStory, Story};
+use crate::render::document::explanation::{Explanation, Source, StepExplanation};
 use crate::render::document::frames::Frame;
 use crate::render::{Language, refusal};
 
@@ -24,12 +24,12 @@ impl Writer<'_> {
                 return;
             }
         };
-        let story = Story::new(self.chain, &plan, &self.notation);
-        self.wanted(&story);
-        for (i, step) in story.steps.iter().enumerate() {
-            self.step(&story, i + 1, step);
+        let explanation = Explanation::new(self.chain, &plan, &self.notation);
+        self.wanted(&explanation);
+        for (i, step) in explanation.steps.iter().enumerate() {
+            self.step(&explanation, i + 1, step);
         }
-        let differences = story.differences();
+        let differences = explanation.differences();
         if !differences.is_empty() {
             self.say(Phrase::Differences, vec![]);
             let list = differences.into_iter().map(|(l, r)| self.equation(l, r)).collect();
@@ -42,10 +42,10 @@ impl Writer<'_> {
     }
 
     /// What is given, and in which frames.
-    fn wanted(&mut self, story: &Story<'_>) {
-        let axes = &story.plan.axes;
+    fn wanted(&mut self, explanation: &Explanation<'_>) {
+        let axes = &explanation.plan.axes;
         let (start, end) = (&axes.start, &axes.end);
-        let whole = story.between(0, axes.hops.len());
+        let whole = explanation.between(0, axes.hops.len());
         let mut product = Vec::new();
         let minus_one = || Math::Row(vec![Math::Sign(Sign::Negative), Math::number(1)]);
         let goal = Math::Letter('G');
@@ -66,12 +66,12 @@ impl Writer<'_> {
         for (name, t) in shown {
             self.transform(name, None, t, None);
         }
-        if story.moved {
+        if explanation.moved {
             let from = if self.chain.base.is_empty() { Frame::Row(0) } else { Frame::Base };
             let frames = [Frame::Primed(0), from].map(|f| self.notation.frame(f)).to_vec();
             self.say(Phrase::StartIsMoved, [frames, vec![Math::Letter('B')]].concat());
         }
-        let open = |k| vec![story.coordinate(k)];
+        let open = |k| vec![explanation.coordinate(k)];
         match self.chain.task {
             Task::Pose => {}
             Task::Axis => self.say(Phrase::TaskAxis, open(self.chain.dof())),
@@ -86,7 +86,7 @@ impl Writer<'_> {
             let before = Math::Row(vec![i(), Math::Sign(Sign::Minus), Math::number(1)]);
             self.say(Phrase::FramesStandard, vec![i(), before, i()]);
         }
-        let primed = story.primed();
+        let primed = explanation.primed();
         if !primed.is_empty() {
             let phrase = match self.chain.convention {
                 crate::chain::Convention::Standard => Phrase::PrimedStandard,
@@ -94,7 +94,7 @@ impl Writer<'_> {
             };
             self.say(phrase, vec![i().above(Math::Sign(Sign::Prime)), i()]);
         }
-        match story.end {
+        match explanation.end {
             Some(end @ Frame::Tool) => self.say(Phrase::EndIsTool, vec![self.notation.frame(end)]),
             Some(end) => {
                 let own = self.notation.frame(Frame::Row(self.chain.links.len()));
@@ -111,20 +111,20 @@ impl Writer<'_> {
         }
     }
 
-    fn step(&mut self, story: &Story<'_>, number: usize, step: &StepStory) {
+    fn step(&mut self, explanation: &Explanation<'_>, number: usize, step: &StepExplanation) {
         let mut title = Text::from(self.words(Phrase::StepTitle).replace("{}", &number.to_string()));
         title.0.extend(listed(&step.unknown));
         let colon = if self.options.language == Language::Chinese { "，" } else { " from " };
         title.0.push(Span::Plain(format!("{colon}{}", self.options.language.of(step.words.name))));
         self.blocks.push(Block::Heading(2, title));
-        self.poses(story, step);
+        self.poses(explanation, step);
         if !step.equations.is_empty() {
             self.sources(step);
             let list: Vec<Equation> = step.equations.iter().map(|(l, r)| self.equation(l.clone(), r.clone())).collect();
             self.blocks.push(Block::Equations(list));
             let extras = step.new_extras.iter().map(|(l, r)| Math::equation(l.clone(), r.clone())).collect();
             self.tell(Phrase::Where, extras);
-            self.tell_new_with(story, &step.expressions);
+            self.tell_new_with(explanation, &step.expressions);
         }
         if !step.sums.is_empty() {
             let sums = step.sums.iter().map(|(l, r)| Math::equation(l.clone(), r.clone())).collect();
@@ -134,9 +134,9 @@ impl Writer<'_> {
     }
 
     /// The given pose brought back over what is known.
-    fn poses(&mut self, story: &Story<'_>, step: &StepStory) {
+    fn poses(&mut self, explanation: &Explanation<'_>, step: &StepExplanation) {
         for i in &step.new_poses {
-            let Some(pose) = story.poses.get(*i) else { continue };
+            let Some(pose) = explanation.poses.get(*i) else { continue };
             if let Some(product) = &pose.product {
                 self.say(Phrase::KnownPose, vec![]);
                 self.display(pose.matrix.clone(), product.clone());
@@ -145,7 +145,7 @@ impl Writer<'_> {
         }
     }
 
-    fn sources(&mut self, step: &StepStory) {
+    fn sources(&mut self, step: &StepExplanation) {
         for source in &step.sources {
             let (phrase, list, of) = match source {
                 Source::Elements(list, of) if list.len() == 1 => (Phrase::Element, list, of),
@@ -171,7 +171,7 @@ impl Writer<'_> {
         }
     }
 
-    fn solution(&mut self, step: &StepStory) {
+    fn solution(&mut self, step: &StepExplanation) {
         let s = &step.solution;
         let first = step.unknown.first().cloned().unwrap_or(Math::number(0));
         let second = step.unknown.get(1).cloned().unwrap_or(first.clone());
@@ -209,7 +209,7 @@ impl Writer<'_> {
     }
 
     /// How many solutions, and where there are none or too many.
-    fn fate(&mut self, step: &StepStory, unknown: Math) {
+    fn fate(&mut self, step: &StepExplanation, unknown: Math) {
         let s = &step.solution;
         let mut text = match step.roots {
             1 => Text::from(self.words(Phrase::OneSolution)),
@@ -249,9 +249,13 @@ impl Writer<'_> {
         self.blocks.push(Block::Paragraph(text));
     }
 
-    /// Tells abbreviations in the names of a story.
-    fn tell_new_with(&mut self, story: &Story<'_>, expressions: &[crate::render::formula::expression::Expression]) {
-        let plain = std::mem::replace(&mut self.notation, story.notation().clone());
+    /// Tells abbreviations in the names of a explanation.
+    fn tell_new_with(
+        &mut self,
+        explanation: &Explanation<'_>,
+        expressions: &[crate::render::formula::expression::Expression],
+    ) {
+        let plain = std::mem::replace(&mut self.notation, explanation.notation().clone());
         self.tell_new(Phrase::With, expressions);
         self.notation = plain;
     }

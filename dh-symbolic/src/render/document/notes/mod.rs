@@ -27,10 +27,10 @@ use crate::algebra::{Poly, Transform};
 use crate::chain::Chain;
 use crate::kinematics::Kinematics;
 use crate::render::document::frames::Frame;
-use crate::render::formula::expression::{Expression, Wave};
+use crate::render::formula::expression::{Expression, Trig};
 use crate::render::formula::grouping::Order;
 use crate::render::formula::math::{Math, Sign};
-use crate::render::formula::notation::{Notation, waves};
+use crate::render::formula::notation::{Notation, trigs};
 use crate::render::formula::quantities::named_offsets;
 use example::Start;
 use words::Phrase;
@@ -107,7 +107,7 @@ struct Writer<'a> {
     options: Options,
     blocks: Vec<Block>,
     /// Abbreviations that the reader knows already.
-    told: Vec<Wave>,
+    introduced: Vec<Trig>,
     /// Entries of the pose that have a name.
     named: Vec<(Poly, Math)>,
     /// Number of the last numbered equation.
@@ -122,7 +122,7 @@ impl<'a> Writer<'a> {
             order: Order::of(chain),
             options,
             blocks: Vec::new(),
-            told: Vec::new(),
+            introduced: Vec::new(),
             named: Vec::new(),
             number: 0,
         }
@@ -183,11 +183,11 @@ impl<'a> Writer<'a> {
         self.blocks.push(Block::Equations(vec![Equation { left, right, number: Some(self.number) }]));
     }
 
-    /// Tells the abbreviations in these formulas that were not told before.
+    /// Introduces the abbreviations in these formulas that are new to the reader.
     fn tell_new(&mut self, p: Phrase, expressions: &[Expression]) {
-        let new: Vec<Wave> = waves(expressions).into_iter().filter(|w| !self.told.contains(w)).collect();
+        let new: Vec<Trig> = trigs(expressions).into_iter().filter(|w| !self.introduced.contains(w)).collect();
         let legend = self.notation.legend_of(&new);
-        self.told.extend(new);
+        self.introduced.extend(new);
         self.tell(p, legend);
     }
 

@@ -4,7 +4,9 @@ use super::{Block, Equation, Math, Phrase, Sign, Span, Text, Writer, row_width};
 use crate::algebra::{AngleVar, Factor as Atom, Poly};
 use crate::chain::{Coordinate, Handle, Role};
 use crate::kinematics::Kinematics;
-use crate::kinematics::analysis::singular::{self, Determinant, Factor, Kind, Open, Place, Singular, Stand, singular};
+use crate::kinematics::analysis::singular::{
+    self, Determinant, Factor, Kind, Open, Place, ReferenceFrame, Singular, singular,
+};
 
 /// A factor with more terms than this gets a name.
 const LONGEST: usize = 24;
@@ -51,7 +53,7 @@ impl Writer<'_> {
         if let Some(text) = counted {
             self.blocks.push(Block::Paragraph(text));
         }
-        let place = |s: Stand| Span::Plain(self.stand(s));
+        let place = |s: ReferenceFrame| Span::Plain(self.stand(s));
         let text =
             Text::fill(self.words(Phrase::SingularWritten), vec![place(d.point), place(d.linear), place(d.angular)]);
         self.blocks.push(Block::Paragraph(text));
@@ -102,14 +104,14 @@ impl Writer<'_> {
     }
 
     /// "frame 4", "the tool".
-    fn stand(&self, s: Stand) -> String {
+    fn stand(&self, s: ReferenceFrame) -> String {
         let number = |i: usize| self.words(Phrase::Frame).replace("{}", &i.to_string());
         match s {
-            Stand::Link(i) => number(i),
-            Stand::Tool if self.chain.tool.is_empty() => number(self.chain.links.len()),
-            Stand::Base if self.chain.base.is_empty() => number(0),
-            Stand::Tool => self.words(Phrase::FrameOfTool).to_string(),
-            Stand::Base => self.words(Phrase::FrameOfBase).to_string(),
+            ReferenceFrame::Link(i) => number(i),
+            ReferenceFrame::Tool if self.chain.tool.is_empty() => number(self.chain.links.len()),
+            ReferenceFrame::Base if self.chain.base.is_empty() => number(0),
+            ReferenceFrame::Tool => self.words(Phrase::FrameOfTool).to_string(),
+            ReferenceFrame::Base => self.words(Phrase::FrameOfBase).to_string(),
         }
     }
 
@@ -273,13 +275,13 @@ impl Writer<'_> {
     }
 
     /// The point of the columns, if the last three joints turn about it.
-    fn wrist_centre(&self, d: &Determinant) -> Option<Stand> {
+    fn wrist_centre(&self, d: &Determinant) -> Option<ReferenceFrame> {
         let n = d.joints.len();
         let last = d.columns.get(n.checked_sub(3)?..n)?;
         (n >= 6 && last.iter().all(|c| c.iter().take(3).all(Poly::is_zero))).then_some(d.point)
     }
 
-    fn zero(&self, f: &Factor, centre: Option<Stand>) -> Text {
+    fn zero(&self, f: &Factor, centre: Option<ReferenceFrame>) -> Text {
         let mut out: Vec<Span> =
             vec![Span::Math(Math::equation(self.notation.typeset(&self.group(&f.value)), Math::number(0)))];
         if let Some(roots) = self.roots(&f.value) {
@@ -293,7 +295,7 @@ impl Writer<'_> {
         };
         out.push(Span::Plain(self.words(Phrase::Colon).to_string()));
         let joint = |j: usize| Span::Plain((j + 1).to_string());
-        let point = |s: Stand| {
+        let point = |s: ReferenceFrame| {
             let same = centre.is_some_and(|c| c == s);
             let phrase = if same { Phrase::WristCentre } else { Phrase::OriginOf };
             Span::Plain(self.words(phrase).replace("{}", &self.stand(s)))
@@ -325,9 +327,9 @@ impl Writer<'_> {
         let mine: Vec<AngleVar> = p.angles().into_iter().filter(is_joint).collect();
         let slides = self.chain.joints.iter().any(|j| matches!(j.coordinate, Coordinate::Length(s) if p.has_symbol(s)));
         let ([v], false) = (mine.as_slice(), slides) else { return None };
-        let wave = |f: &Atom| matches!(f, Atom::Cos(t) | Atom::Sin(t) if t.iter().any(|(w, _)| w == v));
+        let trig = |f: &Atom| matches!(f, Atom::Cos(t) | Atom::Sin(t) if t.iter().any(|(w, _)| w == v));
         let [mut a, mut b, mut c] = [Poly::zero(), Poly::zero(), Poly::zero()];
-        for (m, value) in p.collect(wave) {
+        for (m, value) in p.collect(trig) {
             match m.factors().next() {
                 Some(Atom::Cos(t)) if t == [(*v, 1)] => a = value,
                 Some(Atom::Sin(t)) if t == [(*v, 1)] => b = value,

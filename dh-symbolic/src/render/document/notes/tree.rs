@@ -3,7 +3,7 @@
 use super::arm::{Arm, Found};
 use super::{Block, Math, Phrase, Span, Text, Writer};
 use crate::planner::Form;
-use crate::render::document::explanation::Story;
+use crate::render::document::explanation::Explanation;
 
 /// Values that differ by less are the same branch.
 const SAME: f64 = 1e-6;
@@ -17,8 +17,8 @@ impl Writer<'_> {
         if found.len() < 3 || !several || forms.len() < 2 || !forms.iter().all(|f| real(f)) {
             return;
         }
-        let story = Story::new(&arm.chain, &arm.inverse.plan, &self.notation);
-        let names: Vec<Math> = story.steps.iter().flat_map(|s| s.unknown.iter().cloned()).collect();
+        let explanation = Explanation::new(&arm.chain, &arm.inverse.plan, &self.notation);
+        let names: Vec<Math> = explanation.steps.iter().flat_map(|s| s.unknown.iter().cloned()).collect();
         let value = |form: &Form, x: &[f64]| -> (f64, bool) {
             let sum: f64 = form.iter().zip(x).map(|(k, x)| f64::from(*k) * x).sum();
             let turns = form.iter().position(|k| *k != 0).is_some_and(|k| arm.turns(k));

@@ -1,4 +1,4 @@
-//! All prose of the notes, in every language. `{}` takes a formula or name.
+//! All text of the notes, in every language. `{}` takes a formula or name.
 
 use crate::render::Language;
 

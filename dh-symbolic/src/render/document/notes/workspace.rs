@@ -1,4 +1,4 @@
-//! What the arm can reach: the poses of arms with few joints, the ring of planar arms.
+//! The workspace section of the notes: the poses of arms with few joints, the annulus of planar arms.
 
 use super::given;
 use super::{Block, Equation, Math, Phrase, Sign, Span, Text, Writer, name};
@@ -114,8 +114,8 @@ impl Writer<'_> {
             };
             (minus_c, minus_s) = (minus(c.clone()), minus(s.clone()));
         }
-        let wave = |sine: bool| crate::render::formula::expression::Wave { angles: vec![(arm.angle, 1)], sine };
-        let names = [self.notation.wave(&wave(false)), self.notation.wave(&wave(true))];
+        let trig = |sine: bool| crate::render::formula::expression::Trig { angles: vec![(arm.angle, 1)], sine };
+        let names = [self.notation.trig(&trig(false)), self.notation.trig(&trig(true))];
         let list = vec![
             self.equation(slide, d),
             self.equation(names[0].clone(), c.clone()),

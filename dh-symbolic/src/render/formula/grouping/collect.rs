@@ -1,4 +1,4 @@
-//! Common factors, then the outermost angle, then the next.
+//! Collects terms: common factors first, then by the outermost angle of the chain, then by the next.
 
 use super::part::Part;
 use super::{Along, Atom, Powers, Term};
@@ -101,7 +101,7 @@ fn outermost(terms: &[Term]) -> Option<(bool, usize)> {
 }
 
 fn constant_place(w: &Along) -> usize {
-    w.wave.angles.first().map_or(0, |(v, _)| usize::from(v.group()))
+    w.trig.angles.first().map_or(0, |(v, _)| usize::from(v.group()))
 }
 
 /// Collects by the outermost angle. The terms have no common factor.
@@ -150,10 +150,10 @@ fn collect(terms: Vec<Term>, top: bool) -> Vec<Part> {
         .collect();
     // Along the chain; then brackets before plain products, the one that reaches further first; lengths in their order;
     // cosines before sines.
-    let waves = |key: &[(Atom, u32)]| -> Vec<_> {
+    let trigs = |key: &[(Atom, u32)]| -> Vec<_> {
         key.iter()
             .filter_map(|(a, _)| match a {
-                Atom::Joint(w) | Atom::Constant(w) => Some((w.last, w.wave.angles.clone())),
+                Atom::Joint(w) | Atom::Constant(w) => Some((w.last, w.trig.angles.clone())),
                 _ => None,
             })
             .collect()
@@ -161,15 +161,15 @@ fn collect(terms: Vec<Term>, top: bool) -> Vec<Part> {
     list.sort_by_cached_key(|(key, p)| {
         let (bracketed, span) = (!p.brackets.is_empty(), p.span());
         let first = if bracketed { Reverse(span) } else { Reverse(0) };
-        (waves(key), !bracketed, first, p.symbols(), Reverse(span), key.clone())
+        (trigs(key), !bracketed, first, p.symbols(), Reverse(span), key.clone())
     });
     // Outside brackets no minus in front, where a term of the same angle can go first.
     if top
         && without.is_empty()
         && let Some((key, _)) = list.first().filter(|(_, p)| p.negative && p.brackets.is_empty())
     {
-        let same = waves(key);
-        let better = list.iter().position(|(k, p)| !p.negative && p.brackets.is_empty() && waves(k) == same);
+        let same = trigs(key);
+        let better = list.iter().position(|(k, p)| !p.negative && p.brackets.is_empty() && trigs(k) == same);
         if let Some(i) = better {
             let part = list.remove(i);
             list.insert(0, part);

@@ -7,7 +7,7 @@ mod collect;
 mod part;
 mod power;
 
-use super::expression::{Expression, Wave};
+use super::expression::{Expression, Trig};
 use crate::algebra::{AngleVar, Factor, Poly, Rational, Symbol};
 use crate::chain::{Chain, Coordinate};
 use collect::parts;
@@ -40,8 +40,8 @@ impl Order {
         Order { groups }
     }
 
-    fn place(&self, wave: &Wave) -> usize {
-        let group = wave.angles.first().map(|(v, _)| v.group());
+    fn place(&self, trig: &Trig) -> usize {
+        let group = trig.angles.first().map(|(v, _)| v.group());
         self.groups.iter().position(|g| Some(*g) == group).unwrap_or(usize::MAX)
     }
 
@@ -56,17 +56,17 @@ impl Order {
             .map(|f| match f {
                 Factor::Root(n) => (Atom::Root(n), 1),
                 Factor::Power(s, n) => (Atom::Symbol(s), n),
-                Factor::Cos(angles) => (self.wave(Wave { angles, sine: false }), 1),
-                Factor::Sin(angles) => (self.wave(Wave { angles, sine: true }), 1),
+                Factor::Cos(angles) => (self.trig(Trig { angles, sine: false }), 1),
+                Factor::Sin(angles) => (self.trig(Trig { angles, sine: true }), 1),
             })
             .collect();
         atoms.sort();
         Term { coefficient: coefficient.clone(), atoms }
     }
 
-    fn wave(&self, wave: Wave) -> Atom {
-        let place = self.place(&wave);
-        if place == usize::MAX { Atom::Constant(Along::new(0, wave)) } else { Atom::Joint(Along::new(place, wave)) }
+    fn trig(&self, trig: Trig) -> Atom {
+        let place = self.place(&trig);
+        if place == usize::MAX { Atom::Constant(Along::new(0, trig)) } else { Atom::Joint(Along::new(place, trig)) }
     }
 }
 
@@ -79,17 +79,17 @@ enum Atom {
     Constant(Along),
 }
 
-/// A wave in the order of the chain: by place of its group, then by the last joint that it holds.
+/// A sine or cosine in the order of the chain: by place of its group, then by the last joint that it holds.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Along {
     place: usize,
     last: Option<AngleVar>,
-    wave: Wave,
+    trig: Trig,
 }
 
 impl Along {
-    fn new(place: usize, wave: Wave) -> Along {
-        Along { place, last: wave.angles.last().map(|(v, _)| *v), wave }
+    fn new(place: usize, trig: Trig) -> Along {
+        Along { place, last: trig.angles.last().map(|(v, _)| *v), trig }
     }
 }
 

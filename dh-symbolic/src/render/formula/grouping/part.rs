@@ -1,4 +1,4 @@
-//! Summands while they are being put together, and their way to expressions.
+//! Summands of a formula while it is being grouped, and their conversion to expressions.
 
 use super::{Atom, Powers, Term};
 use crate::algebra::{Rational, Symbol};
@@ -70,7 +70,7 @@ impl Part {
             let base = match atom {
                 Atom::Root(_) => continue,
                 Atom::Symbol(s) => Expression::Symbol(s),
-                Atom::Joint(w) | Atom::Constant(w) => Expression::Wave(w.wave),
+                Atom::Joint(w) | Atom::Constant(w) => Expression::Trig(w.trig),
             };
             factors.push(if n == 1 { base } else { Expression::Power(Box::new(base), n) });
         }

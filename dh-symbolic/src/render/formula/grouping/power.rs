@@ -1,11 +1,11 @@
-//! Multiple angles back to powers where that is shorter: (1 + cos(2t))/2 reads c^2.
+//! Turns multiple angles back into powers where that is shorter: (1 + cos(2t))/2 becomes c^2.
 //!
 //! The normal form has cos(2t) and never c^2. For each cofactor the part in one angle is a trigonometric polynomial; it is
 //! written as harmonics, in powers of c, in powers of s, or (second degree) in c^2, s c and s^2, whichever takes the fewest signs.
 
 use super::{Along, Atom, Powers, Term};
 use crate::algebra::{AngleVar, Rational};
-use crate::render::formula::expression::Wave;
+use crate::render::formula::expression::Trig;
 
 /// One way of writing: coefficients with atoms of the angle.
 type Written = Vec<(Rational, Powers)>;
@@ -34,10 +34,10 @@ fn along(atom: &Atom) -> Option<&Along> {
     }
 }
 
-/// Angle, factor and kind of a wave of one angle.
+/// Angle, multiple and kind of a sine or cosine of one angle.
 fn single(atom: &Atom) -> Option<(AngleVar, usize, bool)> {
-    match along(atom)?.wave.angles.as_slice() {
-        [(v, k)] => Some((*v, usize::from(k.unsigned_abs()), along(atom)?.wave.sine)),
+    match along(atom)?.trig.angles.as_slice() {
+        [(v, k)] => Some((*v, usize::from(k.unsigned_abs()), along(atom)?.trig.sine)),
         _ => None,
     }
 }
@@ -46,7 +46,7 @@ fn single(atom: &Atom) -> Option<(AngleVar, usize, bool)> {
 type Family = (Powers, Vec<Term>);
 
 fn lower(terms: Vec<Term>, v: AngleVar, example: &Atom) -> Vec<Term> {
-    let in_group = |a: &Atom| along(a).is_some_and(|w| w.wave.angles.iter().any(|(x, _)| x.group() == v.group()));
+    let in_group = |a: &Atom| along(a).is_some_and(|w| w.trig.angles.iter().any(|(x, _)| x.group() == v.group()));
     let mut families: Vec<Family> = Vec::new();
     for t in terms {
         let (own, rest): (Vec<_>, Vec<_>) = t.atoms.into_iter().partition(|(a, _)| in_group(a));
@@ -165,7 +165,7 @@ fn powers_of_sine(grid: &Grid) -> Grid {
 fn written(grid: &Grid, v: AngleVar, example: &Atom) -> Written {
     let atom = |sine: bool| {
         let place = along(example).map_or(0, |w| w.place);
-        let along = Along::new(place, Wave { angles: vec![(v, 1)], sine });
+        let along = Along::new(place, Trig { angles: vec![(v, 1)], sine });
         if matches!(example, Atom::Joint(_)) { Atom::Joint(along) } else { Atom::Constant(along) }
     };
     let mut out = Written::new();
@@ -187,14 +187,14 @@ fn written(grid: &Grid, v: AngleVar, example: &Atom) -> Written {
 fn cost(written: &Written, has_cofactor: bool) -> usize {
     let term = |(c, atoms): &(Rational, Powers)| {
         let number = if c.abs().is_one() && !atoms.is_empty() { 0 } else { c.abs().to_string().len() };
-        let waves: usize = atoms
+        let trigs: usize = atoms
             .iter()
             .map(|(a, n)| match single(a) {
                 Some((_, k, _)) if k > 1 => 8,
                 _ => 2 + usize::from(*n > 1),
             })
             .sum();
-        number + waves
+        number + trigs
     };
     let sum: usize = written.iter().map(term).sum();
     let more = written.len().saturating_sub(1);

@@ -1,4 +1,4 @@
-//! Formulas with drawn matrices.
+//! Formulas on several lines of text, with brackets drawn around matrices.
 
 use super::inline::{line, math};
 use super::width;

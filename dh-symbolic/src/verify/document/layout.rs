@@ -1,9 +1,9 @@
-//! Formulas as they lie on the paper: letters with their indices, signs, fractions, matrices. No meaning yet.
+//! The layout of a printed formula: letters with their indices, signs, fractions, matrices. No meaning yet.
 
 /// A piece of a formula with its indices.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Item {
-    pub(super) ink: Ink,
+    pub(super) kind: ItemKind,
     pub(super) sub: Option<Vec<Item>>,
     pub(super) sup: Option<Vec<Item>>,
     pub(super) before_sub: Option<Vec<Item>>,
@@ -16,7 +16,7 @@ pub(super) struct Item {
 
 /// What a piece is.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Ink {
+pub(super) enum ItemKind {
     Number(String),
     /// A letter, the name of a Greek letter, a word.
     Name(String),
@@ -44,17 +44,17 @@ pub(super) enum Ink {
 }
 
 impl Item {
-    pub(super) fn new(ink: Ink, line: usize, spaced: bool) -> Item {
-        Item { ink, sub: None, sup: None, before_sub: None, before_sup: None, primes: 0, spaced, line }
+    pub(super) fn new(kind: ItemKind, line: usize, spaced: bool) -> Item {
+        Item { kind, sub: None, sup: None, before_sub: None, before_sup: None, primes: 0, spaced, line }
     }
 
     pub(super) fn is(&self, mark: char) -> bool {
-        self.ink == Ink::Mark(mark)
+        self.kind == ItemKind::Mark(mark)
     }
 
     pub(super) fn name(&self) -> Option<&str> {
-        match &self.ink {
-            Ink::Name(n) => Some(n),
+        match &self.kind {
+            ItemKind::Name(n) => Some(n),
             _ => None,
         }
     }
@@ -65,9 +65,14 @@ impl Item {
 
     /// May indices follow?
     pub(super) fn carries(&self) -> bool {
-        match &self.ink {
-            Ink::Mark(c) => matches!(c, ')' | ']' | '}' | '|'),
-            Ink::Relation(_) | Ink::Text(_) | Ink::Gap | Ink::Break | Ink::Tab | Ink::PlusMinus => false,
+        match &self.kind {
+            ItemKind::Mark(c) => matches!(c, ')' | ']' | '}' | '|'),
+            ItemKind::Relation(_)
+            | ItemKind::Text(_)
+            | ItemKind::Gap
+            | ItemKind::Break
+            | ItemKind::Tab
+            | ItemKind::PlusMinus => false,
             _ => true,
         }
     }
@@ -77,9 +82,9 @@ impl Item {
 pub(super) fn rows(inner: Vec<Item>) -> Vec<Vec<Vec<Item>>> {
     let mut rows: Vec<Vec<Vec<Item>>> = vec![vec![Vec::new()]];
     for item in inner {
-        match item.ink {
-            Ink::Break => rows.push(vec![Vec::new()]),
-            Ink::Tab => {
+        match item.kind {
+            ItemKind::Break => rows.push(vec![Vec::new()]),
+            ItemKind::Tab => {
                 if let Some(row) = rows.last_mut() {
                     row.push(Vec::new());
                 }

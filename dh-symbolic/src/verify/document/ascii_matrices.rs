@@ -1,4 +1,4 @@
-//! Matrices drawn over several lines of plain text, put on one line.
+//! Rewrites matrices that are drawn over several lines of plain text as one line.
 
 /// Replaces every drawn matrix by `[a, b; c, d]` on its middle line; the other lines of the drawing become empty.
 pub(super) fn flatten(text: &str) -> Vec<String> {
