@@ -12,7 +12,7 @@ pub(in crate::render) fn chosen(chain: &Chain) -> String {
         false => format!("({}) * given", super::body::field_polynomial(chain, &factor)),
     };
     let shift = chain.joints.get(joint).and_then(|j| shift_expression(chain, &j.shift, Scalar::F64));
-    shift.map_or(moved.clone(), |s| format!("{moved} + ({s})"))
+    shift.map_or(moved.clone(), |s| format!("{moved} + ({})", s.text()))
 }
 
 /// Expression of each joint variable from the coordinates x.
@@ -22,7 +22,7 @@ pub(in crate::render) fn motors(chain: &Chain, x: &[String]) -> Vec<String> {
         .iter()
         .zip(x)
         .map(|(j, x)| match shift_expression(chain, &j.shift, Scalar::F64) {
-            Some(s) => format!("{x} - ({s})"),
+            Some(s) => format!("{x} - ({})", s.text()),
             None => x.clone(),
         })
         .collect();
@@ -51,7 +51,7 @@ pub(in crate::render) fn motors(chain: &Chain, x: &[String]) -> Vec<String> {
 pub(in crate::render) fn coordinates(chain: &Chain) -> Vec<String> {
     let shifted = |moved: String, i: usize| {
         let shift = chain.joints.get(i).and_then(|j| shift_expression(chain, &j.shift, Scalar::F64));
-        shift.map_or(moved.clone(), |s| format!("({moved} + ({s}))"))
+        shift.map_or(moved.clone(), |s| format!("({moved} + ({}))", s.text()))
     };
     let row = |row: &Vec<Poly>| {
         let value = |(k, p): (usize, &Poly)| match p.is_one() {

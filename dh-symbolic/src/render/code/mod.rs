@@ -14,6 +14,7 @@ pub(in crate::render) mod steps;
 
 use crate::algebra::{Point, Poly};
 use crate::chain::{AngleCell, Bound, Chain, Handle, Role, Scalar};
+use body::Code;
 
 /// Name of the number type.
 pub(crate) fn scalar_name(s: Scalar) -> &'static str {
@@ -47,33 +48,29 @@ pub(crate) fn scaled_constant(chain: &Chain, p: &Poly, scale: f64) -> f64 {
     })
 }
 
+/// A field as a number of the code's type.
+fn field(chain: &Chain, name: &str, scalar: Scalar) -> Code {
+    let widened = chain.scalar == Scalar::F32 && scalar == Scalar::F64;
+    Code::atom(if widened { format!("f64::from(self.{name})") } else { format!("self.{name}") })
+}
+
 /// The joint angle offset (radians) that is kept out of formulas, with declared angles by name: an expression, `None` if zero.
-pub(crate) fn shift_expression(chain: &Chain, cell: &AngleCell, scalar: Scalar) -> Option<String> {
-    let wide = chain.scalar == Scalar::F32 && scalar == Scalar::F64;
-    let field = |name: &str| if wide { format!("f64::from(self.{name})") } else { format!("self.{name}") };
-    let mut parts = Vec::new();
-    let mut number = cell.radians();
+pub(in crate::render) fn shift_expression(chain: &Chain, cell: &AngleCell, scalar: Scalar) -> Option<Code> {
+    let constant = |x: f64| Code::number(x.is_sign_negative(), literal(x.abs(), scalar));
+    let (mut parts, mut number) = (Vec::new(), cell.radians());
     for (i, k) in &cell.symbols {
         let Some(p) = chain.parameters.get(*i) else { continue };
         match &p.role {
             Role::Field(_) => parts.push(match k {
-                1 => field(&p.name),
-                -1 => format!("-{}", field(&p.name)),
-                _ => format!("{} * {}", literal(f64::from(*k), scalar), field(&p.name)),
+                1 => field(chain, &p.name, scalar),
+                -1 => field(chain, &p.name, scalar).negated(),
+                _ => constant(f64::from(*k)).times(&field(chain, &p.name, scalar)),
             }),
             Role::Constant(_) => number += f64::from(*k) * chain.nominal(p.handle),
         }
     }
     if number != 0.0 {
-        parts.push(literal(number, scalar));
+        parts.push(constant(number));
     }
-    let mut out = String::new();
-    for p in parts {
-        match (out.is_empty(), p.strip_prefix('-')) {
-            (true, _) => out = p,
-            (false, Some(rest)) => out.push_str(&format!(" - {rest}")),
-            (false, None) => out.push_str(&format!(" + {p}")),
-        }
-    }
-    (!out.is_empty()).then_some(out)
+    (!parts.is_empty()).then(|| Code::sum(&parts))
 }

@@ -1,6 +1,6 @@
 //! What the printers share of an inverse: names of variables, calls of kernels, branches, and what is reported where a step has no root.
 
-use super::body::{Body, Dialect};
+use super::body::{Body, Code, Dialect};
 use super::drive::chosen;
 use super::literal;
 use super::names::Names;
@@ -80,8 +80,10 @@ impl Variables {
     }
 
     /// What the program calls its inputs.
-    pub(in crate::render) fn inputs(&self) -> Vec<(Symbol, String)> {
-        self.symbols.clone()
+    pub(in crate::render) fn inputs(&self) -> Vec<(Symbol, Code)> {
+        let is_angle = |name: &String| self.known.iter().any(|k| k.turns && k.pair.contains(name));
+        let code = |name: &String| if is_angle(name) { Code::trigonometric(name) } else { Code::atom(name) };
+        self.symbols.iter().map(|(s, name)| (*s, code(name))).collect()
     }
 
     /// The name of a symbol.

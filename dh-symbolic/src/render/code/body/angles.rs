@@ -2,7 +2,7 @@
 
 use super::super::names::subscript;
 use super::super::shift_expression;
-use super::{Body, Dialect, sum};
+use super::{Body, Code, Dialect};
 use crate::algebra::{LinearAngle, Poly, Rational};
 use crate::chain::{Coordinate, Handle};
 use crate::program::Node;
@@ -11,7 +11,7 @@ use crate::program::Node;
 pub(super) struct Linear {
     /// Coefficient expressions per motor; `None`: not in it.
     pub(super) motors: Vec<Option<Poly>>,
-    shift: Vec<String>,
+    shift: Option<Code>,
 }
 
 impl Body<'_> {
@@ -19,13 +19,13 @@ impl Body<'_> {
     pub(super) fn coordinate(&self, i: usize) -> Linear {
         let motors = self.chain.drive[i].iter().map(|k| (!k.is_zero()).then(|| k.clone())).collect();
         let shift = shift_expression(self.chain, &self.chain.joints[i].shift, self.scalar);
-        Linear { motors, shift: shift.into_iter().collect() }
+        Linear { motors, shift }
     }
 
     /// The argument of a sine.
-    fn angle(&self, wave: &LinearAngle) -> String {
+    fn angle(&self, wave: &LinearAngle) -> Code {
         let mut motors: Vec<Poly> = vec![Poly::zero(); self.chain.dof()];
-        let mut rest: Vec<String> = Vec::new();
+        let mut rest: Vec<Code> = Vec::new();
         for (v, k) in &wave.terms {
             let factor = Rational::int(i64::from(*k));
             let joint = self.chain.joints.iter().position(|j| j.coordinate == Coordinate::Angle(*v));
@@ -35,20 +35,18 @@ impl Body<'_> {
                     for (sum, part) in motors.iter_mut().zip(x.motors) {
                         *sum = &*sum + &part.unwrap_or_default().scale(&factor);
                     }
-                    for text in x.shift {
-                        rest.push(self.multiple(*k, &text));
-                    }
+                    rest.extend(x.shift.map(|shift| self.multiple(*k, &shift)));
                 }
                 None if self.is_field(Handle::Angle(*v)) => {
                     rest.push(self.multiple(*k, &self.field(self.chain.ring.angle_name(*v))));
                 }
                 None => {
                     let x = self.chain.nominal(Handle::Angle(*v)) * f64::from(*k);
-                    rest.push(self.literal(x));
+                    rest.push(self.number(x));
                 }
             }
         }
-        let mut parts: Vec<String> = motors
+        let mut parts: Vec<Code> = motors
             .iter()
             .enumerate()
             .filter(|(_, k)| !k.is_zero())
@@ -56,20 +54,16 @@ impl Body<'_> {
             .collect();
         parts.extend(rest);
         if !wave.constant.is_zero() {
-            parts.push(self.literal(wave.constant.radians()));
+            parts.push(self.number(wave.constant.radians()));
         }
-        if parts.is_empty() { self.literal(0.0) } else { sum(&parts) }
+        if parts.is_empty() { self.number(0.0) } else { Code::sum(&parts) }
     }
 
-    fn multiple(&self, k: i8, text: &str) -> String {
-        let inner = if text.contains(' ') { format!("({text})") } else { text.to_string() };
+    fn multiple(&self, k: i8, code: &Code) -> Code {
         match k {
-            1 => text.to_string(),
-            -1 => match text.strip_prefix('-') {
-                Some(rest) if !rest.contains(' ') => rest.to_string(),
-                _ => format!("-{inner}"),
-            },
-            _ => format!("{} * {inner}", self.literal(f64::from(k))),
+            1 => code.clone(),
+            -1 => code.negated(),
+            _ => self.number(f64::from(k)).times_whole(code),
         }
     }
 
@@ -94,11 +88,11 @@ impl Body<'_> {
             let wave = &self.graph.waves()[*w as usize];
             let tail = subscript(&self.chain.ring, wave);
             let (s, c) = (self.names.take(&format!("s{tail}")), self.names.take(&format!("c{tail}")));
-            angles.push(self.angle(wave));
+            angles.push(self.angle(wave).text());
             for (i, node) in self.graph.nodes().iter().enumerate() {
                 match node {
-                    Node::Cos(x) if x == w => self.text[i] = Some((c.clone(), false)),
-                    Node::Sin(x) if x == w => self.text[i] = Some((s.clone(), false)),
+                    Node::Cos(x) if x == w => self.code[i] = Some(Code::trigonometric(c.clone())),
+                    Node::Sin(x) if x == w => self.code[i] = Some(Code::trigonometric(s.clone())),
                     _ => {}
                 }
             }

@@ -98,12 +98,6 @@ impl Code {
         if self.is_atom() { self.times(other) } else { Code::atom(self.single()).times(other) }
     }
 
-    /// self + (other), or self - (other).
-    pub(in crate::render) fn plus_whole(&self, other: &Code, minus: bool) -> Code {
-        let other = Code::atom(format!("({})", other.text()));
-        Code::sum(&[self.clone(), if minus { other.negated() } else { other }])
-    }
-
     /// a + b - c, from left to right, with signs pulled into the operators; empty for no parts.
     pub(in crate::render) fn sum(parts: &[Code]) -> Code {
         let Some((first, rest)) = parts.split_first() else { return Code::atom("") };

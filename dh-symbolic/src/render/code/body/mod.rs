@@ -1,10 +1,13 @@
 //! Instructions as statements: sines and cosines in one batch, then `let` lines; values used once stand where they are used.
 
 mod angles;
+mod code;
+
+pub(in crate::render) use code::Code;
 
 use super::names::Names;
 use super::steps::Variables;
-use super::{literal, scaled_constant};
+use super::{field, literal, scaled_constant};
 use crate::algebra::{Factor, Poly, Symbol};
 use crate::chain::{Chain, Coordinate, Handle, Role, Scalar};
 use crate::program::{Graph, Inverse, Node, Program, Value};
@@ -32,11 +35,11 @@ pub(in crate::render) struct Body<'a> {
     scalar: Scalar,
     /// Factor of every length: 1, or 1 over the reach.
     scale: f64,
-    /// Names of input symbols that are neither fields nor joints.
-    inputs: Vec<(Symbol, String)>,
-    /// Text of each node, once known, and whether it is a sum (needs parentheses in a product).
-    text: Vec<Option<(String, bool)>>,
-    /// Is that text a name?
+    /// Input symbols that are neither fields nor joints.
+    inputs: Vec<(Symbol, Code)>,
+    /// Each node, once known.
+    code: Vec<Option<Code>>,
+    /// Is that a name?
     is_name: Vec<bool>,
     /// The statements.
     pub(in crate::render) lines: Vec<String>,
@@ -84,59 +87,55 @@ impl<'a> Body<'a> {
     /// Nothing is asked for yet.
     fn empty(dialect: Dialect, chain: &'a Chain, graph: &'a Graph, scalar: Scalar) -> Body<'a> {
         let names = Names::new(&["q", "s", "c", "self", "t", "angles"]);
-        let (text, is_name) = (vec![None; graph.nodes().len()], vec![false; graph.nodes().len()]);
+        let (code, is_name) = (vec![None; graph.nodes().len()], vec![false; graph.nodes().len()]);
         let (outputs, inputs, lines) = (Vec::new(), Vec::new(), Vec::new());
-        Body { dialect, chain, graph, outputs, names, scalar, scale: 1.0, inputs, text, is_name, lines }
+        Body { dialect, chain, graph, outputs, names, scalar, scale: 1.0, inputs, code, is_name, lines }
     }
 
-    fn literal(&self, x: f64) -> String {
-        literal(x, self.scalar)
+    fn number(&self, x: f64) -> Code {
+        Code::number(x.is_sign_negative(), literal(x.abs(), self.scalar))
     }
 
     /// One coefficient times a variable.
-    fn scaled(&self, k: &Poly, x: &str) -> String {
+    fn scaled(&self, k: &Poly, x: &str) -> Code {
+        let x = Code::atom(x);
         match k.as_rational() {
-            Some(r) if r.is_one() => x.to_string(),
-            Some(r) if (-&r).is_one() => format!("-{x}"),
-            _ => {
-                let k = self.polynomial(k);
-                if k.contains(' ') { format!("({k}) * {x}") } else { format!("{k} * {x}") }
-            }
+            Some(r) if r.is_one() => x,
+            Some(r) if (-&r).is_one() => x.negated(),
+            _ => self.polynomial(k).whole_times(&x),
         }
     }
 
     /// A polynomial in constants and fields.
-    fn polynomial(&self, p: &Poly) -> String {
+    fn polynomial(&self, p: &Poly) -> Code {
         let field = |f: &Factor| match f {
             Factor::Power(s, _) => self.is_field(Handle::Length(*s)),
             _ => false,
         };
-        let parts: Vec<String> = p
+        let parts: Vec<Code> = p
             .collect(field)
             .into_iter()
             .map(|(m, k)| {
                 let k = scaled_constant(self.chain, &k, 1.0);
-                let mut factors: Vec<String> = Vec::new();
+                let mut factors: Vec<Code> = Vec::new();
                 if k != 1.0 || m.is_one() {
-                    factors.push(self.literal(k));
+                    factors.push(self.number(k));
                 }
                 for f in m.factors() {
                     if let Factor::Power(s, n) = f {
                         factors.extend((0..n).map(|_| self.field(self.chain.ring.symbol_name(s))));
                     }
                 }
-                factors.join(" * ")
+                let product = factors.into_iter().reduce(|a, b| a.times(&b));
+                product.unwrap_or_else(|| self.number(1.0))
             })
             .collect();
-        if parts.is_empty() { self.literal(0.0) } else { sum(&parts) }
+        if parts.is_empty() { self.number(0.0) } else { Code::sum(&parts) }
     }
 
     /// A field as a number of the code's type.
-    fn field(&self, name: &str) -> String {
-        match (self.chain.scalar, self.scalar) {
-            (Scalar::F32, Scalar::F64) => format!("f64::from(self.{name})"),
-            _ => format!("self.{name}"),
-        }
+    fn field(&self, name: &str) -> Code {
+        field(self.chain, name, self.scalar)
     }
 
     fn is_field(&self, handle: Handle) -> bool {
@@ -148,63 +147,65 @@ impl<'a> Body<'a> {
         let live = self.graph.live(&self.outputs);
         let users = self.users(&live, depths);
         for (i, node) in self.graph.nodes().iter().enumerate() {
-            if !live[i] || depths[i] != depth || self.text[i].is_some() {
+            if !live[i] || depths[i] != depth || self.code[i].is_some() {
                 continue;
             }
-            let (text, is_sum) = match *node {
+            let code = match *node {
                 Node::Constant(k) => {
-                    let x = scaled_constant(self.chain, &self.graph.constants()[k as usize], self.scale);
-                    (self.literal(x), false)
+                    self.number(scaled_constant(self.chain, &self.graph.constants()[k as usize], self.scale))
                 }
                 Node::Symbol(s) => self.symbol(s),
                 Node::Cos(_) | Node::Sin(_) => continue,
-                Node::Add(a, b) => (sum(&[self.signed(a), self.signed(b)]), true),
-                Node::Mul(a, b) => (format!("{} * {}", self.factor(a), self.factor(b)), false),
+                Node::Add(a, b) => Code::sum(&[self.signed(a), self.signed(b)]),
+                Node::Mul(a, b) => self.node(a).times(&self.node(b)),
             };
-            let leaf = !matches!(node, Node::Add(..) | Node::Mul(..)) && !text.contains(' ');
+            let leaf = !matches!(node, Node::Add(..) | Node::Mul(..)) && code.is_atom();
             let once_here = users[i].0 <= 1 && users[i].1 == depth;
-            if leaf || (once_here && text.len() <= INLINE) {
-                self.text[i] = Some((text, is_sum));
+            if leaf || (once_here && code.len() <= INLINE) {
+                self.code[i] = Some(code);
             } else {
                 let name = self.name(node);
-                self.lines.push(format!("let {name} = {text};"));
-                self.text[i] = Some((name, false));
+                self.lines.push(format!("let {} = {};", name.text(), code.text()));
+                self.code[i] = Some(name);
                 self.is_name[i] = true;
             }
         }
     }
 
-    /// An input, and whether it is written as a sum.
-    fn symbol(&self, s: Symbol) -> (String, bool) {
-        if let Some((_, name)) = self.inputs.iter().find(|x| x.0 == s) {
-            return (name.clone(), false);
+    /// An input.
+    fn symbol(&self, s: Symbol) -> Code {
+        if let Some((_, code)) = self.inputs.iter().find(|x| x.0 == s) {
+            return code.clone();
         }
         match self.chain.joints.iter().position(|j| j.coordinate == Coordinate::Length(s)) {
             Some(j) => {
                 let x = self.coordinate(j);
                 let motors = x.motors.iter().enumerate();
-                let parts: Vec<String> =
+                let parts: Vec<Code> =
                     motors.filter_map(|(m, k)| k.as_ref().map(|k| self.scaled(k, &format!("q[{m}]")))).collect();
-                (sum(&parts), parts.len() > 1)
+                Code::sum(&parts)
             }
             None => {
                 let field = self.field(self.chain.ring.symbol_name(s));
-                if self.scale == 1.0 { (field, false) } else { (format!("{field} * {}", self.per_length()), false) }
+                if self.scale == 1.0 { field } else { field.times(&self.per_length()) }
             }
         }
     }
 
-    /// `c4s5` for a product of named sines and cosines, else `t`.
-    fn name(&mut self, node: &Node) -> String {
-        let plain = |s: &str| s.len() <= 8 && s.starts_with(['c', 's']) && s.chars().all(|c| c.is_ascii_alphanumeric());
-        let wish = match node {
-            Node::Mul(a, b) => match (&self.text[*a as usize], &self.text[*b as usize]) {
-                (Some((a, false)), Some((b, false))) if plain(a) && plain(b) => format!("{a}{b}"),
-                _ => "t".into(),
-            },
-            _ => "t".into(),
+    /// A name for a node: `c4s5` for a product of named sines and cosines, else `t`.
+    fn name(&mut self, node: &Node) -> Code {
+        let short = |node: u32| {
+            let name = self.code[node as usize].as_ref().and_then(Code::trigonometric_name);
+            name.filter(|n| n.len() <= 8 && !n.contains('_'))
         };
-        self.names.take(&wish)
+        let wish = match node {
+            Node::Mul(a, b) => short(*a).zip(short(*b)).map(|(a, b)| format!("{a}{b}")),
+            _ => None,
+        };
+        match wish {
+            Some(wish) => Code::trigonometric(self.names.take(&wish)),
+            None => Code::atom(self.names.take("t")),
+        }
     }
 
     /// Per node: how often it is used, and the depth of its user (the greatest).
@@ -234,44 +235,36 @@ impl<'a> Body<'a> {
         users
     }
 
-    fn factor(&self, node: u32) -> String {
-        match &self.text[node as usize] {
-            Some((text, true)) => format!("({text})"),
-            Some((text, false)) => text.clone(),
-            None => self.literal(0.0),
-        }
+    fn node(&self, node: u32) -> Code {
+        self.code[node as usize].clone().unwrap_or_else(|| self.number(0.0))
     }
 
-    fn signed(&self, v: Value) -> String {
-        match (&self.text[v.node as usize], v.negative) {
-            (Some((text, _)), false) => text.clone(),
-            (Some((text, true)), true) => format!("-({text})"),
-            (Some((text, false)), true) => format!("-{text}"),
-            (None, _) => self.literal(0.0),
-        }
+    fn signed(&self, v: Value) -> Code {
+        let code = self.node(v.node);
+        if v.negative { code.negated() } else { code }
     }
 
     /// The expression of output `i`.
     pub(in crate::render) fn output(&self, i: usize) -> String {
-        self.outputs.get(i).map_or_else(|| self.literal(0.0), |v| self.signed(*v))
+        self.outputs.get(i).map_or_else(|| self.number(0.0), |v| self.signed(*v)).text()
     }
 
     /// The expression of a value.
     pub(in crate::render) fn value(&self, v: Value) -> String {
-        self.signed(v)
+        self.signed(v).text()
     }
 
     /// What a length is multiplied by.
-    fn per_length(&self) -> String {
+    fn per_length(&self) -> Code {
         match self.dialect {
-            Dialect::Rust => "Self::PER_LENGTH".into(),
-            Dialect::JavaScript => self.literal(self.scale),
+            Dialect::Rust => Code::atom("Self::PER_LENGTH"),
+            Dialect::JavaScript => self.number(self.scale),
         }
     }
 
     /// The name of a node that has been written; one that has none gets one by a statement.
     pub(super) fn named(&mut self, node: usize) -> String {
-        let (text, _) = self.text[node].clone().unwrap_or_else(|| (self.literal(0.0), false));
+        let text = self.node(node as u32).text();
         if self.is_name[node] {
             return text;
         }
@@ -283,7 +276,13 @@ impl<'a> Body<'a> {
 
     /// Replaces the text of a node from here on.
     pub(super) fn rename(&mut self, node: usize, text: &str) {
-        self.text[node] = Some((text.to_string(), false));
+        let input =
+            |s: &Symbol| self.inputs.iter().find(|x| x.0 == *s).is_some_and(|x| x.1.trigonometric_name().is_some());
+        let trigonometric = match &self.graph.nodes()[node] {
+            Node::Symbol(s) => input(s),
+            _ => self.code[node].as_ref().is_some_and(|c| c.trigonometric_name().is_some()),
+        };
+        self.code[node] = Some(if trigonometric { Code::trigonometric(text) } else { Code::atom(text) });
         self.is_name[node] = true;
     }
 
@@ -301,24 +300,5 @@ impl<'a> Body<'a> {
 /// A polynomial in constants and fields as an `f64` expression.
 pub(super) fn field_polynomial(chain: &Chain, p: &Poly) -> String {
     let graph = Graph::new(chain);
-    Body::empty(Dialect::Rust, chain, &graph, Scalar::F64).polynomial(p)
-}
-
-/// a + b - c, with signs pulled into the operators.
-fn sum(parts: &[String]) -> String {
-    let mut out = String::new();
-    for p in parts {
-        match (out.is_empty(), p.strip_prefix('-')) {
-            (true, _) => out.push_str(p),
-            (false, Some(rest)) => {
-                out.push_str(" - ");
-                out.push_str(rest);
-            }
-            (false, None) => {
-                out.push_str(" + ");
-                out.push_str(p);
-            }
-        }
-    }
-    out
+    Body::empty(Dialect::Rust, chain, &graph, Scalar::F64).polynomial(p).text()
 }

@@ -60,7 +60,7 @@ pub(super) fn whole_motors(chain: &Chain, rows: &[Form]) -> Option<Vec<Motor>> {
                 *sum = sum.checked_add(k.checked_mul(*factor)?)?;
             }
             let shift = shift_expression(chain, &joint.shift, Scalar::F64);
-            motor.shifts.extend(shift.map(|shift| (*factor, shift)));
+            motor.shifts.extend(shift.map(|shift| (*factor, shift.text())));
             let field = joint.shift.symbols.iter().any(|(i, _)| is_field(chain, *i));
             half_turns += if field { f64::INFINITY } else { f64::from(*factor).abs() * nominal(chain, &joint.shift) };
         }
