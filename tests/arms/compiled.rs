@@ -211,9 +211,7 @@ impl Compiled {
                 take(std::array::from_fn(|k| q[k]), branch, path);
             }
             let mut attempt = Attempt::new();
-            let status = run.status;
-            (attempt.degenerate, attempt.lost) = (status.degenerate, status.lost);
-            (attempt.grazed, attempt.doubt) = (status.grazed, status.doubt);
+            attempt.status = run.status;
             attempt
         };
         solve(&Model(self), setting, &goal, &frame, candidates)

@@ -2,7 +2,7 @@
 
 use super::path::{Equation, Path};
 use crate::{FreeJoints, Why};
-use dh_kernels::{List, Outcome};
+use dh_kernels::{List, Outcome, Status};
 
 /// The values that unknowns take where their equations leave them free, for one run of the plan, and the size below which coefficients count
 /// as zero.
@@ -131,19 +131,12 @@ impl Sample {
 /// What the closed form reports beside its candidates.
 #[derive(Clone, Debug)]
 pub struct Attempt {
-    /// Some step left its unknown free.
-    pub degenerate: bool,
-    /// The steps that did, a bit each.
+    /// What may be missing.
+    pub status: Status,
+    /// The steps that left their unknown free, a bit each.
     free: u16,
     /// Equations of one unknown behind a free one.
     pub(super) equations: List<Equation, 24>,
-    /// A value that was chosen for a free unknown led to nothing, and another one might lead to something; or a step missed its root
-    /// by no more than the error of a double root before it; or a step without a root came after a double one.
-    pub lost: bool,
-    /// Some step had a double root, or nearly: what comes after it has fewer digits.
-    pub grazed: bool,
-    /// Rounding, or an elimination that lost its rank, may have hidden a root.
-    pub doubt: bool,
     pub(super) why: Why<f64>,
 }
 
@@ -158,15 +151,7 @@ impl Attempt {
     #[inline]
     #[must_use]
     pub fn new() -> Self {
-        Attempt {
-            degenerate: false,
-            free: 0,
-            equations: List::new(),
-            lost: false,
-            grazed: false,
-            doubt: false,
-            why: Why::NoSolution,
-        }
+        Attempt { status: Status::default(), free: 0, equations: List::new(), why: Why::NoSolution }
     }
 
     /// The same for a target in `f32`: beside a singular pose its rounding turns a double root into two, and what comes after them has as few
@@ -174,20 +159,14 @@ impl Attempt {
     #[inline]
     #[must_use]
     pub fn single() -> Self {
-        Attempt { grazed: true, ..Attempt::new() }
+        Attempt { status: Status { grazed: true, ..Status::default() }, ..Attempt::new() }
     }
 
     /// Notes how a step ended that has no roots, or a double one, behind the roots and samples of `path`. `scale` turns the
     /// numbers of its equation into `unit`.
     #[cold]
     pub fn note(&mut self, outcome: Outcome, path: &Path, step: &'static str, scale: f64, unit: &'static str) {
-        match outcome {
-            Outcome::Free => return self.degenerate = true,
-            Outcome::Touching => return self.grazed = true,
-            _ => {}
-        }
-        self.lost |= path.is_chosen() || self.grazed || outcome.just_misses_a_root();
-        self.doubt |= outcome.may_hide_a_root();
+        self.status.note(outcome, path.is_chosen());
         match outcome {
             Outcome::OutOfReach { needed, available } => {
                 let why = Why::OutOfReach { step, needs: needed * scale, has: available * scale, unit };
@@ -213,8 +192,7 @@ impl Attempt {
         unit: &'static str,
     ) {
         let Outcome::OutOfReach { available, .. } = outcome else { return self.note(outcome, path, step, 1.0, unit) };
-        self.lost |= path.is_chosen() || self.grazed || outcome.just_misses_a_root();
-        self.doubt |= outcome.may_hide_a_root();
+        self.status.note(outcome, path.is_chosen());
         let distance = crate::math::sqrt((base + rest).max(0.0));
         let available = if rest > 0.0 { available } else { -available };
         let limit = if grows {
@@ -232,7 +210,7 @@ impl Attempt {
     /// Notes that a step left its unknown free, behind the roots and samples of `path`; gives back the path with it.
     #[cold]
     pub fn choose(&mut self, step: usize, path: &Path, joints: FreeJoints) -> Path {
-        self.degenerate = true;
+        self.status.degenerate = true;
         self.free |= 1 << (step & 15);
         path.choose(step, joints)
     }
@@ -295,10 +273,10 @@ mod tests {
         let mut attempt = Attempt::new();
         let outcome = Outcome::OutOfReach { needed: 2.0, available: 1.0 };
         attempt.note(outcome, &Path::START, "q3", 1.0, "m");
-        assert!(!attempt.lost && !attempt.degenerate);
+        assert!(!attempt.status.lost && !attempt.status.degenerate);
         attempt.note(Outcome::Free, &Path::START, "q4", 1.0, "m");
-        assert!(!attempt.lost && attempt.degenerate);
+        assert!(!attempt.status.lost && attempt.status.degenerate);
         attempt.note(outcome, &Path::START.choose(4, FreeJoints::of(&[3])), "q5", 1.0, "m");
-        assert!(attempt.lost);
+        assert!(attempt.status.lost);
     }
 }

@@ -122,10 +122,10 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'a, A
                 self.blurred = true;
             }
         }
-        if run.degenerate {
+        if run.status.degenerate {
             self.self_motions(frame, &first, &run, sample, plan);
         }
-        if sample == Sample::FIRST && (run.grazed && self.blurred || run.lost && !run.degenerate) {
+        if sample == Sample::FIRST && (run.status.grazed && self.blurred || run.status.lost && !run.status.degenerate) {
             // Behind a double root what vanishes is as large as its error.
             let blunt = Sample::FIRST.with_tolerance(BLUNT);
             let mut second: List<Node<N>, RUN> = List::new();
@@ -137,7 +137,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'a, A
                     self.take(q, node.branch);
                 }
             }
-            if again.degenerate && !run.degenerate {
+            if again.status.degenerate && !run.status.degenerate {
                 self.self_motions(frame, &second, &again, blunt, plan);
             }
         }
@@ -225,10 +225,10 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'a, A
         }
         wide = wide && self.surfaces(frame, run, plan);
         let is_curve = |n: &Node<N>| n.path.is_chosen() && !(wide && n.path.free.count_ones() > 1);
-        if !run.lost && !kept.iter().any(is_curve) {
+        if !run.status.lost && !kept.iter().any(is_curve) {
             return;
         }
-        let plain = run.equations.is_empty() && !run.lost && !self.alone && !crossed;
+        let plain = run.equations.is_empty() && !run.status.lost && !self.alone && !crossed;
         let mut sheets: Sheets<N> = Sheets::new();
         if plain {
             for node in kept.iter().filter(|n| is_curve(n)) {
@@ -288,7 +288,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'a, A
                 }
             }
         }
-        if cells.rough || run.lost && sheets.is_empty() {
+        if cells.rough || run.status.lost && sheets.is_empty() {
             for angle in MORE {
                 if !self.work.is_used_up() {
                     let mut list = List::new();

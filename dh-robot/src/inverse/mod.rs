@@ -60,7 +60,8 @@ pub fn solve<T: Real, const N: usize, const M: usize>(
 ) -> Solutions<T, N, M> {
     let mut verifier = Verifier::new(arm, setting, task);
     let attempt = candidates(frame, &Sample::FIRST, &mut |q, branch, path| verifier.take(q, branch, path.joints));
-    if attempt.degenerate || verifier.lost || attempt.lost || attempt.doubt && verifier.out.is_empty() {
+    let status = attempt.status;
+    if status.degenerate || verifier.lost || status.lost || status.doubt && verifier.out.is_empty() {
         rescue::rescue(&mut verifier, frame, &attempt, &candidates);
     }
     verifier.move_into_ranges();

@@ -121,7 +121,7 @@ pub fn solve_near<T: Real, const N: usize, const M: usize>(
         &Sample::of(unknowns).with_tolerance(search.verifier.first_sample().tolerance),
         &mut |q, branch, path| _ = list.push(Candidate(q, branch, path)),
     );
-    let mut missed = run.grazed || run.lost;
+    let mut missed = run.status.grazed || run.status.lost;
     for Candidate(x, branch, path) in &list {
         let mut x = *x;
         if search.settle(&mut x, TRIES) {

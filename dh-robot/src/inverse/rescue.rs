@@ -48,8 +48,8 @@ fn rescue_by_candidates<A: Kinematics<N>, T: Real, const N: usize, const M: usiz
     first: &Attempt,
     candidates: &impl Fn(&Pose, &Sample, &mut dyn FnMut([f64; N], Branch, Path)) -> Attempt,
 ) {
-    let mut lost = verifier.lost || first.lost || verifier.out.is_empty();
-    if first.degenerate {
+    let mut lost = verifier.lost || first.status.lost || verifier.out.is_empty();
+    if first.status.degenerate {
         for (i, pick) in Sample::others().enumerate() {
             // Zero may be a special value: another one or two show whether it stands for all of them.
             if i >= PROBES && !lost {
@@ -57,13 +57,13 @@ fn rescue_by_candidates<A: Kinematics<N>, T: Real, const N: usize, const M: usiz
             }
             verifier.news = false;
             let run = candidates(frame, &pick, &mut |q, branch, _| verifier.take_rough(q, branch, i >= FIRST_ROUND));
-            lost |= verifier.news || run.lost;
+            lost |= verifier.news || run.status.lost;
         }
     }
     if !lost {
         return;
     }
-    let mut doubt = first.degenerate || first.doubt;
+    let mut doubt = first.status.degenerate || first.status.doubt;
     // Few joints cannot follow a motion of the target, but the equations of the plan hold well enough after a small one.
     for size in if verifier.setting.few { [1e-6, 1e-4] } else { [1e-4, 1e-2] } {
         for (motion, nth) in MOTIONS.iter().zip(0..) {
@@ -75,11 +75,11 @@ fn rescue_by_candidates<A: Kinematics<N>, T: Real, const N: usize, const M: usiz
                     any = true;
                     verifier.take_rough(q, branch, side < 0.0);
                 });
-                doubt |= any || run.degenerate;
+                doubt |= any || run.status.degenerate;
             }
         }
     }
-    if verifier.out.is_empty() && doubt || verifier.setting.few && first.degenerate {
+    if verifier.out.is_empty() && doubt || verifier.setting.few && first.status.degenerate {
         search(verifier);
     }
     if verifier.out.is_empty() && doubt {

@@ -1,7 +1,7 @@
 //! What is known while a plan runs: the target, joint combinations already found, and matrices made of them.
 
 use super::axes::Axes;
-use super::span::{Form, Span, combination, numbers};
+use super::subspace::{JointCombination, Subspace, combination, numbers};
 use crate::algebra::{Factor, Poly, Ring, Symbol, Transform};
 use crate::chain::Coordinate;
 use std::collections::BTreeMap;
@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 #[derive(Clone, Debug)]
 pub struct Known {
     /// The combination.
-    pub form: Form,
+    pub form: JointCombination,
     /// Symbols of its cosine and sine; for a sliding joint its own symbol twice.
     pub symbols: [Symbol; 2],
     /// Does it turn?
@@ -65,7 +65,7 @@ pub struct Knowledge {
     /// Known combinations.
     pub known: Vec<Known>,
     /// Their space.
-    pub span: Span,
+    pub span: Subspace,
     /// Known poses, in order of first use.
     pub poses: Vec<KnownPose>,
 }
@@ -73,7 +73,7 @@ pub struct Knowledge {
 impl Knowledge {
     /// At the start only the target is known.
     pub fn new(axes: &Axes) -> Knowledge {
-        Knowledge { ring: axes.ring.clone(), known: Vec::new(), span: Span::default(), poses: Vec::new() }
+        Knowledge { ring: axes.ring.clone(), known: Vec::new(), span: Subspace::default(), poses: Vec::new() }
     }
 
     /// Text of a form, `q2 + q3`.
@@ -194,8 +194,9 @@ impl Knowledge {
 
     /// Rewrites an equation in angles and lengths so that only the unknown combinations and known symbols are left.
     /// `None` where it depends on something else.
-    pub fn collect(&self, axes: &Axes, p: &Poly, unknown: &[Form]) -> Option<Collected> {
-        let forms: Vec<Form> = unknown.iter().cloned().chain(self.known.iter().map(|k| k.form.clone())).collect();
+    pub fn collect(&self, axes: &Axes, p: &Poly, unknown: &[JointCombination]) -> Option<Collected> {
+        let forms: Vec<JointCombination> =
+            unknown.iter().cloned().chain(self.known.iter().map(|k| k.form.clone())).collect();
         let mut out: BTreeMap<Vec<Part>, Vec<Poly>> = BTreeMap::new();
         // The same few sines and cosines occur in all terms.
         let mut seen: Vec<(Factor, Split)> = Vec::new();
@@ -241,7 +242,13 @@ impl Knowledge {
     }
 
     /// One factor in terms of the unknowns.
-    fn factor(&self, axes: &Axes, f: &Factor, unknown: &[Form], forms: &[Form]) -> Option<Split> {
+    fn factor(
+        &self,
+        axes: &Axes,
+        f: &Factor,
+        unknown: &[JointCombination],
+        forms: &[JointCombination],
+    ) -> Option<Split> {
         let one = vec![Part::One; unknown.len()];
         match f {
             Factor::Root(_) => None,

@@ -3,7 +3,7 @@
 use super::axes::Axes;
 use super::pool::rates;
 use super::sample::joint_vectors;
-use super::span::Span;
+use super::subspace::Subspace;
 use crate::chain::{Chain, Task};
 use dh_kernels::pose::{self, Pose};
 use dh_kernels::vector::cross;
@@ -39,7 +39,7 @@ impl Mobility {
             tool = pose::compose(&tool, &super::numeric(chain, &axes.end, axes.reach));
         }
         let rank = |twists: &[Twist]| {
-            let mut span = Span::default();
+            let mut span = Subspace::default();
             twists.iter().filter(|t| span.add(&seen(chain.task, t, &tool))).count()
         };
         let task = match chain.task {
@@ -63,7 +63,7 @@ impl Mobility {
 
 /// A basis of the smallest space of twists that holds these and with any two their commutator.
 fn algebra(twists: &[Twist]) -> Vec<Twist> {
-    let mut span = Span::default();
+    let mut span = Subspace::default();
     let mut basis: Vec<Twist> = twists.iter().filter(|t| span.add(&t[..])).copied().collect();
     let mut next = 0;
     while next < basis.len() {

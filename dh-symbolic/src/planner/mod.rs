@@ -22,10 +22,10 @@ mod sample;
 mod scalar;
 mod search;
 mod slides;
-mod span;
 mod step;
 mod steps;
 mod structure;
+mod subspace;
 
 pub use axes::{Axes, Hop};
 pub(crate) use axes::{generic_parameter, numeric};
@@ -37,10 +37,10 @@ pub use refusal::{MOST_OPEN_JOINTS, Refusal};
 pub(crate) use sample::joint_vectors;
 pub use scalar::{Equation, Scalar};
 pub use search::search;
-pub use span::{Form, combination};
 pub use step::{Plan, Step};
 pub use steps::{
     Argument, BatchedKernel, BatchedRoots, Call, Coefficient, Kernel, ReachLimit, Representative, Roots, Slot,
     StepKind, Unknown, Wording, Words,
 };
 pub use structure::{Neighbours, Pair, Structure};
+pub use subspace::{JointCombination, combination};

@@ -12,14 +12,14 @@ use super::axes::Axes;
 use super::random::Random;
 use super::scalar::{Equation, Scalar};
 use super::slides;
-use super::span::Span;
+use super::subspace::Subspace;
 use dh_kernels::pose::{self, Pose};
 
 /// Equations that depend on the same joint combinations.
 #[derive(Clone, Debug)]
 pub struct Family {
     /// The combinations.
-    pub span: Span,
+    pub span: Subspace,
     /// The equations.
     pub equations: Vec<Equation>,
 }
@@ -76,7 +76,7 @@ pub fn families(axes: &Axes) -> Vec<Family> {
     let n = axes.count();
     let frames = axes.hops.len() + 1;
     let pairs: Vec<(usize, usize)> = (0..frames).flat_map(|a| (a + 1..frames).map(move |b| (a, b))).collect();
-    let mut spans: Vec<[Span; 16]> = vec![Default::default(); pairs.len()];
+    let mut spans: Vec<[Subspace; 16]> = vec![Default::default(); pairs.len()];
     let mut random = Random::new(7);
     for _ in 0..3 {
         // The target is one thing, the joints another: equations hold or not, here only their slopes matter.
@@ -214,7 +214,7 @@ fn difference(t: &Pose, d: &Pose, sign: f64) -> [f64; 16] {
     .map(|x| sign * x)
 }
 
-fn collect(pairs: &[(usize, usize)], spans: Vec<[Span; 16]>, more: Vec<(Equation, Span)>) -> Vec<Family> {
+fn collect(pairs: &[(usize, usize)], spans: Vec<[Subspace; 16]>, more: Vec<(Equation, Subspace)>) -> Vec<Family> {
     let plain = pairs.iter().zip(spans).flat_map(|(&(a, b), list)| {
         SCALARS.into_iter().zip(list).map(move |(scalar, span)| (Equation { a, b, scalar }, span))
     });

@@ -17,7 +17,7 @@
 use super::axes::Axes;
 use super::known::Knowledge;
 use super::scalar::{Equation, Scalar, fold};
-use super::span::Span;
+use super::subspace::Subspace;
 use crate::algebra::Poly;
 use dh_kernels::pose::{self, Pose};
 
@@ -151,7 +151,7 @@ fn ordered([i, j]: [usize; 2], b: usize) -> [usize; 2] {
 }
 
 /// All these equations of an arm, with the coordinates that each depends on.
-pub(super) fn equations(axes: &Axes) -> Vec<(Equation, Span)> {
+pub(super) fn equations(axes: &Axes) -> Vec<(Equation, Subspace)> {
     let slides = slides(axes);
     let frames = axes.hops.len() + 1;
     let pairs = || {
@@ -173,7 +173,7 @@ pub(super) fn equations(axes: &Axes) -> Vec<(Equation, Span)> {
         }
     }
     let mut random = super::random::Random::new(19);
-    let mut spans = vec![Span::default(); list.len()];
+    let mut spans = vec![Subspace::default(); list.len()];
     for _ in 0..3 {
         let mut point = || -> Vec<f64> { (0..axes.count()).map(|_| 2.3 * random.next()).collect() };
         let (x, y) = (point(), point());

@@ -3,8 +3,8 @@
 use super::axes::Axes;
 use super::known::{Collected, Knowledge};
 use super::scalar::Equation;
-use super::span::Form;
 use super::steps::StepKind;
+use super::subspace::JointCombination;
 
 /// One step.
 #[derive(Clone, Debug)]
@@ -12,7 +12,7 @@ pub struct Step {
     /// What is solved.
     pub kind: StepKind,
     /// The unknown combinations (one or two; all for the general elimination).
-    pub unknown: Vec<Form>,
+    pub unknown: Vec<JointCombination>,
     /// The pool's equations used.
     pub equations: Vec<Equation>,
     /// The same, exact, by powers of the unknowns.

@@ -20,30 +20,35 @@ impl Cost {
     pub fn of(graph: &Graph, outputs: &[Value]) -> Cost {
         let live = graph.live(outputs);
         let mut cost = Cost { multiplications: 0, additions: 0, sincos: 0 };
-        let mut waves = vec![false; graph.waves().len()];
+        let mut angle_sums = vec![false; graph.angle_sums().len()];
         for (node, _) in graph.nodes().iter().zip(&live).filter(|(_, l)| **l) {
             match node {
                 Node::Mul(..) => cost.multiplications += 1,
                 Node::Add(..) => cost.additions += 1,
-                Node::Cos(w) | Node::Sin(w) => waves[*w as usize] = true,
+                Node::Cos(w) | Node::Sin(w) => angle_sums[*w as usize] = true,
                 _ => {}
             }
         }
-        let used: Vec<&LinearAngle> = graph.waves().iter().zip(&waves).filter(|(_, l)| **l).map(|(w, _)| w).collect();
-        for wave in &used {
+        let used: Vec<&LinearAngle> =
+            graph.angle_sums().iter().zip(&angle_sums).filter(|(_, l)| **l).map(|(w, _)| w).collect();
+        for angle_sum in &used {
             cost.sincos += 1;
             // A sum that continues another one (q2 + q3 + q4 after q2 + q3) begins with it.
             let begun = used
                 .iter()
                 .filter(|w| {
-                    w.terms.len() < wave.terms.len() && w.constant.is_zero() && wave.terms.starts_with(&w.terms)
+                    w.terms.len() < angle_sum.terms.len()
+                        && w.constant.is_zero()
+                        && angle_sum.terms.starts_with(&w.terms)
                 })
                 .map(|w| w.terms.len())
                 .max()
                 .unwrap_or(1);
-            let terms: usize =
-                wave.terms[begun.min(wave.terms.len())..].iter().map(|t| usize::from(t.1.unsigned_abs())).sum();
-            cost.additions += terms + usize::from(!wave.constant.is_zero());
+            let terms: usize = angle_sum.terms[begun.min(angle_sum.terms.len())..]
+                .iter()
+                .map(|t| usize::from(t.1.unsigned_abs()))
+                .sum();
+            cost.additions += terms + usize::from(!angle_sum.constant.is_zero());
         }
         cost
     }

@@ -103,7 +103,7 @@ fn outputs(columns: [V3; 3], p: V3) -> Vec<Value> {
 pub(super) fn pose(chain: &Chain, blocks: &[Block]) -> Program {
     let mut best: Option<(usize, Program)> = None;
     let mut offer = |graph: Graph, columns: [V3; 3], p: V3| {
-        let program = Program { graph, outputs: outputs(columns, p) }.share_waves();
+        let program = Program { graph, outputs: outputs(columns, p) }.share_angle_sums();
         let weight = Cost::of(&program.graph, &program.outputs).weight();
         if best.as_ref().is_none_or(|b| weight < b.0) {
             best = Some((weight, program));
@@ -149,7 +149,7 @@ pub(super) fn frames(chain: &Chain, blocks: &[Block]) -> Program {
             all[mark.row] = outputs(columns, stop.origins[mark.pieces]);
         }
     }
-    Program { graph: g, outputs: all.concat() }.share_waves()
+    Program { graph: g, outputs: all.concat() }.share_angle_sums()
 }
 
 /// The way from the base to the tip.

@@ -31,7 +31,7 @@ pub enum Node {
     Constant(u32),
     /// A field of the robot, or a sliding joint's coordinate, or another input.
     Symbol(Symbol),
-    /// Cosine of an angle sum: index into the graph's waves.
+    /// Cosine of an angle sum: index into the graph's angle_sums.
     Cos(u32),
     /// Sine of one.
     Sin(u32),
@@ -47,7 +47,7 @@ pub struct Graph {
     nodes: Vec<Node>,
     index: HashMap<Node, u32>,
     constants: Vec<Poly>,
-    waves: Vec<LinearAngle>,
+    angle_sums: Vec<LinearAngle>,
     /// Symbols and angles whose values are known when the code is generated.
     fixed_symbols: Vec<Symbol>,
     fixed_angles: Vec<AngleVar>,
@@ -68,7 +68,7 @@ impl Graph {
             nodes: Vec::new(),
             index: HashMap::new(),
             constants: Vec::new(),
-            waves: Vec::new(),
+            angle_sums: Vec::new(),
             fixed_symbols: Vec::new(),
             fixed_angles: Vec::new(),
             bound: Vec::new(),
@@ -100,13 +100,13 @@ impl Graph {
     }
 
     /// The angle sums of which sine or cosine are taken.
-    pub fn waves(&self) -> &[LinearAngle] {
-        &self.waves
+    pub fn angle_sums(&self) -> &[LinearAngle] {
+        &self.angle_sums
     }
 
     /// A graph without instructions but 0 and 1, with the same constants and the same knowledge.
     pub(super) fn emptied(&self) -> Graph {
-        let mut graph = Graph { nodes: Vec::new(), index: HashMap::new(), waves: Vec::new(), ..self.clone() };
+        let mut graph = Graph { nodes: Vec::new(), index: HashMap::new(), angle_sums: Vec::new(), ..self.clone() };
         graph.constant(Poly::zero());
         graph.constant(Poly::one());
         graph
@@ -184,11 +184,11 @@ impl Graph {
         if quarter.is_some() {
             rest.constant = crate::algebra::Angle::ZERO;
         }
-        let i = match self.waves.iter().position(|w| *w == rest) {
+        let i = match self.angle_sums.iter().position(|w| *w == rest) {
             Some(i) => i,
             None => {
-                self.waves.push(rest);
-                self.waves.len() - 1
+                self.angle_sums.push(rest);
+                self.angle_sums.len() - 1
             }
         } as u32;
         let (c, s) = (self.push(Node::Cos(i)), self.push(Node::Sin(i)));

@@ -1,9 +1,10 @@
 //! The proof that a program computes what it should, by values in a prime field (see [`FieldPoint`]): for long chains and odd twists,
 //! whose normal forms have thousands of terms. Program and product of link transforms must agree at every point.
 
+use super::Program;
+use super::fold::Arithmetic;
 use super::proof::Disproof;
-use super::{Node, Program};
-use crate::algebra::{Element, FieldPoint, Transform};
+use crate::algebra::{Element, FieldPoint, LinearAngle, Poly, Symbol, Transform};
 use crate::chain::{Chain, Coordinate, Elementary};
 use crate::kinematics::Kinematics;
 
@@ -13,30 +14,44 @@ const POINTS: u64 = 4;
 /// Columns and position.
 type Frame = [[Element; 3]; 4];
 
-fn values(program: &Program, at: &FieldPoint) -> Vec<Element> {
-    let mut all: Vec<Element> = Vec::with_capacity(program.graph.nodes().len());
-    let waves: Vec<(Element, Element)> =
-        program.graph.waves().iter().map(|w| at.cos_sin(w).unwrap_or((Element::ZERO, Element::ZERO))).collect();
-    for node in program.graph.nodes() {
-        let signed = |v: super::Value, all: &[Element]| {
-            let x = all[v.node as usize];
-            if v.negative { x.negative() } else { x }
-        };
-        let x = match *node {
-            Node::Constant(i) => at.value(&program.graph.constants()[i as usize]),
-            Node::Symbol(s) => at.symbol(s),
-            Node::Cos(w) => waves[w as usize].0,
-            Node::Sin(w) => waves[w as usize].1,
-            Node::Add(a, b) => signed(a, &all).plus(signed(b, &all)),
-            Node::Mul(a, b) => all[a as usize].times(all[b as usize]),
-        };
-        all.push(x);
+/// Elements of a prime field, at a point.
+struct Elements<'a>(&'a FieldPoint);
+
+impl Arithmetic for Elements<'_> {
+    type Number = Element;
+
+    fn zero(&mut self) -> Element {
+        Element::ZERO
     }
-    program
-        .outputs
-        .iter()
-        .map(|v| if v.negative { all[v.node as usize].negative() } else { all[v.node as usize] })
-        .collect()
+
+    fn constant(&mut self, p: &Poly) -> Element {
+        self.0.value(p)
+    }
+
+    fn symbol(&mut self, s: Symbol) -> Element {
+        self.0.symbol(s)
+    }
+
+    fn harmonic(&mut self, _: usize, angle: &LinearAngle, sine: bool) -> Element {
+        let (cosine, other) = self.0.cos_sin(angle).unwrap_or((Element::ZERO, Element::ZERO));
+        if sine { other } else { cosine }
+    }
+
+    fn negative(&mut self, a: Element) -> Element {
+        a.negative()
+    }
+
+    fn add(&mut self, a: Element, b: Element) -> Element {
+        a.plus(b)
+    }
+
+    fn multiply(&mut self, a: Element, b: Element) -> Element {
+        a.times(b)
+    }
+}
+
+fn values(program: &Program, at: &FieldPoint) -> Vec<Element> {
+    program.graph.fold(&program.outputs, &mut Elements(at))
 }
 
 fn frame_of(t: &Transform, at: &FieldPoint) -> Frame {

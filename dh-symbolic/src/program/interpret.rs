@@ -1,7 +1,8 @@
 //! Runs a program on f64: the second opinion in tests, and the numbers of worked examples.
 
-use super::{Node, Program};
-use crate::algebra::Point;
+use super::Program;
+use super::fold::Arithmetic;
+use crate::algebra::{LinearAngle, Point, Poly, Symbol};
 
 /// Values of the inputs.
 pub type Inputs<'a> = Point<'a>;
@@ -9,25 +10,43 @@ pub type Inputs<'a> = Point<'a>;
 impl Program {
     /// The outputs at a point.
     pub fn run(&self, at: &Inputs<'_>) -> Vec<f64> {
-        let mut x: Vec<f64> = Vec::with_capacity(self.graph.nodes().len());
-        let angle = |w: u32| {
-            let wave = &self.graph.waves()[w as usize];
-            wave.terms.iter().map(|(v, k)| f64::from(*k) * (at.angle)(*v)).sum::<f64>() + wave.constant.radians()
-        };
-        for node in self.graph.nodes() {
-            let value = match *node {
-                Node::Constant(i) => self.graph.constants()[i as usize].evaluate(at),
-                Node::Symbol(s) => (at.symbol)(s),
-                Node::Cos(w) => angle(w).cos(),
-                Node::Sin(w) => angle(w).sin(),
-                Node::Add(a, b) => {
-                    let (l, r) = (x[a.node as usize], x[b.node as usize]);
-                    if b.negative { l - r } else { l + r }
-                }
-                Node::Mul(a, b) => x[a as usize] * x[b as usize],
-            };
-            x.push(value);
-        }
-        self.outputs.iter().map(|v| if v.negative { -x[v.node as usize] } else { x[v.node as usize] }).collect()
+        self.graph.fold(&self.outputs, &mut Floats(at))
+    }
+}
+
+/// `f64`, at a point.
+pub(super) struct Floats<'a, 'b>(pub(super) &'a Point<'b>);
+
+impl Arithmetic for Floats<'_, '_> {
+    type Number = f64;
+
+    fn zero(&mut self) -> f64 {
+        0.0
+    }
+
+    fn constant(&mut self, p: &Poly) -> f64 {
+        p.evaluate(self.0)
+    }
+
+    fn symbol(&mut self, s: Symbol) -> f64 {
+        (self.0.symbol)(s)
+    }
+
+    fn harmonic(&mut self, _: usize, angle: &LinearAngle, sine: bool) -> f64 {
+        let terms = angle.terms.iter().map(|(v, k)| f64::from(*k) * (self.0.angle)(*v)).sum::<f64>();
+        let x = terms + angle.constant.radians();
+        if sine { x.sin() } else { x.cos() }
+    }
+
+    fn negative(&mut self, a: f64) -> f64 {
+        -a
+    }
+
+    fn add(&mut self, a: f64, b: f64) -> f64 {
+        a + b
+    }
+
+    fn multiply(&mut self, a: f64, b: f64) -> f64 {
+        a * b
     }
 }

@@ -258,7 +258,7 @@ pub(super) fn jacobian(chain: &Chain, blocks: &[Block]) -> Program {
     let built = ways
         .filter_map(|way| build(chain, blocks, way))
         .chain([Some(Shifts::Turned), Some(Shifts::AlongColumns), None].map(|shifts| textbook(chain, blocks, shifts)));
-    for program in built.map(Program::share_waves) {
+    for program in built.map(Program::share_angle_sums) {
         let weight = Cost::of(&program.graph, &program.outputs).weight();
         if best.as_ref().is_none_or(|b| weight < b.0) {
             best = Some((weight, program));

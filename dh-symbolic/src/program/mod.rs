@@ -5,7 +5,9 @@
 //!
 //! **Never here:** tokens, prose, robots' names.
 
+mod angle_sums;
 mod cost;
+mod fold;
 mod forward;
 mod graph;
 mod identity;
@@ -15,7 +17,6 @@ mod jacobian;
 mod links;
 mod proof;
 mod vector;
-mod waves;
 
 pub use cost::Cost;
 pub use graph::{Graph, Node, Value};

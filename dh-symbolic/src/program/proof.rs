@@ -1,7 +1,8 @@
 //! The proof that a program computes what it should, by normal forms: expanded back into the algebra it must be the product itself.
 
-use super::{Graph, Node, Program, Value};
-use crate::algebra::{Poly, Transform};
+use super::Program;
+use super::fold::Arithmetic;
+use crate::algebra::{LinearAngle, Poly, Symbol, Transform};
 use crate::chain::Chain;
 use crate::kinematics::{Kinematics, jacobian};
 use std::fmt;
@@ -21,41 +22,45 @@ impl fmt::Display for Disproof {
     }
 }
 
-impl Graph {
-    /// Every live node as a polynomial.
-    fn expand(&self, live: &[bool]) -> Vec<Poly> {
-        let mut all: Vec<Poly> = Vec::with_capacity(self.nodes().len());
-        for (node, live) in self.nodes().iter().zip(live) {
-            let signed = |v: Value, all: &[Poly]| {
-                let p = &all[v.node as usize];
-                if v.negative { -p } else { p.clone() }
-            };
-            let p = match node {
-                _ if !live => Poly::zero(),
-                Node::Constant(i) => self.constants()[*i as usize].clone(),
-                Node::Symbol(s) => Poly::symbol(*s),
-                Node::Cos(w) => self.waves()[*w as usize].cos_sin().map(|x| x.0).unwrap_or_default(),
-                Node::Sin(w) => self.waves()[*w as usize].cos_sin().map(|x| x.1).unwrap_or_default(),
-                Node::Add(a, b) => &signed(*a, &all) + &signed(*b, &all),
-                Node::Mul(a, b) => &all[*a as usize] * &all[*b as usize],
-            };
-            all.push(p);
-        }
-        all
+/// Polynomials.
+struct Polynomials;
+
+impl Arithmetic for Polynomials {
+    type Number = Poly;
+
+    fn zero(&mut self) -> Poly {
+        Poly::zero()
+    }
+
+    fn constant(&mut self, p: &Poly) -> Poly {
+        p.clone()
+    }
+
+    fn symbol(&mut self, s: Symbol) -> Poly {
+        Poly::symbol(s)
+    }
+
+    fn harmonic(&mut self, _: usize, angle: &LinearAngle, sine: bool) -> Poly {
+        angle.cos_sin().map(|(c, s)| if sine { s } else { c }).unwrap_or_default()
+    }
+
+    fn negative(&mut self, a: Poly) -> Poly {
+        -&a
+    }
+
+    fn add(&mut self, a: Poly, b: Poly) -> Poly {
+        &a + &b
+    }
+
+    fn multiply(&mut self, a: Poly, b: Poly) -> Poly {
+        &a * &b
     }
 }
 
 impl Program {
     /// The outputs as polynomials.
     pub fn expand(&self) -> Vec<Poly> {
-        let all = self.graph.expand(&self.graph.live(&self.outputs));
-        self.outputs
-            .iter()
-            .map(|v| {
-                let p = &all[v.node as usize];
-                if v.negative { -p } else { p.clone() }
-            })
-            .collect()
+        self.graph.fold(&self.outputs, &mut Polynomials)
     }
 }
 

@@ -46,8 +46,8 @@ impl Graph {
     }
 
     /// Turns about z by an angle sum.
-    pub(super) fn turn_z(&mut self, wave: &AngleSum, v: V3) -> V3 {
-        let cs = self.cos_sin(&wave.0);
+    pub(super) fn turn_z(&mut self, angle_sum: &AngleSum, v: V3) -> V3 {
+        let cs = self.cos_sin(&angle_sum.0);
         self.turn(2, cs, v)
     }
 

@@ -122,10 +122,10 @@ pub fn turn_and_slide(chain: &Chain, k: &Kinematics) -> Option<TurnAndSlide> {
     }
     let (c, s) = Poly::cos_sin(angle);
     let part = |p: &Poly, sine: bool| -> Option<Poly> {
-        let wave = |f: &Factor| matches!(f, Factor::Cos(t) | Factor::Sin(t) if t.iter().any(|(v, _)| *v == angle));
+        let angle_sum = |f: &Factor| matches!(f, Factor::Cos(t) | Factor::Sin(t) if t.iter().any(|(v, _)| *v == angle));
         let wanted = if sine { &s } else { &c };
         let mut found = Poly::zero();
-        for (m, value) in p.collect(wave) {
+        for (m, value) in p.collect(angle_sum) {
             match Poly::term(m.clone(), Rational::ONE) {
                 t if t == *wanted => found = value,
                 t if t == c || t == s => {}

@@ -19,9 +19,9 @@ use super::mobility::Mobility;
 use super::pool::{Family, families};
 use super::refusal::{self, Refusal};
 use super::scalar::{Equation, Scalar, fold};
-use super::span::{Form, Span, numbers};
 use super::step::{Plan, Step};
 use super::steps::{Offer, Scene, StepKind};
+use super::subspace::{JointCombination, Subspace, numbers};
 use crate::algebra::Poly;
 use crate::chain::Chain;
 use dedup::{Probes, Values, is_same};
@@ -86,7 +86,7 @@ struct Search<'a> {
 }
 
 /// What families still depend on, and which they are.
-type Group = (Span, Vec<usize>);
+type Group = (Subspace, Vec<usize>);
 
 /// The better one of two offers; of equally good ones the first.
 fn best(known: Option<Offer>, offer: Offer) -> Option<Offer> {
@@ -101,7 +101,7 @@ impl Search<'_> {
         Scene { chain: self.chain, axes: &self.axes, knowledge: &self.knowledge }
     }
 
-    fn unit(&self, k: usize) -> Form {
+    fn unit(&self, k: usize) -> JointCombination {
         self.scene().unit(k)
     }
 
@@ -190,8 +190,8 @@ impl Search<'_> {
     }
 
     /// The candidates for an unknown: plain joint coordinates and the sums that the equations name.
-    fn unknowns(&self, rest: &Span, families: &[usize]) -> Vec<Form> {
-        let mut forms: Vec<Form> = Vec::new();
+    fn unknowns(&self, rest: &Subspace, families: &[usize]) -> Vec<JointCombination> {
+        let mut forms: Vec<JointCombination> = Vec::new();
         let mut reach = self.knowledge.span.clone();
         for row in rest.rows() {
             reach.add(row);
@@ -212,18 +212,18 @@ impl Search<'_> {
                 forms.push(unit);
             }
         }
-        let pure = |f: &Form| {
+        let pure = |f: &JointCombination| {
             let kinds: Vec<bool> =
                 f.iter().enumerate().filter(|(_, k)| **k != 0).map(|(i, _)| self.axes.turns(i)).collect();
             kinds.iter().all(|t| *t) || kinds.len() == 1
         };
-        let small = |f: &Form| f.iter().all(|k| k.abs() <= 1);
+        let small = |f: &JointCombination| f.iter().all(|k| k.abs() <= 1);
         forms.retain(|f| pure(f) && small(f));
         forms
     }
 
     /// Does a combination hold a virtual coordinate?
-    fn is_virtual(&self, form: &Form) -> bool {
+    fn is_virtual(&self, form: &JointCombination) -> bool {
         form[self.axes.real.min(form.len())..].iter().any(|k| *k != 0)
     }
 

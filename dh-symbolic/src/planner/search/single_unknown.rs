@@ -2,8 +2,8 @@
 
 use super::super::known::Part;
 use super::super::scalar::Equation;
-use super::super::span::Form;
 use super::super::steps::{Offer, Row, SingleUnknown, StepKind};
+use super::super::subspace::JointCombination;
 use super::{Search, best};
 
 impl Search<'_> {
@@ -24,7 +24,7 @@ impl Search<'_> {
     }
 
     /// The ways to find one combination.
-    fn offers(&mut self, form: &Form, equations: &[Equation]) -> Vec<Offer> {
+    fn offers(&mut self, form: &JointCombination, equations: &[Equation]) -> Vec<Offer> {
         let mut rows: Vec<Row> = Vec::new();
         for &equation in equations {
             let p = self.write(&equation);

@@ -4,8 +4,8 @@ use std::rc::Rc;
 
 use super::super::known::{Collected, Part};
 use super::super::scalar::Equation;
-use super::super::span::{Form, numbers};
 use super::super::steps::{Offer, Row, StepKind, TwoUnknowns};
+use super::super::subspace::{JointCombination, numbers};
 use super::{Search, best};
 use crate::algebra::Poly;
 
@@ -33,8 +33,8 @@ impl Search<'_> {
 
     /// Independent unknowns: a slide before an angle, two of a kind in either order once. Where real coordinates were tried before, one of
     /// them at least is virtual.
-    fn pairs(&self, forms: &[Form], virtual_too: bool) -> Vec<[Form; 2]> {
-        let turns = |f: &Form| f.iter().position(|k| *k != 0).is_some_and(|i| self.axes.turns(i));
+    fn pairs(&self, forms: &[JointCombination], virtual_too: bool) -> Vec<[JointCombination; 2]> {
+        let turns = |f: &JointCombination| f.iter().position(|k| *k != 0).is_some_and(|i| self.axes.turns(i));
         let mut pairs = Vec::new();
         for (i, first) in forms.iter().enumerate() {
             for (j, second) in forms.iter().enumerate() {
@@ -51,7 +51,7 @@ impl Search<'_> {
         pairs
     }
 
-    fn pair_offer(&self, pair: &[Form; 2], polys: &[(Equation, Rc<Poly>)]) -> Option<Offer> {
+    fn pair_offer(&self, pair: &[JointCombination; 2], polys: &[(Equation, Rc<Poly>)]) -> Option<Offer> {
         let fits = |c: &Collected| {
             c.keys().all(|k| {
                 matches!(k[0], Part::One | Part::Cos(1) | Part::Sin(1) | Part::Power(1 | 2))

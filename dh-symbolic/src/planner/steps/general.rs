@@ -4,8 +4,8 @@ use super::kernel::{Argument, Call, Coefficient, Kernel, Representative, Roots, 
 use super::recognise::Scene;
 use super::{Kind, StepKind, Words};
 use crate::planner::known::Part;
-use crate::planner::span::Form;
 use crate::planner::step::Step;
+use crate::planner::subspace::JointCombination;
 use dh_kernels::{Pose, solve_general};
 
 /// Six constant transforms and the target.
@@ -43,7 +43,7 @@ impl Kind for General {
         if open.is_empty() || open.len() > 6 || !fits || at.always_free().is_some() {
             return None;
         }
-        let unknown: Vec<Form> = open.iter().map(|k| at.unit(*k)).collect();
+        let unknown: Vec<JointCombination> = open.iter().map(|k| at.unit(*k)).collect();
         let before = at.knowledge.known.len();
         Some(Step { kind: StepKind::General, unknown, equations: vec![], collected: vec![], roots: 16, before })
     }

@@ -8,8 +8,8 @@ use crate::planner::known::{Collected, Knowledge, Part};
 use crate::planner::pool::rates;
 use crate::planner::sample::{Sample, joint_vectors};
 use crate::planner::scalar::{Equation, Scalar};
-use crate::planner::span::{Form, Span};
 use crate::planner::step::Step;
+use crate::planner::subspace::{JointCombination, Subspace};
 
 /// What the search prefers, in order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -61,7 +61,7 @@ pub(in crate::planner) struct Scene<'a> {
 
 impl<'a> Scene<'a> {
     /// One coordinate, as a combination of all.
-    pub(in crate::planner) fn unit(&self, k: usize) -> Form {
+    pub(in crate::planner) fn unit(&self, k: usize) -> JointCombination {
         let mut form = vec![0; self.axes.count()];
         form[k] = 1;
         form
@@ -117,7 +117,7 @@ impl<'a> Scene<'a> {
             vec![s[2][1], s[0][2], s[1][0], s[0][3], s[1][3], s[2][3]]
         };
         // Virtual coordinates are free by definition: of dependent coordinates a real one is chosen.
-        let mut rank = Span::default();
+        let mut rank = Subspace::default();
         let mut last = None;
         for k in open.iter().filter(|k| **k >= axes.real).chain(open.iter().filter(|k| **k < axes.real)) {
             if !rank.add(&column(*k)) {
@@ -158,7 +158,11 @@ impl Row {
     }
 
     /// Slopes by each of the unknowns at a sample.
-    pub(in crate::planner) fn gradient<const N: usize>(&self, unknown: [&Form; N], s: &Sample<'_>) -> [f64; N] {
+    pub(in crate::planner) fn gradient<const N: usize>(
+        &self,
+        unknown: [&JointCombination; N],
+        s: &Sample<'_>,
+    ) -> [f64; N] {
         let angles = unknown.map(|f| f.iter().zip(&s.x).map(|(k, x)| f64::from(*k) * x).sum::<f64>());
         let part = |p: Part, x: f64| match p {
             Part::One => (1.0, 0.0),
@@ -183,7 +187,7 @@ impl Row {
 pub(in crate::planner) struct SingleUnknown<'a> {
     pub(in crate::planner) scene: Scene<'a>,
     /// The unknown.
-    pub(in crate::planner) form: &'a Form,
+    pub(in crate::planner) form: &'a JointCombination,
     /// Is it an angle?
     pub(in crate::planner) turns: bool,
     /// The equations, none of which follows from what is known.
@@ -215,7 +219,7 @@ impl SingleUnknown<'_> {
 pub(in crate::planner) struct TwoUnknowns<'a> {
     pub(in crate::planner) scene: Scene<'a>,
     /// The unknowns.
-    pub(in crate::planner) pair: &'a [Form; 2],
+    pub(in crate::planner) pair: &'a [JointCombination; 2],
     /// Is the first one a length?
     pub(in crate::planner) slides: bool,
     /// The equations.

@@ -1,9 +1,10 @@
 //! The pose that the known combinations give: what a branch is confirmed by.
 
+use super::super::fold::Arithmetic;
+use super::super::forward;
 use super::super::graph::{Value, ZERO};
-use super::super::{Node, forward};
 use super::lower::Lower;
-use crate::algebra::LinearAngle;
+use crate::algebra::{LinearAngle, Poly, Symbol};
 use crate::chain::Chain;
 
 impl Lower<'_> {
@@ -11,32 +12,13 @@ impl Lower<'_> {
     pub(super) fn confirmation(&mut self, chain: &Chain) -> Vec<Value> {
         let pose = forward::pose(chain, &crate::kinematics::blocks(chain));
         let before = self.plan.knowledge.known.len();
-        let mut values: Vec<Value> = Vec::with_capacity(pose.graph.nodes().len());
-        let live = pose.graph.live(&pose.outputs);
-        for (node, live) in pose.graph.nodes().iter().zip(live) {
-            let signed =
-                |v: Value, all: &[Value]| if v.negative { -all[v.node as usize] } else { all[v.node as usize] };
-            let value = match *node {
-                _ if !live => ZERO,
-                Node::Constant(i) => self.g.constant(pose.graph.constants()[i as usize].clone()),
-                Node::Symbol(s) => self.g.symbol(s),
-                Node::Cos(w) => self.wave(&pose.graph.waves()[w as usize], before).0,
-                Node::Sin(w) => self.wave(&pose.graph.waves()[w as usize], before).1,
-                Node::Add(a, b) => self.g.add(signed(a, &values), signed(b, &values)),
-                Node::Mul(a, b) => self.g.mul(values[a as usize], values[b as usize]),
-            };
-            values.push(value);
-        }
-        pose.outputs
-            .iter()
-            .map(|v| if v.negative { -values[v.node as usize] } else { values[v.node as usize] })
-            .collect()
+        pose.graph.fold(&pose.outputs, &mut FromKnown { lower: self, before })
     }
 
     /// Cosine and sine of an angle sum of the chain: joints from what is known, the rest as it is.
-    fn wave(&mut self, wave: &LinearAngle, before: usize) -> (Value, Value) {
+    fn angle_sum(&mut self, angle_sum: &LinearAngle, before: usize) -> (Value, Value) {
         let mut form = vec![0i8; self.plan.axes.count()];
-        let mut rest = wave.clone();
+        let mut rest = angle_sum.clone();
         rest.terms.retain(|(v, k)| match self.plan.axes.index_of_angle(*v) {
             Some(i) => {
                 form[i] = *k;
@@ -48,5 +30,45 @@ impl Lower<'_> {
         let (rc, rs) = self.g.cos_sin(&rest);
         let turned = self.g.turn(2, (rc, rs), [c, s, ZERO]);
         (turned[0], turned[1])
+    }
+}
+
+/// Values made of what is known.
+struct FromKnown<'a, 'b> {
+    lower: &'a mut Lower<'b>,
+    /// So many combinations are known.
+    before: usize,
+}
+
+impl Arithmetic for FromKnown<'_, '_> {
+    type Number = Value;
+
+    fn zero(&mut self) -> Value {
+        ZERO
+    }
+
+    fn constant(&mut self, p: &Poly) -> Value {
+        self.lower.g.constant(p.clone())
+    }
+
+    fn symbol(&mut self, s: Symbol) -> Value {
+        self.lower.g.symbol(s)
+    }
+
+    fn harmonic(&mut self, _: usize, angle: &LinearAngle, sine: bool) -> Value {
+        let (c, s) = self.lower.angle_sum(angle, self.before);
+        if sine { s } else { c }
+    }
+
+    fn negative(&mut self, a: Value) -> Value {
+        -a
+    }
+
+    fn add(&mut self, a: Value, b: Value) -> Value {
+        self.lower.g.add(a, b)
+    }
+
+    fn multiply(&mut self, a: Value, b: Value) -> Value {
+        self.lower.g.mul(a, b)
     }
 }

@@ -5,7 +5,8 @@ use super::{Instruction, Inverse, Loop, Sequence, Solve};
 use crate::algebra::{AngleVar, Point, Symbol};
 use crate::chain::{Chain, Handle};
 use crate::planner::{Argument, Roots, Unknown};
-use crate::program::{Node, Value};
+use crate::program::Value;
+use crate::program::interpret::Floats;
 use dh_kernels as ik;
 use ik::{Pose, Status};
 
@@ -217,18 +218,7 @@ impl Machine<'_> {
         let angle = |v: AngleVar| crate::planner::generic_parameter(self.chain, Handle::Angle(v));
         let at = Point { symbol: &symbol, angle: &angle };
         for &i in nodes {
-            let wave = |w: u32| {
-                let wave = &inverse.graph.waves()[w as usize];
-                wave.terms.iter().map(|(v, k)| f64::from(*k) * angle(*v)).sum::<f64>() + wave.constant.radians()
-            };
-            x[i as usize] = match inverse.graph.nodes()[i as usize] {
-                Node::Constant(k) => inverse.graph.constants()[k as usize].evaluate(&at),
-                Node::Symbol(s) => symbol(s),
-                Node::Cos(w) => wave(w).cos(),
-                Node::Sin(w) => wave(w).sin(),
-                Node::Add(a, b) => number(a, x) + number(b, x),
-                Node::Mul(a, b) => x[a as usize] * x[b as usize],
-            };
+            x[i as usize] = inverse.graph.carry_out(i as usize, x, &mut Floats(&at));
         }
     }
 

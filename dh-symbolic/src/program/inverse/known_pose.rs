@@ -5,7 +5,7 @@ use super::super::vector::V3;
 use super::lower::{Lower, Pose};
 use crate::algebra::Transform;
 use crate::chain::Coordinate;
-use crate::planner::{Form, KnownPose};
+use crate::planner::{JointCombination, KnownPose};
 
 impl Lower<'_> {
     /// Binds the symbols of a known pose: the target brought back over known joints. Turns about parallel axes are taken together.
@@ -33,7 +33,7 @@ impl Lower<'_> {
         let mut t = w;
         let count = self.plan.axes.count();
         // From the left: the rotation waits until an axis of another direction comes.
-        let mut pending: Form = vec![0; count];
+        let mut pending: JointCombination = vec![0; count];
         for hop in 0..left {
             let h = self.plan.axes.hops[hop].clone();
             if is_shift(&h.before) {
@@ -93,7 +93,7 @@ impl Lower<'_> {
     }
 
     /// Applies the waiting rotation to the columns.
-    fn flush(&mut self, mut t: Pose, pending: &mut Form, before: usize) -> Pose {
+    fn flush(&mut self, mut t: Pose, pending: &mut JointCombination, before: usize) -> Pose {
         if pending.iter().any(|k| *k != 0) {
             let (c, s) = self.cos_sin(pending, before);
             t.columns = t.columns.map(|v| self.g.turn(2, (c, -s), v));

@@ -3,7 +3,7 @@
 use super::super::graph::{Graph, ONE, Value, ZERO};
 use super::super::vector::V3;
 use crate::algebra::Poly;
-use crate::planner::{Form, Plan, combination};
+use crate::planner::{JointCombination, Plan, combination};
 
 /// A pose of values.
 #[derive(Clone, Copy)]
@@ -29,7 +29,7 @@ impl Lower<'_> {
     /// Cosine and sine of a combination of known forms.
     pub(super) fn cos_sin(&mut self, form: &[i8], before: usize) -> (Value, Value) {
         let known = &self.plan.knowledge.known[..before];
-        let forms: Vec<Form> = known.iter().map(|k| k.form.clone()).collect();
+        let forms: Vec<JointCombination> = known.iter().map(|k| k.form.clone()).collect();
         let weights = combination(form, &forms).unwrap_or_else(|| vec![0; forms.len()]);
         let (mut c, mut s) = (ONE, ZERO);
         for (w, k) in weights.iter().zip(known).filter(|(w, _)| **w != 0) {

@@ -24,7 +24,7 @@ use super::Node;
 use super::graph::{Graph, Value, ZERO};
 use crate::algebra::Symbol;
 use crate::chain::Chain;
-use crate::planner::{self, Form, Plan, Refusal, combination};
+use crate::planner::{self, JointCombination, Plan, Refusal, combination};
 use lower::{Lower, Pose};
 
 /// A plan as a program.
@@ -151,9 +151,9 @@ impl Inverse {
     }
 
     /// Each real coordinate as a combination of known ones.
-    fn joints(&self) -> Vec<Form> {
+    fn joints(&self) -> Vec<JointCombination> {
         let axes = &self.plan.axes;
-        let forms: Vec<Form> = self.plan.knowledge.known.iter().map(|k| k.form.clone()).collect();
+        let forms: Vec<JointCombination> = self.plan.knowledge.known.iter().map(|k| k.form.clone()).collect();
         (0..axes.real)
             .map(|k| {
                 let mut unit = vec![0i8; axes.count()];

@@ -3,9 +3,9 @@
 use crate::algebra::{LinearAngle, Ring};
 
 /// The subscript of an angle sum: `1`, `23`, `2m3`, `2_beta`.
-pub(super) fn subscript(ring: &Ring, wave: &LinearAngle) -> String {
+pub(super) fn subscript(ring: &Ring, angle_sum: &LinearAngle) -> String {
     let mut out = String::new();
-    for (v, k) in &wave.terms {
+    for (v, k) in &angle_sum.terms {
         let name = ring.angle_name(*v);
         let tail = name.strip_prefix("theta").or_else(|| name.strip_prefix('q')).unwrap_or(name);
         let number = tail.bytes().all(|b| b.is_ascii_digit());
@@ -20,8 +20,8 @@ pub(super) fn subscript(ring: &Ring, wave: &LinearAngle) -> String {
         }
         out.push_str(tail);
     }
-    if !wave.constant.is_zero() {
-        let degrees = wave.constant.to_degrees().to_string().replace('-', "m").replace('/', "over");
+    if !angle_sum.constant.is_zero() {
+        let degrees = angle_sum.constant.to_degrees().to_string().replace('-', "m").replace('/', "over");
         out.push_str(&format!("_{degrees}"));
     }
     out

@@ -23,10 +23,10 @@ impl Body<'_> {
     }
 
     /// The argument of a sine.
-    fn angle(&self, wave: &LinearAngle) -> Code {
+    fn angle(&self, angle_sum: &LinearAngle) -> Code {
         let mut motors: Vec<Poly> = vec![Poly::zero(); self.chain.dof()];
         let mut rest: Vec<Code> = Vec::new();
-        for (v, k) in &wave.terms {
+        for (v, k) in &angle_sum.terms {
             let factor = Rational::int(i64::from(*k));
             let joint = self.chain.joints.iter().position(|j| j.coordinate == Coordinate::Angle(*v));
             match joint {
@@ -53,8 +53,8 @@ impl Body<'_> {
             .map(|(j, k)| self.scaled(k, &format!("q[{j}]")))
             .collect();
         parts.extend(rest);
-        if !wave.constant.is_zero() {
-            parts.push(self.number(wave.constant.radians()));
+        if !angle_sum.constant.is_zero() {
+            parts.push(self.number(angle_sum.constant.radians()));
         }
         if parts.is_empty() { self.number(0.0) } else { Code::sum(&parts) }
     }
@@ -85,10 +85,10 @@ impl Body<'_> {
         let (mut sines, mut cosines, mut angles) = (Vec::new(), Vec::new(), Vec::new());
         let mut plain = Vec::new();
         for w in &used {
-            let wave = &self.graph.waves()[*w as usize];
-            let tail = subscript(&self.chain.ring, wave);
+            let angle_sum = &self.graph.angle_sums()[*w as usize];
+            let tail = subscript(&self.chain.ring, angle_sum);
             let (s, c) = (self.names.take(&format!("s{tail}")), self.names.take(&format!("c{tail}")));
-            angles.push(self.angle(wave).text());
+            angles.push(self.angle(angle_sum).text());
             for (i, node) in self.graph.nodes().iter().enumerate() {
                 match node {
                     Node::Cos(x) if x == w => self.code[i] = Some(Code::trigonometric(c.clone())),

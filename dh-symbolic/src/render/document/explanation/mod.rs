@@ -11,7 +11,7 @@ mod tests;
 
 use crate::algebra::{Poly, Symbol};
 use crate::chain::Chain;
-use crate::planner::{Form, Plan, Step, Words};
+use crate::planner::{JointCombination, Plan, Step, Words};
 use crate::render::document::frames::Frame;
 use crate::render::formula::expression::Expression;
 use crate::render::formula::grouping::Order;
@@ -159,7 +159,7 @@ impl<'a> Explanation<'a> {
     /// Joints that are differences of what the steps found: left and right sides.
     pub(crate) fn differences(&self) -> Vec<(Math, Math)> {
         let known = &self.plan.knowledge.known;
-        let forms: Vec<Form> = known.iter().map(|k| k.form.clone()).collect();
+        let forms: Vec<JointCombination> = known.iter().map(|k| k.form.clone()).collect();
         let mut out = Vec::new();
         for k in 0..self.plan.axes.real {
             let mut unit = vec![0i8; self.plan.axes.count()];
@@ -170,7 +170,8 @@ impl<'a> Explanation<'a> {
                 continue;
             }
             let Some(weights) = crate::planner::combination(&unit, &forms) else { continue };
-            let mut pieces: Vec<(i8, &Form)> = weights.iter().copied().zip(&forms).filter(|(w, _)| *w != 0).collect();
+            let mut pieces: Vec<(i8, &JointCombination)> =
+                weights.iter().copied().zip(&forms).filter(|(w, _)| *w != 0).collect();
             pieces.sort_by_key(|(w, f)| (*w < 0, f.iter().position(|k| *k != 0)));
             let pieces = pieces.into_iter().map(|(w, f)| (w, self.unknown(f)));
             out.push((self.unknown(&unit), names::weighted(pieces)));

@@ -2,7 +2,7 @@
 
 use super::arm::{Arm, Found};
 use super::{Block, Math, Phrase, Span, Text, Writer};
-use crate::planner::Form;
+use crate::planner::JointCombination;
 use crate::render::document::explanation::Explanation;
 
 /// Values that differ by less are the same branch.
@@ -11,15 +11,15 @@ const SAME: f64 = 1e-6;
 impl Writer<'_> {
     /// A table in the order of the steps; what equals the cell above, with all cells before it, is left empty.
     pub(super) fn tree(&mut self, arm: &Arm, found: &[Found]) {
-        let real = |f: &Form| f.iter().skip(arm.inverse.plan.axes.real).all(|k| *k == 0);
-        let forms: Vec<&Form> = arm.inverse.plan.steps.iter().flat_map(|s| &s.unknown).collect();
+        let real = |f: &JointCombination| f.iter().skip(arm.inverse.plan.axes.real).all(|k| *k == 0);
+        let forms: Vec<&JointCombination> = arm.inverse.plan.steps.iter().flat_map(|s| &s.unknown).collect();
         let several = arm.inverse.plan.steps.iter().any(|s| s.roots > 1);
         if found.len() < 3 || !several || forms.len() < 2 || !forms.iter().all(|f| real(f)) {
             return;
         }
         let explanation = Explanation::new(&arm.chain, &arm.inverse.plan, &self.notation);
         let names: Vec<Math> = explanation.steps.iter().flat_map(|s| s.unknown.iter().cloned()).collect();
-        let value = |form: &Form, x: &[f64]| -> (f64, bool) {
+        let value = |form: &JointCombination, x: &[f64]| -> (f64, bool) {
             let sum: f64 = form.iter().zip(x).map(|(k, x)| f64::from(*k) * x).sum();
             let turns = form.iter().position(|k| *k != 0).is_some_and(|k| arm.turns(k));
             (if turns { sum.sin().atan2(sum.cos()) } else { sum }, turns)

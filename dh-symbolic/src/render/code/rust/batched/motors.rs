@@ -2,14 +2,14 @@
 
 use crate::algebra::{Poly, adjugate};
 use crate::chain::{AngleCell, Chain, Coordinate, Role, Scalar};
-use crate::planner::Form;
+use crate::planner::JointCombination;
 use crate::render::code::shift_expression;
 use crate::render::code::steps::combination;
 
 /// A motor as a sum of angles (or a length) that a plan finds.
 pub(super) struct Motor {
     /// The factor of each.
-    pub(super) form: Form,
+    pub(super) form: JointCombination,
     /// What is taken off: an expression, with a factor.
     shifts: Vec<(i8, String)>,
     /// The greatest absolute value in half turns, if each angle is at most half a turn; `None` where a field says.
@@ -33,7 +33,7 @@ impl Motor {
 
 /// The motors from the rows' combinations of what is found, where all factors of the drive are whole numbers both ways and no slide is
 /// coupled: then whole turns of rows are whole turns of motors.
-pub(super) fn whole_motors(chain: &Chain, rows: &[Form]) -> Option<Vec<Motor>> {
+pub(super) fn whole_motors(chain: &Chain, rows: &[JointCombination]) -> Option<Vec<Motor>> {
     let whole = |p: &Poly| p.as_rational().and_then(|x| x.to_i64()).and_then(|x| i8::try_from(x).ok());
     let turns = |i: usize| chain.joints.get(i).is_some_and(|j| matches!(j.coordinate, Coordinate::Angle(_)));
     for (i, row) in chain.drive.iter().enumerate() {

@@ -1,17 +1,17 @@
 //! Linear forms of joint coordinates: which combinations an equation depends on, which are known.
 
 /// An integer combination of coordinates, such as theta2 + theta3.
-pub type Form = Vec<i8>;
+pub type JointCombination = Vec<i8>;
 
 /// A linear space of forms, by a reduced basis.
 #[derive(Clone, Debug, Default)]
-pub struct Span {
+pub struct Subspace {
     rows: Vec<Vec<f64>>,
 }
 
 const TOLERANCE: f64 = 1e-5;
 
-impl Span {
+impl Subspace {
     /// Adds a vector; true where it was new.
     pub fn add(&mut self, v: &[f64]) -> bool {
         let mut v = self.reduce(v);
@@ -79,7 +79,7 @@ impl Span {
     }
 
     /// The basis, rounded to integers; `None` if it is not integral (a space that no joint sums span).
-    pub fn integer_basis(&self) -> Option<Vec<Form>> {
+    pub fn integer_basis(&self) -> Option<Vec<JointCombination>> {
         self.rows
             .iter()
             .map(|r| {
@@ -89,8 +89,8 @@ impl Span {
     }
 
     /// This space modulo another one.
-    pub fn modulo(&self, known: &Span) -> Span {
-        let mut rest = Span::default();
+    pub fn modulo(&self, known: &Subspace) -> Subspace {
+        let mut rest = Subspace::default();
         for row in &self.rows {
             rest.add(&known.reduce(row));
         }
@@ -104,7 +104,7 @@ pub(super) fn numbers(form: &[i8]) -> Vec<f64> {
 }
 
 /// Writes `target` as an integer combination of `forms`; `None` where that is impossible.
-pub fn combination(target: &[i8], forms: &[Form]) -> Option<Vec<i8>> {
+pub fn combination(target: &[i8], forms: &[JointCombination]) -> Option<Vec<i8>> {
     // Gaussian elimination on the columns `forms`, right-hand side `target`.
     let (rows, columns) = (target.len(), forms.len());
     let mut m: Vec<Vec<f64>> =
@@ -153,7 +153,7 @@ mod tests {
 
     #[test]
     fn spans_and_combinations() {
-        let mut known = Span::default();
+        let mut known = Subspace::default();
         assert!(known.add(&[0.0, 2.0, 2.0, 0.0]));
         assert!(!known.add(&[0.0, -1.0, -1.0, 0.0]));
         assert!(known.contains(&[0.0, 1.0, 1.0, 0.0]) && !known.contains(&[0.0, 1.0, 0.0, 0.0]));
