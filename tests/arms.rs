@@ -94,8 +94,8 @@ fn complete(arm: &Compiled, problem: &Problem<'_>, q: &[f64], found: &Found, ran
     let mut seen = 0;
     for _ in 0..STARTS {
         let mut start = joints(arm, reach, 0, random);
-        if let Some(k) = problem.frozen {
-            start[k] = q[k];
+        for k in problem.frozen {
+            start[*k] = q[*k];
         }
         let Some(x) = problem.solve(start) else { continue };
         let margin = problem.margin(&x, &arm.slides);
@@ -125,7 +125,7 @@ fn classes(part: usize, of: usize) {
                 let q = joints(&arm, reach, pose % 3, &mut random);
                 let target = arm.arm.pose(&q);
                 let name = format!("{class}, arm {seed}, {q:?}\n{text}");
-                let frozen = arm.spec.redundant;
+                let frozen = &arm.spec.redundant[..];
                 let problem = Problem { arm: &arm.arm, task: arm.spec.task, target, reach, frozen };
                 let found = arm.invert(&target, &q);
                 judge.pose(&arm, &problem, &q, &found, &name);

@@ -6,7 +6,7 @@ process.stdin.on("end", () => {
     const [arm, tasks] = new Function(`${script}\nreturn [new Arm(), TASKS];`)();
     for (const name of Object.keys(arm.parameters)) arm.parameters[name] = parameters[name];
     return cases.map((q) => {
-      const pose = arm.forward(q), answer = arm.inverse(tasks[arm.task].of(pose), q[arm.redundant]);
+      const pose = arm.forward(q), answer = arm.inverse(tasks[arm.task].of(pose), arm.redundant.map((k) => q[k]));
       return { pose, frames: arm.frames(q), jacobian: arm.jacobian(q), ...answer };
     });
   });

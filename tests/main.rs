@@ -22,5 +22,6 @@ mod random;
 mod robots;
 mod single;
 mod soup;
+mod spare;
 mod tidy;
 mod ui;

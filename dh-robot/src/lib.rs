@@ -130,7 +130,7 @@
 //! | `base = tz(373mm);` | a constant transform before the chain: a product of `tx ty tz rx ry rz` |
 //! | `tool = tz(206mm) * ry(90deg);` | the same after the chain |
 //! | `task = pose;` (default) | what the inverse is given; see below |
-//! | `redundant = q3;` | the joint whose value the caller chooses, on arms with one joint too many |
+//! | `redundant = q3;` | the joint whose value the caller chooses, on arms with one joint too many; `redundant = q1, q8;` several |
 //! | `ik = none;` | no inverse is wanted, or none can be had |
 //! | `scalar = f32;` | the type of every number in the program, instead of `f64` |
 //!
@@ -141,7 +141,8 @@
 //! | `planar` | `(x, y, phi)` | position in the plane and angle about z |
 //! | `axis` | `(Point3<f64>, UnitVector3<f64>)` | position and direction of the last z axis, for arms of five joints |
 //!
-//! With `redundant = q3` the call is `inverse(&target, q3)`. An arm of fewer than six joints may keep `task = pose`: it
+//! With `redundant = q3` the call is `inverse(&target, q3)`, with several it is `inverse(&target, [q1, q8])`, in the order of the setting.
+//! More joints than the arm can spare for its task cannot be given. An arm of fewer than six joints may keep `task = pose`: it
 //! answers when the pose is one that it can take, and says what is wrong when not.
 //!
 //! Where no closed form exists the macro says so, at the cells that break the structure; forward kinematics and Jacobian

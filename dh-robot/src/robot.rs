@@ -43,7 +43,8 @@ pub trait Jacobian<const N: usize, T: Real = f64>: Robot<N, T> {
 /// From a target to joint values: all of them.
 pub trait InverseKinematics<const N: usize, T: Real = f64>: Robot<N, T> {
     /// What is to be reached: `IsometryMatrix3<T>` for `task = pose`, `Point3<T>` for `position`, `(T, T, T)` for `planar`,
-    /// `(Point3<T>, UnitVector3<T>)` for `axis`; with `redundant` the pair of that and the value of the chosen joint.
+    /// `(Point3<T>, UnitVector3<T>)` for `axis`; with `redundant` the pair of that and the value
+    /// of the chosen joint (an array, where there are several).
     type Target;
 
     /// The list that is returned: [`Solutions<T, N, M>`](Solutions), where `M` is the most solutions that the arm can have.

@@ -104,6 +104,7 @@ pub fn refused(chain: &Chain, refusal: &Refusal, parsed: &Parsed) -> Errors {
             Subject::Robot => parsed.origins.name,
             Subject::Joint(joint) => parsed.origins.joint(joint),
             Subject::Task => parsed.origins.setting("task"),
+            Subject::Redundant => parsed.origins.setting("redundant"),
         };
         errors.push(Error::new(place, remark.message).help(remark.help));
     }
@@ -143,7 +144,7 @@ fn stub(head: &Head, sketch: &Sketch) -> TokenStream {
         }
     };
     let fields: Vec<String> = sketch.fields.iter().map(|f| f.name.to_string()).collect();
-    rust::stub(head, sketch.joints, &fields, scalar, &target, sketch.redundant.is_some())
+    rust::stub(head, sketch.joints, &fields, scalar, &target, sketch.redundant.len())
 }
 
 #[cfg(test)]

@@ -49,7 +49,7 @@ impl<const N: usize> Kinematics<N> for Model<'_> {
 
     fn forward_and_jacobian(&self, q: &[f64; N]) -> (Pose, [[f64; N]; 6]) {
         let columns = self.0.arm.jacobian_from_axes(q);
-        let entry = |i: usize, j: usize| if self.0.spec.redundant == Some(j) { 0.0 } else { columns[j][i] };
+        let entry = |i: usize, j: usize| if self.0.spec.redundant.contains(&j) { 0.0 } else { columns[j][i] };
         (pose(&self.0.arm.pose(q)), std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j))))
     }
 
@@ -169,8 +169,8 @@ impl Compiled {
     fn run<const N: usize, const M: usize>(&self, target: &Matrix, q: &[f64]) -> Solutions<f64, N, M> {
         let joints: &'static [Joint; N] = self.joints.try_into().expect("as many joints as the arm has");
         let plan = &self.inverse.plan;
-        let (reach, redundant) = (plan.axes.reach, self.spec.redundant);
-        let given: Option<(usize, f64)> = redundant.map(|k| (k, q[k]));
+        let (reach, redundant) = (plan.axes.reach, &self.spec.redundant);
+        let given: [Option<f64>; N] = std::array::from_fn(|k| redundant.contains(&k).then(|| q[k]));
         let setting = Setting { joints, reach, few: plan.few, given };
         let t = pose(target);
         let mut frame = t.map(|r| [r[0], r[1], r[2], r[3] / reach]);
@@ -193,7 +193,7 @@ impl Compiled {
             }
         };
         let scaled = |k: usize, x: f64| if self.slides[k] { x / reach } else { x + self.shifts[k] };
-        let given: Vec<f64> = given.iter().map(|(k, x)| scaled(*k, *x)).collect();
+        let given: Vec<f64> = redundant.iter().map(|k| scaled(*k, q[*k])).collect();
         let candidates = |frame: &Pose,
                           sample: &dh_robot::runtime::Sample,
                           take: &mut dyn FnMut([f64; N], Branch, Path)| {

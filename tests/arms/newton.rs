@@ -10,8 +10,8 @@ pub(super) struct Problem<'a> {
     pub(super) task: Task,
     pub(super) target: Matrix,
     pub(super) reach: f64,
-    /// The joint whose value is given.
-    pub(super) frozen: Option<usize>,
+    /// The joints whose values are given.
+    pub(super) frozen: &'a [usize],
 }
 
 impl Problem<'_> {
@@ -21,7 +21,7 @@ impl Problem<'_> {
         let mut rows = Vec::new();
         let mut add = |i: usize, j: usize| {
             let slope = |(k, c): (usize, &[f64; 6])| {
-                if self.frozen == Some(k) {
+                if self.frozen.contains(&k) {
                     return 0.0;
                 }
                 let (a, b) = ((i + 1) % 3, (i + 2) % 3);
@@ -63,7 +63,7 @@ impl Problem<'_> {
                 *x *= if *slides { self.reach } else { 1.0 };
             }
         }
-        let free: Vec<usize> = (0..q.len()).filter(|k| self.frozen != Some(*k)).collect();
+        let free: Vec<usize> = (0..q.len()).filter(|k| !self.frozen.contains(k)).collect();
         for row in &mut rows {
             row.1 = free.iter().map(|k| row.1[*k]).collect();
         }

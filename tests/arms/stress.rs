@@ -72,7 +72,7 @@ impl Case<'_> {
         let mut failed = 0;
         for _ in 0..60 {
             let start = |k: usize| {
-                let free = self.problem.frozen != Some(k);
+                let free = !self.problem.frozen.contains(&k);
                 at[k] + if free { 0.12 * self.unit(k) * random.signed() } else { 0.0 }
             };
             let landed = self.problem.solve((0..q.len()).map(start).collect());
@@ -189,7 +189,7 @@ impl Case<'_> {
         self.known(q, random, tally);
         for _ in 0..STARTS {
             let start =
-                |k: usize| if self.problem.frozen == Some(k) { q[k] } else { PI * self.unit(k) * random.signed() };
+                |k: usize| if self.problem.frozen.contains(&k) { q[k] } else { PI * self.unit(k) * random.signed() };
             if let Some(x) = self.problem.solve((0..q.len()).map(start).collect()) {
                 self.known(&x, random, tally);
             }
@@ -273,7 +273,7 @@ fn poses(arm: &Compiled, reach: f64, count: usize, random: &mut Random) -> Vec<(
 /// A value of joint `k` at which the arm is singular.
 fn singular(arm: &Compiled, reach: f64, q: &[f64], k: usize, random: &mut Random) -> Option<f64> {
     let target = arm.arm.pose(q);
-    let problem = Problem { arm: &arm.arm, task: arm.spec.task, target, reach, frozen: arm.spec.redundant };
+    let problem = Problem { arm: &arm.arm, task: arm.spec.task, target, reach, frozen: &arm.spec.redundant };
     let range = if arm.slides[k] { reach } else { PI };
     let margin = |x: f64| {
         let mut q = q.to_vec();
@@ -322,7 +322,8 @@ pub(super) fn run(class: &str, seeds: Range<u64>, count: usize, verbose: bool) {
             let reach = arm.inverse.plan.axes.reach;
             for (kind, q) in poses(&arm, reach, if general { count.div_ceil(4) } else { count }, &mut random) {
                 let target = arm.arm.pose(&q);
-                let problem = Problem { arm: &arm.arm, task: arm.spec.task, target, reach, frozen: arm.spec.redundant };
+                let problem =
+                    Problem { arm: &arm.arm, task: arm.spec.task, target, reach, frozen: &arm.spec.redundant };
                 let found = arm.invert(&target, &q);
                 let steps: Vec<_> = arm.inverse.plan.steps.iter().map(|s| format!("{:?}", s.kind)).collect();
                 let name = format!("{name}, seed {seed}, {kind}, {}, {q:?}\n{text}", steps.join(" "));

@@ -33,11 +33,11 @@ impl<const N: usize> Drive<N> {
     }
 
     /// The same motor values but for whole turns of the rows: each row is turned by an angle in (-pi, pi], except those that would
-    /// move the motor whose value is `given`.
+    /// move a motor whose value is `given`.
     #[must_use]
-    pub fn principal(&self, q: [f64; N], given: Option<usize>) -> [f64; N] {
+    pub fn principal(&self, q: [f64; N], given: &[Option<f64>; N]) -> [f64; N] {
         let mut out = q;
-        let stays = |i: usize| given.is_some_and(|g| self.motors[g][i] != 0.0);
+        let stays = |i: usize| given.iter().zip(&self.motors).any(|(g, motor)| g.is_some() && motor[i] != 0.0);
         for (i, row) in self.rows.iter().enumerate().filter(|(i, _)| self.turns[*i] && !stays(*i)) {
             let angle: f64 = row.iter().zip(&q).map(|(k, x)| k * x).sum();
             self.turn(&mut out, i, floor(0.5 - angle / TAU));
@@ -113,12 +113,12 @@ mod tests {
 
     #[test]
     fn rows_come_to_less_than_a_turn() {
-        let near = GEARS.principal([4.0 * PI + 0.2, 0.5 - 2.0 * PI], None);
+        let near = GEARS.principal([4.0 * PI + 0.2, 0.5 - 2.0 * PI], &[None; 2]);
         assert!((near[0] - 0.2).abs() < 1e-12 && (near[1] - 0.5).abs() < 1e-12, "{near:?}");
-        assert_eq!(GEARS.principal([2.0 * PI, -PI], None), [2.0 * PI, -PI]);
-        let half = GEARS.principal([-2.0 * PI, PI], None);
+        assert_eq!(GEARS.principal([2.0 * PI, -PI], &[None; 2]), [2.0 * PI, -PI]);
+        let half = GEARS.principal([-2.0 * PI, PI], &[None; 2]);
         assert!((half[0] - 2.0 * PI).abs() < 1e-12 && (half[1] + PI).abs() < 1e-12, "{half:?}");
-        let given = GEARS.principal([9.0 * PI, 0.0], Some(0));
+        let given = GEARS.principal([9.0 * PI, 0.0], &[Some(9.0 * PI), None]);
         assert!((given[0] - 9.0 * PI).abs() < 1e-12 && (given[1] + 4.0 * PI).abs() < 1e-12, "{given:?}");
     }
 

@@ -157,7 +157,7 @@ mod tests {
         let arm = Chain { links: [pose::IDENTITY, tool], slides: [false; 2] };
         let (a, b) = ([0.2, 0.3], [1.2, -0.7]);
         let task = Task::Pose(arm.forward(&a));
-        let setting = Setting { joints: &JOINTS, reach: 1.0, few: true, given: None };
+        let setting = Setting { joints: &JOINTS, reach: 1.0, few: true, given: [None; 2] };
         let verifier: Verifier<'_, _, f64, 2, 4> = Verifier::new(&arm, setting, &task);
         assert!(verifier.straight_way(&a, &b).is_some() && verifier.are_joined(&a, &b));
         let off = [1.2, 0.3];

@@ -43,8 +43,8 @@ pub struct Setting<T: 'static, const N: usize> {
     pub reach: f64,
     /// Fewer joints than the task has dimensions?
     pub few: bool,
-    /// The joint whose value the caller gives, and the value.
-    pub given: Option<(usize, f64)>,
+    /// The values of the joints that the caller gives.
+    pub given: [Option<f64>; N],
 }
 
 /// Runs the closed form on a target and verifies what it finds.

@@ -178,7 +178,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
             }
         }
         let mut motions = Motions { list: [[0.0; N]; N], len: 0, volume };
-        for k in (0..N).filter(|k| !used[*k] && self.setting.given.is_none_or(|g| g.0 != *k)) {
+        for k in (0..N).filter(|k| !used[*k] && self.setting.given[*k].is_none()) {
             let mut v = [0.0; N];
             v[k] = 1.0;
             for (p, row) in pivot.iter().zip(&j) {

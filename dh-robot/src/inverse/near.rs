@@ -95,8 +95,8 @@ pub fn solve_near<T: Real, const N: usize, const M: usize>(
     if !from.iter().chain(&unknowns).all(|x| x.is_finite()) {
         return Err(Why::NotFinite);
     }
-    if let Some((k, value)) = setting.given {
-        from[k] = value;
+    for (x, given) in from.iter_mut().zip(setting.given) {
+        *x = given.unwrap_or(*x);
     }
     let mut search: Search<'_, _, T, N, M> = Search::new(arm, setting, task, most);
     let mut nearest = Nearest { joints: setting.joints, q, reach: setting.reach, best: None };

@@ -93,7 +93,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
         // Additive recurrence with the powers of the root of x^(N+1) = x + 1 for N = 6: evenly spread in six dimensions.
         const RATIOS: [f64; 7] = [0.898_654, 0.807_579, 0.725_734, 0.652_184, 0.586_087, 0.526_690, 0.473_312];
         core::array::from_fn(|k| {
-            if let Some((_, value)) = self.setting.given.filter(|g| g.0 == k) {
+            if let Some(value) = self.setting.given[k] {
                 return value;
             }
             let x = n as f64 * RATIOS[k % 7];

@@ -279,7 +279,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
     /// Brings rows to less than a turn, and motors into their ranges by whole turns of the rows; is the solution known then?
     #[cold]
     fn is_another_turn(&mut self, drive: &Drive<N>, solution: &mut Solution<T, N>) -> bool {
-        let mut q = drive.principal(solution.q.map(T::to_f64), self.setting.given.map(|g| g.0));
+        let mut q = drive.principal(solution.q.map(T::to_f64), &self.setting.given);
         let ranges = self.setting.joints.each_ref().map(|j| j.range.map(|(l, g)| (l.to_f64(), g.to_f64())));
         drive.into_ranges(&ranges, &mut q);
         solution.q = q.map(T::of);

@@ -46,8 +46,8 @@ pub struct Chain {
     pub tool: Vec<Elementary>,
     /// What `inverse` is asked for.
     pub task: Task,
-    /// Index of the joint whose value the caller chooses.
-    pub redundant: Option<usize>,
+    /// Indices of the joints whose values the caller chooses, in the order of its arguments.
+    pub redundant: Vec<usize>,
     /// Whether inverse kinematics is wanted.
     pub ik: bool,
 }
@@ -148,13 +148,15 @@ impl Chain {
             .all(|(i, row)| row.iter().enumerate().all(|(j, p)| if i == j { p.is_one() } else { p.is_zero() }))
     }
 
-    /// The joint coordinate that the motor the caller chooses moves alone, and how far: the coordinate is that factor times the motor's
-    /// position, plus the joint's shift.
-    pub fn chosen(&self) -> Option<(usize, Poly)> {
-        let motor = self.redundant?;
-        let alone = |row: &[Poly]| row.iter().enumerate().all(|(j, k)| (j == motor) != k.is_zero());
-        let joint = self.drive.iter().position(|row| alone(row))?;
-        Some((joint, self.drive.get(joint)?.get(motor)?.clone()))
+    /// The joint coordinates that the motors which the caller chooses move alone, and how far: a coordinate is that factor times the
+    /// motor's position, plus the joint's shift.
+    pub fn chosen(&self) -> Vec<(usize, Poly)> {
+        let one = |motor: &usize| {
+            let alone = |row: &[Poly]| row.iter().enumerate().all(|(j, k)| (j == *motor) != k.is_zero());
+            let joint = self.drive.iter().position(|row| alone(row))?;
+            Some((joint, self.drive.get(joint)?.get(*motor)?.clone()))
+        };
+        self.redundant.iter().filter_map(one).collect()
     }
 
     /// Does a whole turn of this motor leave the arm where it was? Not where it drives a slide, or turns a row by a fraction of a turn.

@@ -24,8 +24,8 @@ pub struct ChainSpec {
     pub tool: Vec<MotionSpec>,
     /// What `inverse` is asked for.
     pub task: Task,
-    /// Number (from 0) of the variable that the caller chooses.
-    pub redundant: Option<usize>,
+    /// Numbers (from 0) of the variables that the caller chooses, in the order of its arguments.
+    pub redundant: Vec<usize>,
     /// Whether inverse kinematics is wanted.
     pub ik: bool,
 }

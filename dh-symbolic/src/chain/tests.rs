@@ -38,7 +38,7 @@ pub(crate) fn mixed_chain(convention: Convention, kinds: &str, rows: &[(i64, &st
         base: vec![],
         tool: vec![],
         task: Task::Pose,
-        redundant: None,
+        redundant: vec![],
         ik: true,
     })
 }

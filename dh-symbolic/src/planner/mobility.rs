@@ -26,12 +26,17 @@ type Twist = [f64; 6];
 impl Mobility {
     /// Measures an arm.
     pub fn new(chain: &Chain, axes: &Axes) -> Mobility {
+        let chosen: Vec<usize> = chain.chosen().into_iter().map(|(k, _)| k).collect();
+        Mobility::of_joints(chain, axes, &chosen)
+    }
+
+    /// Measures an arm of which some joints stand still.
+    pub(super) fn of_joints(chain: &Chain, axes: &Axes, still: &[usize]) -> Mobility {
         let x = joint_vectors(axes, 1, 0).pop().unwrap_or_default();
-        let chosen = chain.chosen().map(|(k, _)| k);
         let twists: Vec<Twist> = rates(axes, &x)
             .into_iter()
             .enumerate()
-            .filter(|(k, _)| *k < axes.real && chosen != Some(*k))
+            .filter(|(k, _)| *k < axes.real && !still.contains(k))
             .map(|(_, s)| [s[2][1], s[0][2], s[1][0], s[0][3], s[1][3], s[2][3]])
             .collect();
         let mut tool = *axes.frames_number(&x).last().unwrap_or(&pose::IDENTITY);

@@ -1,5 +1,7 @@
 //! Why an arm gets no inverse for its task: reasons as data, and the limits that are checked before any search.
 
+use super::axes::Axes;
+use super::mobility::Mobility;
 use super::plane::Plane;
 use crate::chain::{Chain, Task};
 
@@ -15,6 +17,13 @@ pub enum Refusal {
         open: usize,
         /// Joints that the caller gives.
         given: usize,
+    },
+    /// The caller gives more joints than the arm can spare for its task.
+    NotSpare {
+        /// Joints that the caller gives.
+        given: usize,
+        /// Joints more than what the arm moves through, of what the task asks for.
+        spare: usize,
     },
     /// `task = planar` asks for an angle about z only, and these joints (from 0) tilt the tool.
     Tilting(Vec<usize>),
@@ -41,7 +50,7 @@ pub enum Refusal {
 /// # Errors
 /// The first reason why it does not.
 pub(super) fn check(chain: &Chain) -> Result<(), Refusal> {
-    let given = usize::from(chain.redundant.is_some());
+    let given = chain.redundant.len();
     let open = chain.dof().saturating_sub(given);
     // A plan that leaves a joint to chance would be found, and fail.
     if open > MOST_OPEN_JOINTS {
@@ -58,6 +67,19 @@ pub(super) fn check(chain: &Chain) -> Result<(), Refusal> {
         }
     }
     Ok(())
+}
+
+/// Can the arm spare the joints that the caller gives?
+///
+/// # Errors
+/// Where the others alone cannot do what all do together.
+pub(super) fn check_given(chain: &Chain, axes: &Axes) -> Result<(), Refusal> {
+    let given = chain.redundant.len();
+    if given == 0 {
+        return Ok(());
+    }
+    let spare = chain.dof().saturating_sub(Mobility::of_joints(chain, axes, &[]).rank);
+    if given > spare { Err(Refusal::NotSpare { given, spare }) } else { Ok(()) }
 }
 
 #[cfg(test)]
@@ -85,5 +107,11 @@ mod tests {
         assert_eq!(refusal("", &rows(7)), Some(Refusal::TooManyJoints { open: 7, given: 0 }));
         assert_eq!(refusal("redundant = q3;", &rows(8)), Some(Refusal::TooManyJoints { open: 7, given: 1 }));
         assert_eq!(refusal("redundant = q3;", &rows(7)), None);
+        assert_eq!(refusal("redundant = q3, q1;", &rows(8)), None);
+        assert_eq!(refusal("redundant = q1;", &rows(6)), Some(Refusal::NotSpare { given: 1, spare: 0 }));
+        assert_eq!(refusal("redundant = q1, q2;", &rows(7)), Some(Refusal::NotSpare { given: 2, spare: 1 }));
+        // Where all axes are parallel, three joints move a point through two dimensions.
+        assert_eq!(refusal("task = position; redundant = q3; tool = tx(0.1);", planar), None);
+        assert_eq!(refusal("task = position; redundant = q1, q4, q6;", &rows(6)), None);
     }
 }

@@ -13,6 +13,8 @@ pub enum Subject {
     Joint(usize),
     /// The setting `task`.
     Task,
+    /// The setting `redundant`.
+    Redundant,
 }
 
 /// One reason, with what can be done about it. Names of the table stand between backticks.
@@ -48,19 +50,38 @@ pub fn remarks(chain: &Chain, refusal: &Refusal, language: Language) -> Vec<Rema
                 "逆解有 {open} 个关节待求：最多只能求 {most} 个",
             );
             let message = message.replace("{open}", &open.to_string()).replace("{most}", &MOST_OPEN_JOINTS.to_string());
-            // Only one joint can be chosen so far.
             let help = match open + given - MOST_OPEN_JOINTS {
                 1 => words(
                     "say which one the caller chooses, `redundant = q3;`, or `ik = none;`",
                     "用 `redundant = q3;` 指定由调用者给定的关节，或写 `ik = none;`",
                 ),
                 _ => words(
-                    "`redundant = q3;` names one joint that the caller chooses; write numbers instead of the variables of the others, or `ik = none;`",
-                    "`redundant = q3;` 只能指定一个由调用者给定的关节；其余多出的关节变量请改为数值，或写 `ik = none;`",
+                    "say which {n} joints the caller chooses, `redundant = q1, q8;`, or `ik = none;`",
+                    "用 `redundant = q1, q8;` 指定由调用者给定的 {n} 个关节，或写 `ik = none;`",
                 ),
             };
+            let help = help.replace("{n}", &(open + given - MOST_OPEN_JOINTS).to_string());
             vec![Remark { subject: Subject::Robot, message, help }]
         }
+        Refusal::NotSpare { given, spare: 0 } => vec![Remark {
+            subject: Subject::Redundant,
+            message: words(
+                "no joint is redundant: the arm needs all of them for its task, and {given} would be given",
+                "没有冗余关节：任务需要全部关节，而指定了 {given} 个",
+            )
+            .replace("{given}", &given.to_string()),
+            help: words("leave `redundant` out", "去掉 `redundant`"),
+        }],
+        Refusal::NotSpare { given, spare } => vec![Remark {
+            subject: Subject::Redundant,
+            message: words(
+                "{given} joints would be given, and the arm can spare {spare} for its task",
+                "指定了 {given} 个关节，而该任务只有 {spare} 个冗余",
+            )
+            .replace("{given}", &given.to_string())
+            .replace("{spare}", &spare.to_string()),
+            help: words("name fewer joints", "请少指定几个关节"),
+        }],
         Refusal::Tilting(joints) => joints
             .iter()
             .map(|joint| Remark {
@@ -129,6 +150,6 @@ mod tests {
         let many = |open, given| remarks(&planar, &Refusal::TooManyJoints { open, given }, Language::English).remove(0);
         assert!(many(7, 0).help.contains("say which one"));
         // Two too many: no advice that leads to the next error.
-        assert!(many(8, 0).help.contains("write numbers") && many(7, 1).help.contains("write numbers"));
+        assert!(many(8, 0).help.contains("which 2 joints") && many(7, 1).help.contains("which 2 joints"));
     }
 }

@@ -68,8 +68,8 @@ pub struct Sketch {
     pub fields: Vec<Field>,
     /// What `inverse` is asked for.
     pub task: Task,
-    /// Index of the joint whose value the caller chooses.
-    pub redundant: Option<usize>,
+    /// Indices of the joints whose values the caller chooses.
+    pub redundant: Vec<usize>,
     /// Number type.
     pub scalar: Scalar,
     /// Whether inverse kinematics is wanted.
@@ -139,11 +139,13 @@ pub fn parse(input: TokenStream) -> Parsed {
     };
     let joints = checked.joints.len();
     let fine = errors.is_empty();
-    let redundant = settings.redundant.as_ref().and_then(|(word, place)| {
-        let known = written.grid.is_some() && joints > 0;
-        let index = redundant(word, *place, if known { joints } else { usize::MAX }, settings.task);
-        errors.take(index.and_then(|k| if known && fine { moves_alone(k, *place, &checked.rows) } else { Ok(k) }))
-    });
+    let known = written.grid.is_some() && joints > 0;
+    let mut redundant: Vec<usize> = Vec::new();
+    for (word, place) in &settings.redundant {
+        let index = variable(word, *place, if known { joints } else { usize::MAX }, &redundant);
+        let index = index.and_then(|k| if known && fine { moves_alone(k, *place, &checked.rows) } else { Ok(k) });
+        redundant.extend(errors.take(index));
+    }
     check_angles(&scope, &checked.rows, &base, &tool, &mut errors);
     if errors.is_empty() && !written.settings.iter().any(|s| s.name == "unit") {
         size::check(&checked.bare, &written.lets, &mut errors);
@@ -160,7 +162,7 @@ pub fn parse(input: TokenStream) -> Parsed {
         joints,
         fields,
         task: settings.task,
-        redundant,
+        redundant: redundant.clone(),
         scalar: settings.scalar,
         ik: settings.ik,
         table: written.grid.as_ref().map_or_else(Vec::new, table_text),
@@ -194,23 +196,16 @@ pub fn parse(input: TokenStream) -> Parsed {
 }
 
 /// `redundant = q3;`: the index of the joint.
-fn redundant(word: &str, place: Place, joints: usize, task: Task) -> Result<usize, Error> {
-    let index = names::variable_number(word).and_then(|n| n.checked_sub(1));
-    let Some(index) = index.filter(|i| *i < joints) else {
-        let error = Error::new(place, "`redundant` names a joint variable of the table");
-        return Err(if joints < usize::MAX { error.help(format!("one of `q1` to `q{joints}`")) } else { error });
-    };
-    let (fixed, what) = match task {
-        Task::Pose => (6, "pose"),
-        Task::Position => (3, "position"),
-        Task::Planar => (3, "planar"),
-        Task::Axis => (5, "axis"),
-    };
-    if joints <= fixed {
-        let text = format!("no joint is redundant: `task = {what}` takes {fixed} joints, and the arm has {joints}");
-        return Err(Error::new(place, text));
+fn variable(word: &str, place: Place, joints: usize, others: &[usize]) -> Result<usize, Error> {
+    let index = names::variable_number(word).and_then(|n| n.checked_sub(1)).filter(|i| *i < joints);
+    match index {
+        Some(i) if others.contains(&i) => Err(Error::new(place, format!("`{word}` is named twice"))),
+        Some(i) => Ok(i),
+        None => {
+            let error = Error::new(place, "`redundant` names joint variables of the table");
+            Err(if joints < usize::MAX { error.help(format!("of `q1` to `q{joints}`")) } else { error })
+        }
     }
-    Ok(index)
 }
 
 /// A motor that the caller chooses must fix a joint, whatever the other motors do.

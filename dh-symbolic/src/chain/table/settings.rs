@@ -7,6 +7,7 @@ use super::text;
 use crate::algebra::Rational;
 use crate::chain::{Convention, LengthUnit, Scalar, Task};
 use crate::diagnostic::{Error, Errors, Place};
+use proc_macro2::TokenTree;
 
 const NAMES: [&str; 9] = ["convention", "unit", "scalar", "base", "tool", "task", "redundant", "ik", "prove"];
 
@@ -20,8 +21,8 @@ pub(super) struct Settings {
     pub(super) unit: LengthUnit,
     pub(super) scalar: Scalar,
     pub(super) task: Task,
-    /// `redundant`: the word and its place.
-    pub(super) redundant: Option<(String, Place)>,
+    /// `redundant`: the words and their places.
+    pub(super) redundant: Vec<(String, Place)>,
     pub(super) ik: bool,
     /// Was `convention` written, rightly or wrongly?
     pub(super) has_convention: bool,
@@ -34,7 +35,7 @@ pub(super) fn read(list: &[Setting], errors: &mut Errors) -> Settings {
         unit: LengthUnit { name: "m", metres: Rational::ONE },
         scalar: Scalar::F64,
         task: Task::Pose,
-        redundant: None,
+        redundant: Vec::new(),
         ik: true,
         has_convention: false,
     };
@@ -78,7 +79,7 @@ pub(super) fn read(list: &[Setting], errors: &mut Errors) -> Settings {
                 ];
                 s.task = errors.take(choice.of(&all)).unwrap_or(s.task);
             }
-            "redundant" => s.redundant = Some((word, setting.place)),
+            "redundant" => s.redundant = words(setting),
             "ik" => s.ik = errors.take(choice.of(&[("none", false)])).unwrap_or(true),
             "base" | "tool" => {}
             _ => {
@@ -92,6 +93,13 @@ pub(super) fn read(list: &[Setting], errors: &mut Errors) -> Settings {
         }
     }
     s
+}
+
+/// The words of a list with commas.
+fn words(setting: &Setting) -> Vec<(String, Place)> {
+    let comma = |t: &TokenTree| matches!(t, TokenTree::Punct(p) if p.as_char() == ',');
+    let parts = setting.value.split(comma).take(MOST);
+    parts.map(|tokens| (text::of(tokens), Place::of_all(tokens).unwrap_or(setting.place))).collect()
 }
 
 struct Choice<'a> {

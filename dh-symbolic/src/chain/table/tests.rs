@@ -215,8 +215,8 @@ fn settings_and_motions() {
     );
     let spec = spec(lines, &rows);
     assert_eq!(
-        (spec.unit.name, spec.scalar, spec.task, spec.redundant, spec.ik),
-        ("mm", Scalar::F32, Task::Position, Some(1), false)
+        (spec.unit.name, spec.scalar, spec.task, spec.redundant.clone(), spec.ik),
+        ("mm", Scalar::F32, Task::Position, vec![1], false)
     );
     assert!(matches!(spec.base.as_slice(), [MotionSpec::Translate(2, x)] if *x == number(373, 1)));
     assert!(
@@ -464,19 +464,23 @@ fn wrong_lines() {
             "miles: unknown unit `miles`; the table's unit is one of m, cm, mm, in, ft",
             "scalar: `scalar` is set twice (first set here, line 3)",
             "poses: `task` is one of `pose`, `position`, `planar`, `axis` [did you mean `pose`?]",
-            "q2: `redundant` names a joint variable of the table [one of `q1` to `q1`]",
+            "q2: `redundant` names joint variables of the table [of `q1` to `q1`]",
             "yes: `ik` can only be set to `none`",
             "rx: motions are joined by `*`",
             "tool: `tool` has no value",
         ],
     );
     let three = "| 0 | 1 | 0 | q1 | - | | 0 | 1 | 0 | q2 | - | | 0 | 1 | 0 | q3 | - |";
-    let text = "q2: no joint is redundant: `task = position` takes 3 joints, and the arm has 3";
-    wrong("task = position; redundant = q2;", three, &[text]);
+    let names = "`redundant` names joint variables of the table [of `q1` to `q3`]";
     wrong(
-        "redundant = q1;",
-        "| 0 | 0 | 0 | q1 | - |",
-        &["q1: no joint is redundant: `task = pose` takes 6 joints, and the arm has 1"],
+        "redundant = q2, q4, q1, q2, , x;",
+        three,
+        &[
+            &format!("q2, q4, q1, q2, , x: {names}"),
+            &format!("q4: {names}"),
+            "q2: `q2` is named twice",
+            &format!("x: {names}"),
+        ],
     );
     wrong(
         "task = planar; redundant = q2;",

@@ -40,6 +40,7 @@ const HEAVY: usize = 4000;
 pub fn search(chain: &Chain) -> Result<Plan, Refusal> {
     refusal::check(chain)?;
     let axes = Axes::new(chain);
+    refusal::check_given(chain, &axes)?;
     let families = families(&axes);
     let (knowledge, probes) = (Knowledge::new(&axes), Probes::new(&axes));
     let mut s = Search {
@@ -52,7 +53,7 @@ pub fn search(chain: &Chain) -> Result<Plan, Refusal> {
         probes,
         groups: (usize::MAX, Vec::new()),
     };
-    if let Some((r, _)) = chain.chosen() {
+    for (r, _) in chain.chosen() {
         let form = s.unit(r);
         s.knowledge.learn(&s.axes, &form);
     }

@@ -4,12 +4,13 @@ use super::shift_expression;
 use crate::algebra::{Poly, adjugate};
 use crate::chain::{Chain, Coordinate, Scalar};
 
-/// Expression of the joint coordinate that the motor `given` moves.
-pub(in crate::render) fn chosen(chain: &Chain) -> String {
-    let Some((joint, factor)) = chain.chosen() else { return "given".into() };
+/// Expression of the joint coordinate that a motor moves whose position is the expression `given`: the one numbered `index` among
+/// those that the caller chooses.
+pub(in crate::render) fn chosen(chain: &Chain, index: usize, given: &str) -> String {
+    let Some((joint, factor)) = chain.chosen().into_iter().nth(index) else { return given.into() };
     let moved = match factor.is_one() {
-        true => "given".into(),
-        false => format!("({}) * given", super::body::field_polynomial(chain, &factor)),
+        true => given.into(),
+        false => format!("({}) * {given}", super::body::field_polynomial(chain, &factor)),
     };
     let shift = chain.joints.get(joint).and_then(|j| shift_expression(chain, &j.shift, Scalar::F64));
     shift.map_or(moved.clone(), |s| format!("{moved} + ({})", s.text()))

@@ -203,8 +203,9 @@ pub(in crate::render) fn pattern(dialect: Dialect, variables: &Variables, solve:
 }
 
 /// The statements for what the caller gives: its coordinate, cosine and sine (or the length over the length scale).
-pub(super) fn given(chain: &Chain, variable: &Variable) -> String {
-    let (Variable { pair: [c, s], value, turns }, known) = (variable, chosen(chain));
+pub(super) fn given(chain: &Chain, index: usize, variable: &Variable) -> String {
+    let name = if chain.redundant.len() == 1 { "given".to_string() } else { format!("given[{index}]") };
+    let (Variable { pair: [c, s], value, turns }, known) = (variable, chosen(chain, index, &name));
     let bound = if *turns {
         format!("let ({s}, {c}) = ::dh_robot::runtime::sin_cos({value});\n")
     } else {

@@ -149,6 +149,18 @@ impl Math {
         Math::Row(row)
     }
 
+    /// Pieces with commas between them.
+    pub fn list(pieces: &[Math]) -> Math {
+        let mut row = Vec::new();
+        for (i, piece) in pieces.iter().enumerate() {
+            if i > 0 {
+                row.push(Math::Sign(Sign::Comma));
+            }
+            row.push(piece.clone());
+        }
+        if let [only] = pieces { only.clone() } else { Math::Row(row) }
+    }
+
     /// `left = right`.
     pub fn equation(left: Math, right: Math) -> Math {
         Math::Row(vec![left, Math::Sign(Sign::Equals), right])

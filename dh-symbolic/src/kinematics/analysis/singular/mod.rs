@@ -97,8 +97,8 @@ pub enum Singular {
 pub fn singular(chain: &Chain, k: &Kinematics) -> Singular {
     let points = [FieldPoint::new(7), FieldPoint::new(8)];
     let views: Vec<View<'_>> = points.iter().map(|at| View { chain, frames: frames(k, at) }).collect();
-    let chosen = chain.chosen().map(|(k, _)| k);
-    let joints: Vec<usize> = (0..chain.dof()).filter(|j| chosen != Some(*j)).collect();
+    let chosen: Vec<usize> = chain.chosen().into_iter().map(|(k, _)| k).collect();
+    let joints: Vec<usize> = (0..chain.dof()).filter(|j| !chosen.contains(j)).collect();
     let mut some = false;
     for open in choices(chain, &joints, &views) {
         some = true;
@@ -145,7 +145,7 @@ fn gram(chain: &Chain, k: &Kinematics) -> Option<Singular> {
 
 /// Determinant of the coupling: the factor between the motors' and the joints' Jacobian.
 pub fn coupling(chain: &Chain) -> Option<Poly> {
-    let whole = chain.dof() <= SIDE && chain.redundant.is_none() && !chain.is_direct();
+    let whole = chain.dof() <= SIDE && chain.redundant.is_empty() && !chain.is_direct();
     whole.then(|| determinant(&chain.drive, BUDGET)).flatten()
 }
 

@@ -74,7 +74,7 @@ fn data(chain: &Chain, solver: &Solver) -> String {
         _ => crate::planner::Axes::new(chain).reach,
     };
     let (task, few) = match chain.task {
-        Task::Pose => ("pose", chain.dof() + usize::from(chain.redundant.is_none()) <= 6),
+        Task::Pose => ("pose", chain.dof() - chain.redundant.len() < 6),
         Task::Position => ("position", false),
         Task::Planar => ("planar", false),
         Task::Axis => ("axis", false),
@@ -87,7 +87,7 @@ fn data(chain: &Chain, solver: &Solver) -> String {
     out.push_str(&format!("this.parameters = {{ {} }};\n", fields.join(", ")));
     out.push_str(&format!("this.joints = [\n{}];\n", joints.concat()));
     out.push_str(&format!("this.convention = \"{convention}\";\nthis.task = \"{task}\";\nthis.few = {few};\n"));
-    out.push_str(&format!("this.redundant = {};\n", chain.redundant.map_or("null".into(), |k| k.to_string())));
+    out.push_str(&format!("this.redundant = {};\n", format_args!("{:?}", chain.redundant)));
     out.push_str(&format!("this.reach = {};\n", number(reach)));
     out
 }

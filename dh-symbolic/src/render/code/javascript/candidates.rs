@@ -61,7 +61,7 @@ impl<'a> Printer<'a> {
 
     fn given(&mut self, known: usize) {
         let Variable { pair: [c, s], value, turns } = &self.variables.known[known];
-        self.out.push_str(&format!("const {value} = {};\n", chosen(self.chain)));
+        self.out.push_str(&format!("const {value} = {};\n", chosen(self.chain, known, &format!("given[{known}]"))));
         self.out.push_str(&if *turns {
             format!("const {c} = Math.cos({value}), {s} = Math.sin({value});\n")
         } else {

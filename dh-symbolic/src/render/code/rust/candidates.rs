@@ -11,7 +11,11 @@ use crate::render::code::steps::{
 /// The private function that runs the program.
 pub(super) fn candidates(chain: &Chain, inverse: &Inverse) -> String {
     let n = chain.dof();
-    let redundant = if chain.redundant.is_some() { "given: f64, " } else { "" };
+    let redundant = match chain.redundant.len() {
+        0 => String::new(),
+        1 => "given: f64, ".to_string(),
+        n => format!("given: [f64; {n}], "),
+    };
     let attempt = if chain.scalar == Scalar::F32 { "single" } else { "new" };
     let variables = Variables::of(inverse);
     let body = Body::of_inverse(Dialect::Rust, chain, inverse, inverse.values(), &variables);
@@ -43,7 +47,7 @@ impl<'a> Printer<'a> {
         for instruction in &sequence.0 {
             match instruction {
                 Instruction::Given { known } => {
-                    self.out.push_str(&given(self.chain, &self.variables.known[*known]));
+                    self.out.push_str(&given(self.chain, *known, &self.variables.known[*known]));
                 }
                 Instruction::Compute { known, .. } => {
                     self.body.statements(&self.depths, *known);

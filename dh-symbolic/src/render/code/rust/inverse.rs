@@ -16,12 +16,13 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
     let (n, f) = (chain.dof(), scalar_name(chain.scalar));
     let m = inverse.plan.max_solutions;
     let Target { parameter: target, frame, task, kind } = Target::of(chain, &refuse_list);
-    let given = if chain.redundant.is_some() { format!(", given: {f}") } else { String::new() };
-    let pass = if chain.redundant.is_some() { ", given.into()" } else { "" };
+    let (given, pass) = match chain.redundant.len() {
+        0 => (String::new(), ""),
+        1 => (format!(", given: {f}"), ", given.into()"),
+        k => (format!(", given: [{f}; {k}]"), ", given.map(|x| x.into())"),
+    };
     let fast = FastPath::of(chain, inverse);
-    let fixed = chain.redundant.map_or("::core::option::Option::None".into(), |k| {
-        format!("::core::option::Option::Some(({k}, given.into()))")
-    });
+    let fixed = fixed(chain);
     let few = inverse.plan.few;
     let prepared = |frame: &str| {
         format!(
@@ -91,7 +92,7 @@ fn near(chain: &Chain, inverse: &Inverse, fast: Option<&FastPath>, prepare: &str
     let mut out = prepare.to_string();
     if let Some(fast) = fast {
         let total = fast.branches();
-        let number = if chain.redundant.is_some() { ", given.into()" } else { "" };
+        let number = if !chain.redundant.is_empty() { ", given.into()" } else { "" };
         out.push_str(&format!(
             "let mut found = [[0.0; {total}]; {n}];\nlet mut valid = [0.0; {total}];\n\
              if self.all_branches(&frame{number}, &mut found, &mut valid) {{\n\
@@ -128,17 +129,31 @@ fn unknowns(chain: &Chain, inverse: &Inverse) -> String {
     )
 }
 
-/// The trait: with a redundant joint its target is a pair, of the target and that joint's value.
+/// The value that the caller gives to each joint, if any.
+fn fixed(chain: &Chain) -> String {
+    if chain.redundant.is_empty() {
+        return format!("[::core::option::Option::None; {}]", chain.dof());
+    }
+    let one = |k: usize| match (chain.redundant.iter().position(|r| *r == k), chain.redundant.len()) {
+        (None, _) => "::core::option::Option::None".to_string(),
+        (Some(_), 1) => "::core::option::Option::Some(given.into())".to_string(),
+        (Some(i), _) => format!("::core::option::Option::Some(given[{i}].into())"),
+    };
+    format!("[{}]", (0..chain.dof()).map(one).collect::<Vec<_>>().join(", "))
+}
+
+/// The trait: with redundant joints its target is a pair, of the target and the values of these joints.
 fn as_trait(chain: &Chain, name: &str, m: usize, kind: &str) -> String {
     let (n, f) = (chain.dof(), scalar_name(chain.scalar));
-    let (kind, target, given) = match chain.redundant {
-        None => (kind.to_string(), "target", ""),
-        Some(_) => (format!("({kind}, {f})"), "target.0", ", target.1"),
+    let (kind, target, given) = match chain.redundant.len() {
+        0 => (kind.to_string(), "target", ""),
+        1 => (format!("({kind}, {f})"), "target.0", ", target.1"),
+        k => (format!("({kind}, [{f}; {k}])"), "target.0", ", target.1"),
     };
-    let target = match (chain.task, chain.redundant) {
-        (Task::Pose | Task::Position, None) | (Task::Planar | Task::Axis, Some(_)) => target.to_string(),
-        (Task::Pose | Task::Position, Some(_)) => format!("&{target}"),
-        (Task::Planar | Task::Axis, None) => format!("*{target}"),
+    let target = match (chain.task, chain.redundant.is_empty()) {
+        (Task::Pose | Task::Position, true) | (Task::Planar | Task::Axis, false) => target.to_string(),
+        (Task::Pose | Task::Position, false) => format!("&{target}"),
+        (Task::Planar | Task::Axis, true) => format!("*{target}"),
     };
     format!(
         "impl ::dh_robot::InverseKinematics<{n}, {f}> for {name} {{\ntype Target = {kind};\n\

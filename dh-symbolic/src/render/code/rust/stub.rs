@@ -5,7 +5,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 /// The signatures of a robot with `n` joints; bodies never return.
-pub fn stub(head: &Head, n: usize, fields: &[String], scalar: &str, target: &str, redundant: bool) -> TokenStream {
+pub fn stub(head: &Head, n: usize, fields: &[String], scalar: &str, target: &str, redundant: usize) -> TokenStream {
     let (visibility, ident) = (&head.visibility, &head.ident);
     let f = lex(scalar);
     let mut list = TokenStream::new();
@@ -18,7 +18,11 @@ pub fn stub(head: &Head, n: usize, fields: &[String], scalar: &str, target: &str
     } else {
         quote! { { #list } }
     };
-    let free = if redundant { format!(", _free: {scalar}") } else { String::new() };
+    let free = match redundant {
+        0 => String::new(),
+        1 => format!(", _free: {scalar}"),
+        k => format!(", _free: [{scalar}; {k}]"),
+    };
     let iso = format!("::dh_robot::nalgebra::IsometryMatrix3<{scalar}>");
     let functions = lex(&format!(
         "impl {ident} {{\npub const DOF: usize = {n};\npub const MAX_SOLUTIONS: usize = 1;\n\

@@ -22,7 +22,7 @@ pub(super) fn kinematics(chain: &Chain, name: &str, forward: &Forward, few: bool
     let rows: Vec<String> = (0..6)
         .map(|r| {
             let row: Vec<String> = (0..n)
-                .map(|j| if chain.redundant == Some(j) { "0.0".into() } else { both.output(12 + 6 * j + r) })
+                .map(|j| if chain.redundant.contains(&j) { "0.0".into() } else { both.output(12 + 6 * j + r) })
                 .collect();
             format!("[{}]", row.join(", "))
         })

@@ -70,8 +70,10 @@ impl Writer<'_> {
             Some(list) => {
                 self.say(Phrase::ExampleGiven, vec![]);
                 self.goal(&arm, &goal, Some(self.motions(list)));
-                if let Some(k) = self.chain.redundant {
-                    self.say(Phrase::ExampleChosen, vec![self.value_of(&arm, k, q[k], 2)]);
+                let chosen: Vec<Math> =
+                    self.chain.redundant.iter().map(|k| self.value_of(&arm, *k, q[*k], 2)).collect();
+                if !chosen.is_empty() {
+                    self.say(Phrase::ExampleChosen, vec![Math::list(&chosen)]);
                 }
             }
             None => {

@@ -102,12 +102,9 @@ impl Writer<'_> {
             }
             None => {}
         }
-        if let Some(joint) = self.chain.chosen().and_then(|(k, _)| self.chain.joints.get(k)) {
-            let name = match joint.coordinate {
-                crate::chain::Coordinate::Angle(v) => self.notation.angle(v),
-                crate::chain::Coordinate::Length(s) => self.notation.symbol(s),
-            };
-            self.say(Phrase::Given, vec![name]);
+        let given: Vec<Math> = self.chain.chosen().iter().map(|(joint, _)| self.coordinate(*joint)).collect();
+        if !given.is_empty() {
+            self.say(Phrase::Given, vec![Math::list(&given)]);
         }
     }
 

@@ -18,8 +18,11 @@ impl Writer<'_> {
             return;
         }
         self.heading(1, Phrase::Singular);
-        if let Some((joint, _)) = self.chain.chosen() {
-            self.say(Phrase::SingularHeld, vec![self.coordinate(joint)]);
+        let held: Vec<Math> = self.chain.chosen().iter().map(|(joint, _)| self.coordinate(*joint)).collect();
+        match held.as_slice() {
+            [] => {}
+            [one] => self.say(Phrase::SingularHeld, vec![one.clone()]),
+            all => self.say(Phrase::SingularAllHeld, vec![Math::list(all)]),
         }
         match singular(self.chain, kinematics) {
             Singular::Determinant(d) => self.determinant(&d),

@@ -147,6 +147,7 @@ phrases! {
         "第 {} 列是电机 {} 以单位速度运动时末端原点的线速度和角速度（在基座坐标系中表示）。";
     Singular: "Singular configurations", "奇异位形";
     SingularHeld: "{} is held; the Jacobian of the other joints is square.", "固定 {}，其余关节的雅可比矩阵为方阵。";
+    SingularAllHeld: "{} are held; the Jacobian is that of the other joints.", "固定 {}，下面是其余关节的雅可比矩阵。";
     SingularEverywhere: "The determinant vanishes at every joint vector: the joints never give all the motions that the task asks for.",
         "行列式恒为零：各关节始终不能产生任务要求的全部运动。";
     SingularTooLong: "Even where most entries vanish, a block of {} rows remains whose determinant is too long to be written out.",

@@ -46,9 +46,12 @@ pub fn page(chain: &Chain, options: &Options) -> Result<String, Disproof> {
     let w = |key: &str| words(key, language);
     let title = html::escape(&w("title").replace("{}", &chain.name));
     let formulas = formulas(chain, options);
-    let given = chain.redundant.and_then(|k| chain.joints.get(k)).map_or(String::new(), |j| {
-        format!("<p class=\"note\">{}</p>", html::escape(&w("given").replace("{q}", &j.name)))
-    });
+    let given = chain
+        .redundant
+        .iter()
+        .filter_map(|k| chain.joints.get(*k))
+        .map(|j| format!("<p class=\"note\">{}</p>", html::escape(&w("given").replace("{q}", &j.name))));
+    let given: String = given.collect();
     let inverse = if wanted {
         format!(
             "<h3 class=\"note\">{}</h3><div id=\"target\"></div><p id=\"count\" aria-live=\"polite\"></p>\n\

@@ -64,7 +64,7 @@ function move(k, x) {
 // Another target: all joint vectors that reach it, and the arm goes to the one that is nearest.
 function aim(target, q) {
   state.target = target;
-  state.answer = WANTED ? arm.inverse(target, state.q[arm.redundant]) : null;
+  state.answer = WANTED ? arm.inverse(target, arm.redundant.map((k) => state.q[k])) : null;
   const list = state.answer?.solutions ?? [], off = (s) => s.q.reduce((sum, x, k) => sum + difference(arm.joints[k], x, (q ?? state.q)[k]) ** 2, 0);
   state.chosen = list.reduce((best, s, i) => (best < 0 || off(s) < off(list[best]) ? i : best), -1);
   if (!q && state.chosen >= 0) state.q = list[state.chosen].q;

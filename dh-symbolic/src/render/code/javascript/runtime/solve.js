@@ -37,10 +37,10 @@ const inRange = (joint, x) => !joint.range || (x >= joint.range[0] - 1e-9 && x <
 // Motor values after whole turns of a row, for a drive of which these are no whole turns of the motors. As in dh-robot (src/ik/drive.rs).
 const turned = (drive, q, row, turns) => q.map((x, k) => x + TAU * turns * drive.motors[k][row]);
 
-// Motor values with each row turned by an angle in (-pi, pi], except rows that would move the motor whose value is given.
+// Motor values with each row turned by an angle in (-pi, pi], except rows that would move motors whose values are given.
 function principal(drive, q, given) {
   const angles = drive.rows.map((row) => row.reduce((sum, k, i) => sum + k * q[i], 0));
-  const stays = (i) => !drive.turns[i] || (given !== null && drive.motors[given][i] !== 0);
+  const stays = (i) => !drive.turns[i] || given.some((k) => drive.motors[k][i] !== 0);
   return angles.reduce((out, angle, i) => (stays(i) ? out : turned(drive, out, i, Math.floor(0.5 - angle / TAU))), q);
 }
 
@@ -197,10 +197,12 @@ class Attempt {
   }
 }
 
-// All solutions of an arm for a target: { solutions: [{ q, branch, free }], why, numeric }.
-function solve(arm, target, given) {
+// All solutions of an arm for a target: { solutions: [{ q, branch, free }], why, numeric }. The values of the redundant joints are a list,
+// or a number where there is one.
+function solve(arm, target, values) {
+  const given = [values ?? []].flat().slice(0, arm.redundant.length);
   const task = TASKS[arm.task];
-  if (!finite(target.flat(2)) || (arm.redundant !== null && !Number.isFinite(given))) return { solutions: [], why: { kind: "finite" }, numeric: false };
+  if (!finite(target.flat(2)) || given.length < arm.redundant.length || !finite(given)) return { solutions: [], why: { kind: "finite" }, numeric: false };
   if (arm.task === "pose" && !isRotation(target)) return { solutions: [], why: { kind: "rotation" }, numeric: false };
   const verifier = new Verifier(arm, task, target, given);
   if (!arm.candidates) {
@@ -227,7 +229,7 @@ class Verifier {
   }
 
   jacobian(q) {
-    const j = this.arm.jacobian(q).map((row, i) => row.map((x, k) => (k === this.arm.redundant ? 0 : i < 3 ? x / this.arm.reach : x)));
+    const j = this.arm.jacobian(q).map((row, i) => row.map((x, k) => (this.arm.redundant.includes(k) ? 0 : i < 3 ? x / this.arm.reach : x)));
     return this.task.rows(this.arm.forward(q), j);
   }
 
@@ -282,7 +284,7 @@ class Verifier {
   // How far each motor is from one joint vector to the other, without whole turns.
   apart(a, b) {
     const { joints, drive } = this.arm;
-    if (drive) return principal(drive, b.map((x, k) => x - a[k]), null).map(Math.abs);
+    if (drive) return principal(drive, b.map((x, k) => x - a[k]), []).map(Math.abs);
     return joints.map((joint, k) => difference(joint, a[k], b[k]));
   }
 
@@ -331,7 +333,7 @@ class Verifier {
     }
     const list = [];
     for (let k = 0; k < n; k++) {
-      if (pivots.includes(k) || k === this.arm.redundant) continue;
+      if (pivots.includes(k) || this.arm.redundant.includes(k)) continue;
       const v = Array(n).fill(0);
       v[k] = 1;
       pivots.forEach((p, r) => { v[p] = -j[r][k] / j[r][p]; });
@@ -346,7 +348,7 @@ class Verifier {
     const ratios = [0.898654, 0.807579, 0.725734, 0.652184, 0.586087, 0.526690, 0.473312], { arm } = this;
     for (let start = 1; start <= (all && !arm.candidates ? 4 * STARTS : STARTS); start++) {
       const q = arm.joints.map((joint, k) => {
-        if (k === arm.redundant) return this.given;
+        if (arm.redundant.includes(k)) return this.given[arm.redundant.indexOf(k)];
         const x = start * ratios[k % 7], y = 2 * (x - Math.floor(x)) - 1;
         return joint.turns ? y * Math.PI : y * arm.reach;
       });

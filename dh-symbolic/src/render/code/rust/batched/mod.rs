@@ -24,7 +24,8 @@ impl FastPath {
     /// found.
     pub(super) fn of(chain: &Chain, inverse: &Inverse) -> Option<FastPath> {
         let motors = whole_motors(chain, &inverse.body.result()?.joints)?;
-        let fits = chain.task == Task::Pose && (chain.redundant.is_none() || chain.is_direct());
+        let fits =
+            chain.task == Task::Pose && (chain.redundant.is_empty() || chain.redundant.len() == 1 && chain.is_direct());
         Some(FastPath { batched: inverse.batched().filter(|_| fits)?, motors })
     }
 
@@ -36,7 +37,7 @@ impl FastPath {
     /// The statements of `inverse` that follow `frame`: the fast path, and the robust one where that has to decide.
     pub(super) fn call(&self, chain: &Chain, inverse: &Inverse) -> String {
         let (n, total) = (chain.dof(), self.batched.branches);
-        let [number, same] = if chain.redundant.is_some() { [", given.into()", ", given"] } else { [""; 2] };
+        let [number, same] = if !chain.redundant.is_empty() { [", given.into()", ", given"] } else { [""; 2] };
         let mut out = format!(
             "let mut q = [[0.0; {total}]; {n}];\nlet mut valid = [0.0; {total}];\n\
              if !self.all_branches(&frame{number}, &mut q, &mut valid) {{\nreturn self.robust(target{same});\n}}\n"
@@ -67,20 +68,20 @@ impl FastPath {
         let variables = Variables::of(inverse);
         let mut body = Body::of_inverse(Dialect::Rust, chain, inverse, outputs, &variables);
         let (n, total) = (chain.dof(), batched.branches);
-        let parameter = if chain.redundant.is_some() { ", given: f64" } else { "" };
+        let parameter = if !chain.redundant.is_empty() { ", given: f64" } else { "" };
         let mut w = Writer::new(chain, inverse, batched, variables, self.motors);
         w.loops.out = names(inverse, &w.variables, total);
         w.loops.out.push_str(&format!(
             "/// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.\n\
              #[inline]\nfn all_branches(&self, t: &::dh_robot::runtime::Pose{parameter}, q: &mut [[f64; {total}]; {n}], valid: &mut [f64; {total}]) -> bool {{\n"
         ));
-        if let Some(k) = chain.redundant {
+        if let Some(k) = chain.redundant.first().copied() {
             // A narrower scalar is brought into its range with the others, once it is rounded.
             let value = match chain.scalar {
                 Scalar::F64 => format!("Self::JOINTS[{k}].normalize(given)"),
                 Scalar::F32 => "given".into(),
             };
-            let known: String = w.variables.known.iter().take(plan.given).map(|v| given(chain, v)).collect();
+            let known: String = w.variables.known.iter().take(plan.given).map(|v| given(chain, 0, v)).collect();
             w.loops.out.push_str(&format!("{known}q[{k}] = [{value}; {total}];\n"));
             w.written.insert(k);
         }
