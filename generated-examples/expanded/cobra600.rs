@@ -170,11 +170,27 @@ impl ::dh_robot::Jacobian<4, f64> for Cobra600 {
     fn jacobian(&self, q: &[f64; 4]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 4> {
         Cobra600::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 4],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 4>,
+    ) {
+        Cobra600::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl Cobra600 {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 2;
+    /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
+    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
+    /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
+    const LENGTH_SCALE: f64 = 0.987;
+    /// What a length is multiplied by.
+    const PER_LENGTH: f64 = 1.0 / Self::LENGTH_SCALE;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -190,7 +206,7 @@ impl Cobra600 {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 4, 2> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 0.987) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -198,52 +214,139 @@ impl Cobra600 {
         };
         let mut q = [[0.0; 2]; 4];
         let mut valid = [0.0; 2];
-        if !self.lanes(&frame, &mut q, &mut valid) {
+        if !self.all_branches(&frame, &mut q, &mut valid) {
             return self.robust(target);
         }
         if valid == [1.0; 2] {
-            let at = |l: usize| ::dh_robot::runtime::lanes::solution(
+            let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
-                l,
+                branch,
             );
             return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0), at(1)]);
         }
         ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
+    /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
+    /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
+    /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.
+    ///
+    /// # Errors
+    /// The reason why no joint values reach the target.
+    pub fn inverse_near(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        q: &[f64; 4],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 4>, ::dh_robot::Why<f64>> {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: true,
+            given: [::core::option::Option::None; 4],
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
+        );
+        let mut found = [[0.0; 2]; 4];
+        let mut valid = [0.0; 2];
+        if self.all_branches(&frame, &mut found, &mut valid) {
+            let list: ::dh_robot::Solutions<_, 4, 2> = ::dh_robot::runtime::lanes::collect(
+                &Self::JOINTS,
+                &valid,
+                &found,
+                &Self::BRANCHES,
+            );
+            return ::dh_robot::runtime::nearest(&list, q, Self::LENGTH_SCALE);
+        }
+        let unknowns = self.unknowns(&q.map(f64::from));
+        ::dh_robot::runtime::solve_near::<
+            _,
+            4,
+            2,
+        >(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            q,
+            unknowns,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at
+    /// neighbouring poses and along self-motions. To compare with.
+    #[must_use]
+    pub fn inverse_exhaustive(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 4, 2> {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: true,
+            given: [::core::option::Option::None; 4],
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
+        );
+        ::dh_robot::runtime::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The plan's unknowns at joint values.
+    fn unknowns(&self, q: &[f64; 4]) -> [f64; 8] {
+        [(q[2]) / Self::LENGTH_SCALE, q[0] + q[1] - q[3], q[1], q[0], 0.0, 0.0, 0.0, 0.0]
+    }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::runtime::Pose,
-        pick: ::dh_robot::runtime::Pick,
-        found: &mut dyn FnMut([f64; 4], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+        sample: &::dh_robot::runtime::Sample,
+        found: &mut dyn FnMut([f64; 4], ::dh_robot::Branch, ::dh_robot::runtime::Path),
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
-        let free = ::dh_robot::FreeJoints::NONE;
+        let path = ::dh_robot::runtime::Path::START;
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
         let t_3 = t_2 - 0.3397962776479236;
+        // Step 1: q3 from a linear equation.
         let q3_roots = ::dh_robot::runtime::solve_quadratic(
             0.0,
             -1.0,
             -(t[2][3] - 0.39209726443769),
-            1e-11,
+            sample.tolerance,
         );
         if !q3_roots.is_regular() {
-            attempt.note(q3_roots.outcome, free, "q3", 0.987, "m");
+            attempt.note(q3_roots.outcome, &path, "q3", Self::LENGTH_SCALE, "m");
         }
-        let free = if q3_roots.is_free() {
-            free.union(::dh_robot::FreeJoints::of(&[2]))
+        let path = if q3_roots.is_free() {
+            attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[2]))
         } else {
-            free
+            path
         };
         for (q3_root, &q3_scaled) in q3_roots
-            .or_if_free(pick.length(0))
+            .or_if_free(sample.length(0))
             .iter()
             .enumerate()
         {
-            let q3 = q3_scaled * 0.987;
+            let q3 = q3_scaled * Self::LENGTH_SCALE;
             let t_4 = q3_scaled * (0.78419452887538 - q3_scaled);
+            // Step 2: q1 + q2 - q4 from sine and cosine.
             let q1_plus_q2_minus_q4_roots = ::dh_robot::runtime::solve_pair(
                 1.0,
                 0.0,
@@ -251,60 +354,66 @@ impl Cobra600 {
                 0.0,
                 1.0,
                 t[0][1],
-                1e-11,
+                sample.tolerance,
             );
             if !q1_plus_q2_minus_q4_roots.is_regular() {
                 attempt
                     .note(
                         q1_plus_q2_minus_q4_roots.outcome,
-                        free,
+                        &path,
                         "q1 + q2 - q4",
                         1.0,
                         "",
                     );
             }
-            let free = if q1_plus_q2_minus_q4_roots.is_free() {
-                free.union(::dh_robot::FreeJoints::of(&[0, 1, 3]))
+            let path = if q1_plus_q2_minus_q4_roots.is_free() {
+                attempt.choose(1, &path, ::dh_robot::FreeJoints::of(&[0, 1, 3]))
             } else {
-                free
+                path
             };
             for (q1_plus_q2_minus_q4_root, &[c12m4, s12m4]) in q1_plus_q2_minus_q4_roots
-                .or_if_free(pick.angle(1))
+                .or_if_free(sample.angle(1))
                 .iter()
                 .enumerate()
             {
                 let q1_plus_q2_minus_q4 = ::dh_robot::runtime::atan2(s12m4, c12m4);
+                // Step 3: q2 from the law of cosines.
                 let q2_roots = ::dh_robot::runtime::solve_sincos(
                     0.18348972303573616,
                     0.0,
                     t_4 + t_3,
-                    1e-11,
+                    sample.tolerance,
                 );
                 if !q2_roots.is_regular() {
                     attempt
                         .note_law(
                             q2_roots.outcome,
-                            free,
+                            &path,
                             "elbow q2",
                             [-(t_4 - 0.3397962776479236), t_4 + t_3],
                             false,
-                            0.987,
+                            Self::LENGTH_SCALE,
                             "m",
                         );
                 }
-                let free = if q2_roots.is_free() {
-                    free.union(::dh_robot::FreeJoints::of(&[1]))
+                if path.is_chosen() {
+                    attempt.see(2, &path, [0.18348972303573616, 0.0, t_4 + t_3]);
+                }
+                let path = if q2_roots.is_free() {
+                    attempt.choose(2, &path, ::dh_robot::FreeJoints::of(&[1]))
                 } else {
-                    free
+                    path
                 };
                 for (q2_root, &[c2, s2]) in q2_roots
-                    .or_if_free(pick.angle(2))
+                    .or_if_free(sample.angle(2))
                     .iter()
                     .enumerate()
                 {
+                    let path = path.root(2, q2_root);
                     let q2 = ::dh_robot::runtime::atan2(s2, c2);
                     let t_5 = 0.32928064842958465 + 0.27862208713272546 * c2;
                     let t_6 = 0.27862208713272546 * s2;
+                    // Step 4: q1 from sine and cosine.
                     let q1_roots = ::dh_robot::runtime::solve_pair(
                         t_5,
                         -t_6,
@@ -312,18 +421,18 @@ impl Cobra600 {
                         t_6,
                         t_5,
                         t[1][3],
-                        1e-11,
+                        sample.tolerance,
                     );
                     if !q1_roots.is_regular() {
-                        attempt.note(q1_roots.outcome, free, "q1", 1.0, "");
+                        attempt.note(q1_roots.outcome, &path, "q1", 1.0, "");
                     }
-                    let free = if q1_roots.is_free() {
-                        free.union(::dh_robot::FreeJoints::of(&[0]))
+                    let path = if q1_roots.is_free() {
+                        attempt.choose(3, &path, ::dh_robot::FreeJoints::of(&[0]))
                     } else {
-                        free
+                        path
                     };
                     for (q1_root, &[c1, s1]) in q1_roots
-                        .or_if_free(pick.angle(3))
+                        .or_if_free(sample.angle(3))
                         .iter()
                         .enumerate()
                     {
@@ -340,7 +449,7 @@ impl Cobra600 {
                         found(
                             [q1, q2, q3, -q1_plus_q2_minus_q4 + q2 + q1],
                             branch,
-                            free,
+                            path,
                         );
                     }
                 }
@@ -355,7 +464,7 @@ impl Cobra600 {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 4, 2> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 0.987) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -363,27 +472,29 @@ impl Cobra600 {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 0.987,
+            reach: Self::LENGTH_SCALE,
             few: true,
             given: [::core::option::Option::None; 4],
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 0.987),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
-        ::dh_robot::runtime::solve(
+        ::dh_robot::runtime::solve_bounded(
             self,
             setting,
             &task,
             &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
         )
     }
+    /// Which root each step takes in each branch.
     const BRANCHES: [::dh_robot::Branch; 2] = {
         let mut all = [::dh_robot::Branch::ANY; 2];
-        let mut l = 0;
-        while l < 2 {
-            let q2_root = l / 1 % 2;
-            all[l] = ::dh_robot::Branch::ANY
+        let mut branch = 0;
+        while branch < 2 {
+            let q2_root = branch / 1 % 2;
+            all[branch] = ::dh_robot::Branch::ANY
                 .with_step(0, q2_root)
                 .with_elbow(
                     if q2_root == 0 {
@@ -392,13 +503,13 @@ impl Cobra600 {
                         ::dh_robot::Elbow::Down
                     },
                 );
-            l += 1;
+            branch += 1;
         }
         all
     };
-    /// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.
+    /// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.
     #[inline]
-    fn lanes(
+    fn all_branches(
         &self,
         t: &::dh_robot::runtime::Pose,
         q: &mut [[f64; 2]; 4],
@@ -406,36 +517,43 @@ impl Cobra600 {
     ) -> bool {
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
         let t_3 = t_2 - 0.3397962776479236;
-        let r0 = (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs()
-            + (-1.0 - t[2][2]).abs();
-        let (q3_scaled, m0) = ::dh_robot::runtime::lanes::linear(
+        let constant_error = (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs()
+            + (0.0 - t[1][2]).abs() + (-1.0 - t[2][2]).abs();
+        // Step 1: q3 from a linear equation.
+        let (q3_scaled, q3_margin) = ::dh_robot::runtime::lanes::linear(
             -1.0,
             -(t[2][3] - 0.39209726443769),
         );
-        let q3_scaled = q3_scaled;
-        let g0 = q3_scaled * 0.987;
-        let r1 = (0.39209726443769 - q3_scaled - t[2][3]).abs();
+        let q3 = q3_scaled * Self::LENGTH_SCALE;
+        let q3_error = (0.39209726443769 - q3_scaled - t[2][3]).abs();
+        // Step 2: q1 + q2 - q4 from sine and cosine.
         let [c12m4, s12m4] = ::dh_robot::runtime::lanes::unit(t[0][0], t[0][1]);
-        let g1 = ::dh_robot::runtime::lanes::angle(s12m4, c12m4);
-        let r2 = (s12m4 - t[0][1]).abs() + (-c12m4 - t[1][1]).abs();
-        let ([x2, y2, z2, w2], e2, m2) = ::dh_robot::runtime::lanes::sincos(
+        let q1_plus_q2_minus_q4 = ::dh_robot::runtime::lanes::angle(s12m4, c12m4);
+        let q1_plus_q2_minus_q4_error = (s12m4 - t[0][1]).abs()
+            + (-c12m4 - t[1][1]).abs();
+        // Step 3: q2 from the law of cosines.
+        let ([c2_first, s2_first, c2_second, s2_second], q2_valid, q2_margin) = ::dh_robot::runtime::lanes::sincos(
             0.18348972303573616,
             0.0,
             q3_scaled * (0.78419452887538 - q3_scaled) + t_3,
         );
-        let c2_ = [x2, z2];
-        let s2_ = [y2, w2];
-        let g2_ = ::dh_robot::runtime::lanes::angles(&[y2, w2], &[x2, z2]);
-        let g2_: [f64; 2] = ::core::array::from_fn(|l| g2_[l / 1 % 2]);
-        let mut margin_ = [0.0; 2];
-        let mut valid_ = [0.0; 2];
-        let mut error_ = [0.0; 2];
-        for l in 0..2 {
-            let c2 = c2_[l];
-            let s2 = s2_[l];
+        let all_c2 = [c2_first, c2_second];
+        let all_s2 = [s2_first, s2_second];
+        let all_q2 = ::dh_robot::runtime::lanes::angles(
+            &[s2_first, s2_second],
+            &[c2_first, c2_second],
+        );
+        let all_q2: [f64; 2] = ::core::array::from_fn(|branch| all_q2[branch / 1 % 2]);
+        let mut all_margin = [0.0; 2];
+        let mut all_valid = [0.0; 2];
+        let mut all_error = [0.0; 2];
+        for branch in 0..2 {
+            let c2 = all_c2[branch];
+            let s2 = all_s2[branch];
             let t_4 = 0.32928064842958465 + 0.27862208713272546 * c2;
             let t_5 = 0.27862208713272546 * s2;
-            let ([c1, s1], m3) = ::dh_robot::runtime::lanes::pair(
+            // Step 4: q1 from sine and cosine.
+            let ([c1, s1], q1_margin) = ::dh_robot::runtime::lanes::pair(
                 t_4,
                 -t_5,
                 t[0][3],
@@ -443,26 +561,30 @@ impl Cobra600 {
                 t_4,
                 t[1][3],
             );
-            let g3 = ::dh_robot::runtime::lanes::angle(s1, c1);
+            let q1 = ::dh_robot::runtime::lanes::angle(s1, c1);
             let t_6 = 0.27862208713272546 * (c2 * c1 - s2 * s1)
                 + 0.32928064842958465 * c1;
             let t_7 = 0.27862208713272546 * (c2 * s1 + s2 * c1)
                 + 0.32928064842958465 * s1;
-            let r4 = (t_6 - t[0][3]).abs() + (t_7 - t[1][3]).abs();
-            let g2 = g2_[l];
-            margin_[l] = ::dh_robot::runtime::lanes::lesser(
-                ::dh_robot::runtime::lanes::lesser(m0, m2),
-                m3,
+            let q1_error = (t_6 - t[0][3]).abs() + (t_7 - t[1][3]).abs();
+            let q2 = all_q2[branch];
+            // How far the branch is from what it should be.
+            all_margin[branch] = ::dh_robot::runtime::lanes::lesser(
+                ::dh_robot::runtime::lanes::lesser(q3_margin, q2_margin),
+                q1_margin,
             );
-            valid_[l] = e2;
-            error_[l] = r0 + r1 + r2 + r4;
-            q[0][l] = g3;
-            q[1][l] = g2;
-            q[2][l] = g0;
-            q[3][l] = ::dh_robot::runtime::lanes::wrap(-g1 + g2 + g3);
+            all_valid[branch] = q2_valid;
+            all_error[branch] = constant_error + q3_error + q1_plus_q2_minus_q4_error
+                + q1_error;
+            q[0][branch] = q1;
+            q[1][branch] = q2;
+            q[2][branch] = q3;
+            q[3][branch] = ::dh_robot::runtime::lanes::wrap(
+                -q1_plus_q2_minus_q4 + q2 + q1,
+            );
         }
-        *valid = valid_;
-        ::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)
+        *valid = all_valid;
+        ::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
@@ -511,9 +633,13 @@ impl ::dh_robot::runtime::Kinematics<4> for Cobra600 {
         "m"
     }
 }
-impl ::dh_robot::InverseKinematics<4, 2, f64> for Cobra600 {
+impl ::dh_robot::InverseKinematics<4, f64> for Cobra600 {
     type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 4, 2> {
+    type Solutions = ::dh_robot::Solutions<f64, 4, 2>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         Cobra600::inverse(self, target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for Cobra600 {
+    type Joints = ::dh_robot::runtime::Joints<4>;
 }

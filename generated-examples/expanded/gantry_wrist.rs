@@ -202,11 +202,27 @@ impl ::dh_robot::Jacobian<6, f64> for GantryWrist {
     fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         GantryWrist::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 6],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 6>,
+    ) {
+        GantryWrist::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl GantryWrist {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 2;
+    /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
+    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
+    /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
+    const LENGTH_SCALE: f64 = 0.30000000000000004;
+    /// What a length is multiplied by.
+    const PER_LENGTH: f64 = 1.0 / Self::LENGTH_SCALE;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -224,7 +240,7 @@ impl GantryWrist {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 2> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 0.30000000000000004) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -232,114 +248,226 @@ impl GantryWrist {
         };
         let mut q = [[0.0; 2]; 6];
         let mut valid = [0.0; 2];
-        if !self.lanes(&frame, &mut q, &mut valid) {
+        if !self.all_branches(&frame, &mut q, &mut valid) {
             return self.robust(target);
         }
         if valid == [1.0; 2] {
-            let at = |l: usize| ::dh_robot::runtime::lanes::solution(
+            let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
-                l,
+                branch,
             );
             return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0), at(1)]);
         }
         ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
+    /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
+    /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
+    /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.
+    ///
+    /// # Errors
+    /// The reason why no joint values reach the target.
+    pub fn inverse_near(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        q: &[f64; 6],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 6>, ::dh_robot::Why<f64>> {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: false,
+            given: [::core::option::Option::None; 6],
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
+        );
+        let mut found = [[0.0; 2]; 6];
+        let mut valid = [0.0; 2];
+        if self.all_branches(&frame, &mut found, &mut valid) {
+            let list: ::dh_robot::Solutions<_, 6, 2> = ::dh_robot::runtime::lanes::collect(
+                &Self::JOINTS,
+                &valid,
+                &found,
+                &Self::BRANCHES,
+            );
+            return ::dh_robot::runtime::nearest(&list, q, Self::LENGTH_SCALE);
+        }
+        let unknowns = self.unknowns(&q.map(f64::from));
+        ::dh_robot::runtime::solve_near::<
+            _,
+            6,
+            2,
+        >(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            q,
+            unknowns,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at
+    /// neighbouring poses and along self-motions. To compare with.
+    #[must_use]
+    pub fn inverse_exhaustive(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 6, 2> {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: false,
+            given: [::core::option::Option::None; 6],
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
+        );
+        ::dh_robot::runtime::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The plan's unknowns at joint values.
+    fn unknowns(&self, q: &[f64; 6]) -> [f64; 8] {
+        [
+            (q[0]) / Self::LENGTH_SCALE,
+            (q[1]) / Self::LENGTH_SCALE,
+            (q[2]) / Self::LENGTH_SCALE,
+            q[5],
+            q[3],
+            q[4],
+            0.0,
+            0.0,
+        ]
+    }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::runtime::Pose,
-        pick: ::dh_robot::runtime::Pick,
-        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+        sample: &::dh_robot::runtime::Sample,
+        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::runtime::Path),
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
-        let free = ::dh_robot::FreeJoints::NONE;
+        let path = ::dh_robot::runtime::Path::START;
         let t_2 = t[0][0] * 0.8660254037844386 - t[0][1] * 0.5;
         let t_3 = t[2][0] * 0.8660254037844386 - t[2][1] * 0.5;
         let t_4 = t[0][0] * 0.5 + t[0][1] * 0.8660254037844386;
         let t_5 = t[2][0] * 0.5 + t[2][1] * 0.8660254037844386;
         let t_6 = t[1][3] - t[1][2] * 0.6666666666666666 - 0.3333333333333333;
+        // Step 1: q1 from a linear equation.
         let q1_roots = ::dh_robot::runtime::solve_quadratic(
             0.0,
             1.0,
             -(t[2][3] - t[2][2] * 0.6666666666666666),
-            1e-11,
+            sample.tolerance,
         );
         if !q1_roots.is_regular() {
-            attempt.note(q1_roots.outcome, free, "q1", 0.30000000000000004, "m");
+            attempt.note(q1_roots.outcome, &path, "q1", Self::LENGTH_SCALE, "m");
         }
-        let free = if q1_roots.is_free() {
-            free.union(::dh_robot::FreeJoints::of(&[0]))
+        let path = if q1_roots.is_free() {
+            attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[0]))
         } else {
-            free
+            path
         };
         for (q1_root, &q1_scaled) in q1_roots
-            .or_if_free(pick.length(0))
+            .or_if_free(sample.length(0))
             .iter()
             .enumerate()
         {
-            let q1 = q1_scaled * 0.30000000000000004;
+            let q1 = q1_scaled * Self::LENGTH_SCALE;
+            // Step 2: q2 from a linear equation.
             let q2_roots = ::dh_robot::runtime::solve_quadratic(
                 0.0,
                 -1.0,
                 t[0][3] - t[0][2] * 0.6666666666666666,
-                1e-11,
+                sample.tolerance,
             );
             if !q2_roots.is_regular() {
-                attempt.note(q2_roots.outcome, free, "q2", 0.30000000000000004, "m");
+                attempt.note(q2_roots.outcome, &path, "q2", Self::LENGTH_SCALE, "m");
             }
-            let free = if q2_roots.is_free() {
-                free.union(::dh_robot::FreeJoints::of(&[1]))
+            let path = if q2_roots.is_free() {
+                attempt.choose(1, &path, ::dh_robot::FreeJoints::of(&[1]))
             } else {
-                free
+                path
             };
             for (q2_root, &q2_scaled) in q2_roots
-                .or_if_free(pick.length(1))
+                .or_if_free(sample.length(1))
                 .iter()
                 .enumerate()
             {
-                let q2 = q2_scaled * 0.30000000000000004;
+                let q2 = q2_scaled * Self::LENGTH_SCALE;
+                // Step 3: q3 from a linear equation.
                 let q3_roots = ::dh_robot::runtime::solve_quadratic(
                     0.0,
                     -1.0,
                     t_6,
-                    1e-11,
+                    sample.tolerance,
                 );
                 if !q3_roots.is_regular() {
-                    attempt.note(q3_roots.outcome, free, "q3", 0.30000000000000004, "m");
+                    attempt.note(q3_roots.outcome, &path, "q3", Self::LENGTH_SCALE, "m");
                 }
-                let free = if q3_roots.is_free() {
-                    free.union(::dh_robot::FreeJoints::of(&[2]))
+                let path = if q3_roots.is_free() {
+                    attempt.choose(2, &path, ::dh_robot::FreeJoints::of(&[2]))
                 } else {
-                    free
+                    path
                 };
                 for (q3_root, &q3_scaled) in q3_roots
-                    .or_if_free(pick.length(2))
+                    .or_if_free(sample.length(2))
                     .iter()
                     .enumerate()
                 {
-                    let q3 = q3_scaled * 0.30000000000000004;
+                    let q3 = q3_scaled * Self::LENGTH_SCALE;
+                    // Step 4: q6 from a ratio of sine and cosine.
                     let q6_roots = ::dh_robot::runtime::solve_sincos(
                         -(t[1][0] * 0.5 + t[1][1] * 0.8660254037844386),
                         -(t[1][0] * 0.8660254037844386 - t[1][1] * 0.5),
                         0.0,
-                        1e-11,
+                        sample.tolerance,
                     );
                     if !q6_roots.is_regular() {
-                        attempt.note(q6_roots.outcome, free, "wrist q6", 1.0, "");
+                        attempt.note(q6_roots.outcome, &path, "wrist q6", 1.0, "");
                     }
-                    let free = if q6_roots.is_free() {
-                        free.union(::dh_robot::FreeJoints::of(&[5]))
+                    if path.is_chosen() {
+                        attempt
+                            .see(
+                                3,
+                                &path,
+                                [
+                                    -(t[1][0] * 0.5 + t[1][1] * 0.8660254037844386),
+                                    -(t[1][0] * 0.8660254037844386 - t[1][1] * 0.5),
+                                    0.0,
+                                ],
+                            );
+                    }
+                    let path = if q6_roots.is_free() {
+                        attempt.choose(3, &path, ::dh_robot::FreeJoints::of(&[5]))
                     } else {
-                        free
+                        path
                     };
                     for (q6_root, &[c6, s6]) in q6_roots
-                        .or_if_free(pick.angle(3))
+                        .or_if_free(sample.angle(3))
                         .iter()
                         .enumerate()
                     {
+                        let path = path.root(3, q6_root);
                         let q6 = ::dh_robot::runtime::atan2(s6, c6);
+                        // Step 5: q4 from sine and cosine.
                         let q4_roots = ::dh_robot::runtime::solve_pair(
                             0.0,
                             1.0,
@@ -347,22 +475,23 @@ impl GantryWrist {
                             -1.0,
                             0.0,
                             -(t_2 * s6 + t_4 * c6),
-                            1e-11,
+                            sample.tolerance,
                         );
                         if !q4_roots.is_regular() {
-                            attempt.note(q4_roots.outcome, free, "q4", 1.0, "");
+                            attempt.note(q4_roots.outcome, &path, "q4", 1.0, "");
                         }
-                        let free = if q4_roots.is_free() {
-                            free.union(::dh_robot::FreeJoints::of(&[3]))
+                        let path = if q4_roots.is_free() {
+                            attempt.choose(4, &path, ::dh_robot::FreeJoints::of(&[3]))
                         } else {
-                            free
+                            path
                         };
                         for (q4_root, &[c4, s4]) in q4_roots
-                            .or_if_free(pick.angle(4))
+                            .or_if_free(sample.angle(4))
                             .iter()
                             .enumerate()
                         {
                             let q4 = ::dh_robot::runtime::atan2(s4, c4);
+                            // Step 6: q5 from sine and cosine.
                             let q5_roots = ::dh_robot::runtime::solve_pair(
                                 1.0,
                                 0.0,
@@ -370,18 +499,18 @@ impl GantryWrist {
                                 0.0,
                                 -1.0,
                                 t[2][2] * c4 + t[0][2] * s4,
-                                1e-11,
+                                sample.tolerance,
                             );
                             if !q5_roots.is_regular() {
-                                attempt.note(q5_roots.outcome, free, "q5", 1.0, "");
+                                attempt.note(q5_roots.outcome, &path, "q5", 1.0, "");
                             }
-                            let free = if q5_roots.is_free() {
-                                free.union(::dh_robot::FreeJoints::of(&[4]))
+                            let path = if q5_roots.is_free() {
+                                attempt.choose(5, &path, ::dh_robot::FreeJoints::of(&[4]))
                             } else {
-                                free
+                                path
                             };
                             for (q5_root, &[c5, s5]) in q5_roots
-                                .or_if_free(pick.angle(5))
+                                .or_if_free(sample.angle(5))
                                 .iter()
                                 .enumerate()
                             {
@@ -395,7 +524,7 @@ impl GantryWrist {
                                             ::dh_robot::Wrist::Flip
                                         },
                                     );
-                                found([q1, q2, q3, q4, q5, q6], branch, free);
+                                found([q1, q2, q3, q4, q5, q6], branch, path);
                             }
                         }
                     }
@@ -411,7 +540,7 @@ impl GantryWrist {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 2> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 0.30000000000000004) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -419,27 +548,29 @@ impl GantryWrist {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 0.30000000000000004,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 0.30000000000000004),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
-        ::dh_robot::runtime::solve(
+        ::dh_robot::runtime::solve_bounded(
             self,
             setting,
             &task,
             &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
         )
     }
+    /// Which root each step takes in each branch.
     const BRANCHES: [::dh_robot::Branch; 2] = {
         let mut all = [::dh_robot::Branch::ANY; 2];
-        let mut l = 0;
-        while l < 2 {
-            let q6_root = l / 1 % 2;
-            all[l] = ::dh_robot::Branch::ANY
+        let mut branch = 0;
+        while branch < 2 {
+            let q6_root = branch / 1 % 2;
+            all[branch] = ::dh_robot::Branch::ANY
                 .with_step(0, q6_root)
                 .with_wrist(
                     if q6_root == 0 {
@@ -448,13 +579,13 @@ impl GantryWrist {
                         ::dh_robot::Wrist::Flip
                     },
                 );
-            l += 1;
+            branch += 1;
         }
         all
     };
-    /// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.
+    /// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.
     #[inline]
-    fn lanes(
+    fn all_branches(
         &self,
         t: &::dh_robot::runtime::Pose,
         q: &mut [[f64; 2]; 6],
@@ -465,82 +596,87 @@ impl GantryWrist {
         let t_4 = t[0][0] * 0.5 + t[0][1] * 0.8660254037844386;
         let t_5 = t[2][0] * 0.5 + t[2][1] * 0.8660254037844386;
         let t_6 = t[1][3] - t[1][2] * 0.6666666666666666 - 0.3333333333333333;
-        let mut margin_ = [0.0; 1];
-        let mut valid_ = [0.0; 1];
-        let mut error_ = [0.0; 1];
-        let (q1_scaled, m0) = ::dh_robot::runtime::lanes::linear(
+        let mut all_margin = [0.0; 1];
+        let mut all_valid = [0.0; 1];
+        let mut all_error = [0.0; 1];
+        // Step 1: q1 from a linear equation.
+        let (q1_scaled, q1_margin) = ::dh_robot::runtime::lanes::linear(
             1.0,
             -(t[2][3] - t[2][2] * 0.6666666666666666),
         );
-        let q1_scaled = q1_scaled;
-        let g0 = q1_scaled * 0.30000000000000004;
-        let (q2_scaled, m1) = ::dh_robot::runtime::lanes::linear(
+        let q1 = q1_scaled * Self::LENGTH_SCALE;
+        // Step 2: q2 from a linear equation.
+        let (q2_scaled, q2_margin) = ::dh_robot::runtime::lanes::linear(
             -1.0,
             t[0][3] - t[0][2] * 0.6666666666666666,
         );
-        let q2_scaled = q2_scaled;
-        let g1 = q2_scaled * 0.30000000000000004;
-        let (q3_scaled, m2) = ::dh_robot::runtime::lanes::linear(-1.0, t_6);
-        let q3_scaled = q3_scaled;
-        let g2 = q3_scaled * 0.30000000000000004;
+        let q2 = q2_scaled * Self::LENGTH_SCALE;
+        // Step 3: q3 from a linear equation.
+        let (q3_scaled, q3_margin) = ::dh_robot::runtime::lanes::linear(-1.0, t_6);
+        let q3 = q3_scaled * Self::LENGTH_SCALE;
         let t_7 = 0.3333333333333333 + q3_scaled;
-        let ([c6, s6], m3) = ::dh_robot::runtime::lanes::half_turn([
+        // Step 4: q6 from a ratio of sine and cosine.
+        let ([c6, s6], q6_margin) = ::dh_robot::runtime::lanes::half_turn([
             [
                 -(t[1][0] * 0.5 + t[1][1] * 0.8660254037844386),
                 -(t[1][0] * 0.8660254037844386 - t[1][1] * 0.5),
             ],
         ]);
-        let g3 = ::dh_robot::runtime::lanes::angle(s6, c6);
+        let q6 = ::dh_robot::runtime::lanes::angle(s6, c6);
         let t_8 = 0.8660254037844386 * c6 - 0.5 * s6;
         let t_9 = 0.5 * c6 + 0.8660254037844386 * s6;
+        // Step 5: q4 from sine and cosine.
         let [c4, s4] = ::dh_robot::runtime::lanes::unit(
             t_2 * s6 + t_4 * c6,
             -(t_3 * s6 + t_5 * c6),
         );
-        let g4 = ::dh_robot::runtime::lanes::angle(s4, c4);
+        let q4 = ::dh_robot::runtime::lanes::angle(s4, c4);
         let t_10 = s4 * t_8;
         let t_11 = c4 * t_8;
+        // Step 6: q5 from sine and cosine.
         let [c5, s5] = ::dh_robot::runtime::lanes::unit(
             c6 * (t_3 * c4 + t_2 * s4) - s6 * (t_5 * c4 + t_4 * s4),
             -(t[2][2] * c4 + t[0][2] * s4),
         );
-        let g5 = ::dh_robot::runtime::lanes::angle(s5, c5);
+        let q5 = ::dh_robot::runtime::lanes::angle(s5, c5);
         let t_12 = t_9 * c5;
         let c4s5 = c4 * s5;
         let s4s5 = s4 * s5;
-        let r6 = (-(s4 * t_12 - t_11) - t[0][1]).abs() + (-t_9 * s5 - t[1][1]).abs()
-            + (-(c4 * t_12 + t_10) - t[2][1]).abs() + (-s4s5 - t[0][2]).abs()
-            + (c5 - t[1][2]).abs() + (-c4s5 - t[2][2]).abs()
+        let q5_error = (-(s4 * t_12 - t_11) - t[0][1]).abs()
+            + (-t_9 * s5 - t[1][1]).abs() + (-(c4 * t_12 + t_10) - t[2][1]).abs()
+            + (-s4s5 - t[0][2]).abs() + (c5 - t[1][2]).abs() + (-c4s5 - t[2][2]).abs()
             + (q2_scaled - 0.6666666666666666 * s4s5 - t[0][3]).abs()
             + (t_7 + 0.6666666666666666 * c5 - t[1][3]).abs()
             + (q1_scaled - 0.6666666666666666 * c4s5 - t[2][3]).abs();
-        let l = 0;
-        margin_[l] = ::dh_robot::runtime::lanes::lesser(
+        let branch = 0;
+        // How far the branch is from what it should be.
+        all_margin[branch] = ::dh_robot::runtime::lanes::lesser(
             ::dh_robot::runtime::lanes::lesser(
-                ::dh_robot::runtime::lanes::lesser(m0, m1),
-                m2,
+                ::dh_robot::runtime::lanes::lesser(q1_margin, q2_margin),
+                q3_margin,
             ),
-            m3,
+            q6_margin,
         );
-        valid_[l] = 1.0;
-        error_[l] = r6;
-        let h3 = ::dh_robot::runtime::lanes::opposite(g3);
-        let h4 = ::dh_robot::runtime::lanes::opposite(g4);
-        let h5 = ::dh_robot::runtime::lanes::negative(g5);
-        q[0][l] = g0;
-        q[1][l] = g1;
-        q[2][l] = g2;
-        q[3][l] = g4;
-        q[4][l] = g5;
-        q[5][l] = g3;
-        q[0][l + 1] = g0;
-        q[1][l + 1] = g1;
-        q[2][l + 1] = g2;
-        q[3][l + 1] = h4;
-        q[4][l + 1] = h5;
-        q[5][l + 1] = h3;
-        *valid = ::core::array::from_fn(|l| valid_[l % 1]);
-        ::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)
+        all_valid[branch] = 1.0;
+        all_error[branch] = q5_error;
+        // The mirrored half differs by signs.
+        let q6_second = ::dh_robot::runtime::lanes::opposite(q6);
+        let q4_second = ::dh_robot::runtime::lanes::opposite(q4);
+        let q5_second = ::dh_robot::runtime::lanes::negative(q5);
+        q[0][branch] = q1;
+        q[1][branch] = q2;
+        q[2][branch] = q3;
+        q[3][branch] = q4;
+        q[4][branch] = q5;
+        q[5][branch] = q6;
+        q[0][branch + 1] = q1;
+        q[1][branch + 1] = q2;
+        q[2][branch + 1] = q3;
+        q[3][branch + 1] = q4_second;
+        q[4][branch + 1] = q5_second;
+        q[5][branch + 1] = q6_second;
+        *valid = ::core::array::from_fn(|branch| all_valid[branch % 1]);
+        ::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
@@ -594,9 +730,13 @@ impl ::dh_robot::runtime::Kinematics<6> for GantryWrist {
         )
     }
 }
-impl ::dh_robot::InverseKinematics<6, 2, f64> for GantryWrist {
+impl ::dh_robot::InverseKinematics<6, f64> for GantryWrist {
     type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 6, 2> {
+    type Solutions = ::dh_robot::Solutions<f64, 6, 2>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         GantryWrist::inverse(self, target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for GantryWrist {
+    type Joints = ::dh_robot::runtime::Joints<6>;
 }

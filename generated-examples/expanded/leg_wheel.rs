@@ -145,11 +145,27 @@ impl ::dh_robot::Jacobian<2, f64> for LegWheel {
     fn jacobian(&self, q: &[f64; 2]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 2> {
         LegWheel::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 2],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 2>,
+    ) {
+        LegWheel::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl LegWheel {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 1;
+    /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
+    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
+    /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
+    const LENGTH_SCALE: f64 = 1.0;
+    /// What a length is multiplied by.
+    const PER_LENGTH: f64 = 1.0 / Self::LENGTH_SCALE;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -163,7 +179,7 @@ impl LegWheel {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 2, 1> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.0) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -171,46 +187,137 @@ impl LegWheel {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.0,
+            reach: Self::LENGTH_SCALE,
             few: true,
             given: [::core::option::Option::None; 2],
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 1.0),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
+        );
+        ::dh_robot::runtime::solve_bounded(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
+    /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
+    /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.
+    ///
+    /// # Errors
+    /// The reason why no joint values reach the target.
+    pub fn inverse_near(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        q: &[f64; 2],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 2>, ::dh_robot::Why<f64>> {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: true,
+            given: [::core::option::Option::None; 2],
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
+        );
+        let unknowns = self.unknowns(&q.map(f64::from));
+        ::dh_robot::runtime::solve_near::<
+            _,
+            2,
+            1,
+        >(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            q,
+            unknowns,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at
+    /// neighbouring poses and along self-motions. To compare with.
+    #[must_use]
+    pub fn inverse_exhaustive(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 2, 1> {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: true,
+            given: [::core::option::Option::None; 2],
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
             &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
+            |frame, sample, found| self.candidates(frame, sample, found),
         )
+    }
+    /// The plan's unknowns at joint values.
+    fn unknowns(&self, q: &[f64; 2]) -> [f64; 8] {
+        [
+            (((-1.0 * self.p) * q[0] + (self.p) * q[1])) / Self::LENGTH_SCALE,
+            q[0],
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+        ]
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::runtime::Pose,
-        pick: ::dh_robot::runtime::Pick,
-        found: &mut dyn FnMut([f64; 2], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+        sample: &::dh_robot::runtime::Sample,
+        found: &mut dyn FnMut([f64; 2], ::dh_robot::Branch, ::dh_robot::runtime::Path),
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
-        let free = ::dh_robot::FreeJoints::NONE;
+        let path = ::dh_robot::runtime::Path::START;
         let t_2 = t[0][2] * t[0][3] + t[1][2] * t[1][3] + t[2][2] * t[2][3];
-        let x2_roots = ::dh_robot::runtime::solve_quadratic(0.0, -1.0, t_2, 1e-11);
+        // Step 1: x2 from a linear equation.
+        let x2_roots = ::dh_robot::runtime::solve_quadratic(
+            0.0,
+            -1.0,
+            t_2,
+            sample.tolerance,
+        );
         if !x2_roots.is_regular() {
-            attempt.note(x2_roots.outcome, free, "x2", 1.0, "m");
+            attempt.note(x2_roots.outcome, &path, "x2", Self::LENGTH_SCALE, "m");
         }
-        let free = if x2_roots.is_free() {
-            free.union(::dh_robot::FreeJoints::of(&[1]))
+        let path = if x2_roots.is_free() {
+            attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[1]))
         } else {
-            free
+            path
         };
         for (x2_root, &x2_scaled) in x2_roots
-            .or_if_free(pick.length(0))
+            .or_if_free(sample.length(0))
             .iter()
             .enumerate()
         {
-            let x2 = x2_scaled * 1.0;
+            let x2 = x2_scaled * Self::LENGTH_SCALE;
+            // Step 2: q1 from sine and cosine.
             let q1_roots = ::dh_robot::runtime::solve_pair(
                 1.0,
                 0.0,
@@ -218,18 +325,18 @@ impl LegWheel {
                 0.0,
                 -1.0,
                 t[0][2],
-                1e-11,
+                sample.tolerance,
             );
             if !q1_roots.is_regular() {
-                attempt.note(q1_roots.outcome, free, "q1", 1.0, "");
+                attempt.note(q1_roots.outcome, &path, "q1", 1.0, "");
             }
-            let free = if q1_roots.is_free() {
-                free.union(::dh_robot::FreeJoints::of(&[0]))
+            let path = if q1_roots.is_free() {
+                attempt.choose(1, &path, ::dh_robot::FreeJoints::of(&[0]))
             } else {
-                free
+                path
             };
             for (q1_root, &[c1, s1]) in q1_roots
-                .or_if_free(pick.angle(1))
+                .or_if_free(sample.angle(1))
                 .iter()
                 .enumerate()
             {
@@ -241,7 +348,7 @@ impl LegWheel {
                         ((self.p) * (q1) + (1.0) * (x2)) / (self.p),
                     ],
                     branch,
-                    free,
+                    path,
                 );
             }
         }
@@ -292,9 +399,13 @@ impl ::dh_robot::runtime::Kinematics<2> for LegWheel {
         })
     }
 }
-impl ::dh_robot::InverseKinematics<2, 1, f64> for LegWheel {
+impl ::dh_robot::InverseKinematics<2, f64> for LegWheel {
     type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 2, 1> {
+    type Solutions = ::dh_robot::Solutions<f64, 2, 1>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         LegWheel::inverse(self, target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for LegWheel {
+    type Joints = ::dh_robot::runtime::Joints<2>;
 }

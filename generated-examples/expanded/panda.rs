@@ -411,11 +411,27 @@ impl ::dh_robot::Jacobian<7, f64> for Panda {
     fn jacobian(&self, q: &[f64; 7]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 7> {
         Panda::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 7],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 7>,
+    ) {
+        Panda::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl Panda {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 8;
+    /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
+    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
+    /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
+    const LENGTH_SCALE: f64 = 1.393;
+    /// What a length is multiplied by.
+    const PER_LENGTH: f64 = 1.0 / Self::LENGTH_SCALE;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -434,7 +450,7 @@ impl Panda {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
         given: f64,
     ) -> ::dh_robot::Solutions<f64, 7, 8> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.393) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -442,15 +458,15 @@ impl Panda {
         };
         let mut q = [[0.0; 8]; 7];
         let mut valid = [0.0; 8];
-        if !self.lanes(&frame, given.into(), &mut q, &mut valid) {
+        if !self.all_branches(&frame, given.into(), &mut q, &mut valid) {
             return self.robust(target, given);
         }
         if valid == [1.0; 8] {
-            let at = |l: usize| ::dh_robot::runtime::lanes::solution(
+            let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
-                l,
+                branch,
             );
             return ::dh_robot::Solutions::full(
                 &Self::JOINTS,
@@ -459,16 +475,119 @@ impl Panda {
         }
         ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
+    /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
+    /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
+    /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.
+    ///
+    /// # Errors
+    /// The reason why no joint values reach the target.
+    pub fn inverse_near(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        given: f64,
+        q: &[f64; 7],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 7>, ::dh_robot::Why<f64>> {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: false,
+            given: [
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::Some(given.into()),
+            ],
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
+        );
+        let mut found = [[0.0; 8]; 7];
+        let mut valid = [0.0; 8];
+        if self.all_branches(&frame, given.into(), &mut found, &mut valid) {
+            let list: ::dh_robot::Solutions<_, 7, 8> = ::dh_robot::runtime::lanes::collect(
+                &Self::JOINTS,
+                &valid,
+                &found,
+                &Self::BRANCHES,
+            );
+            return ::dh_robot::runtime::nearest(&list, q, Self::LENGTH_SCALE);
+        }
+        let unknowns = self.unknowns(&q.map(f64::from));
+        ::dh_robot::runtime::solve_near::<
+            _,
+            7,
+            8,
+        >(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            q,
+            unknowns,
+            |frame, sample, found| self.candidates(frame, given.into(), sample, found),
+        )
+    }
+    /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at
+    /// neighbouring poses and along self-motions. To compare with.
+    #[must_use]
+    pub fn inverse_exhaustive(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        given: f64,
+    ) -> ::dh_robot::Solutions<f64, 7, 8> {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: false,
+            given: [
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::Some(given.into()),
+            ],
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
+        );
+        ::dh_robot::runtime::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, sample, found| self.candidates(frame, given.into(), sample, found),
+        )
+    }
+    /// The plan's unknowns at joint values.
+    fn unknowns(&self, q: &[f64; 7]) -> [f64; 8] {
+        [q[3], q[4], q[5], q[0], q[1], q[2], 0.0, 0.0]
+    }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::runtime::Pose,
         given: f64,
-        pick: ::dh_robot::runtime::Pick,
-        found: &mut dyn FnMut([f64; 7], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+        sample: &::dh_robot::runtime::Sample,
+        found: &mut dyn FnMut([f64; 7], ::dh_robot::Branch, ::dh_robot::runtime::Path),
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
-        let free = ::dh_robot::FreeJoints::NONE;
+        let path = ::dh_robot::runtime::Path::START;
         let t_2 = t[0][3] - t[0][2] * 0.07681263460157932;
         let t_3 = t[1][3] - t[1][2] * 0.07681263460157932;
         let t_4 = t[2][3] - t[2][2] * 0.07681263460157932;
@@ -489,53 +608,70 @@ impl Panda {
         let t_17 = t_9 * t_12 + t_10 * t_13 + t_11 * t_14 - t_11 * 0.2390524048815506;
         let t_18 = t_6 * t_12 + t_7 * t_13 + t_8 * t_14 - t_8 * 0.2390524048815506;
         let t_19 = t[0][2] * t_12 + t[1][2] * t_13 + t[2][2] * t_14 - t_5;
+        // Step 1: q4 from the law of cosines.
         let q4_roots = ::dh_robot::runtime::solve_sincos(
             0.11805283210226085,
             -0.05952230643526318,
             t_16,
-            1e-11,
+            sample.tolerance,
         );
         if !q4_roots.is_regular() {
             attempt
                 .note_law(
                     q4_roots.outcome,
-                    free,
+                    &path,
                     "elbow q4",
                     [0.13446604368370413, t_16],
                     false,
-                    1.393,
+                    Self::LENGTH_SCALE,
                     "m",
                 );
         }
-        let free = if q4_roots.is_free() {
-            free.union(::dh_robot::FreeJoints::of(&[3]))
+        let path = if q4_roots.is_free() {
+            attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[3]))
         } else {
-            free
+            path
         };
-        for (q4_root, &[c4, s4]) in q4_roots.or_if_free(pick.angle(0)).iter().enumerate()
+        for (q4_root, &[c4, s4]) in q4_roots
+            .or_if_free(sample.angle(0))
+            .iter()
+            .enumerate()
         {
+            let path = path.root(0, q4_root);
             let q4 = ::dh_robot::runtime::atan2(s4, c4);
             let t_20 = 0.059224694903086864 * (1.0 - c4) - 0.22684852835606603 * s4;
             let t_21 = 0.2756640344580043 + c4 * 0.22684852835606603
                 - 0.059224694903086864 * s4;
-            let q5_roots = ::dh_robot::runtime::solve_sincos(0.0, t_20, -t_17, 1e-11);
+            // Step 2: q5 from an equation in sine and cosine.
+            let q5_roots = ::dh_robot::runtime::solve_sincos(
+                0.0,
+                t_20,
+                -t_17,
+                sample.tolerance,
+            );
             if !q5_roots.is_regular() {
-                attempt.note(q5_roots.outcome, free, "wrist q5", 1.393, "m");
+                attempt
+                    .note(q5_roots.outcome, &path, "wrist q5", Self::LENGTH_SCALE, "m");
             }
-            let free = if q5_roots.is_free() {
-                free.union(::dh_robot::FreeJoints::of(&[4]))
+            if path.is_chosen() {
+                attempt.see(1, &path, [0.0, t_20, -t_17]);
+            }
+            let path = if q5_roots.is_free() {
+                attempt.choose(1, &path, ::dh_robot::FreeJoints::of(&[4]))
             } else {
-                free
+                path
             };
             for (q5_root, &[c5, s5]) in q5_roots
-                .or_if_free(pick.angle(1))
+                .or_if_free(sample.angle(1))
                 .iter()
                 .enumerate()
             {
+                let path = path.root(1, q5_root);
                 let q5 = ::dh_robot::runtime::atan2(s5, c5);
                 let t_22 = t_9 * s5;
                 let t_23 = t_10 * s5;
                 let t_24 = t_11 * s5;
+                // Step 3: q6 from sine and cosine.
                 let q6_roots = ::dh_robot::runtime::solve_pair(
                     t_18,
                     t_19,
@@ -543,18 +679,18 @@ impl Panda {
                     -t_19,
                     t_18,
                     t_21,
-                    1e-11,
+                    sample.tolerance,
                 );
                 if !q6_roots.is_regular() {
-                    attempt.note(q6_roots.outcome, free, "q6", 1.0, "");
+                    attempt.note(q6_roots.outcome, &path, "q6", 1.0, "");
                 }
-                let free = if q6_roots.is_free() {
-                    free.union(::dh_robot::FreeJoints::of(&[5]))
+                let path = if q6_roots.is_free() {
+                    attempt.choose(2, &path, ::dh_robot::FreeJoints::of(&[5]))
                 } else {
-                    free
+                    path
                 };
                 for (q6_root, &[c6, s6]) in q6_roots
-                    .or_if_free(pick.angle(2))
+                    .or_if_free(sample.angle(2))
                     .iter()
                     .enumerate()
                 {
@@ -565,25 +701,30 @@ impl Panda {
                         + c4 * (t_7 * s6 - t[1][2] * c6);
                     let t_27 = s4 * (c5 * (t_8 * c6 + t[2][2] * s6) + t_24)
                         + c4 * (t_8 * s6 - t[2][2] * c6);
+                    // Step 4: q1 from a ratio of sine and cosine.
                     let q1_roots = ::dh_robot::runtime::solve_sincos(
                         -t_26,
                         t_25,
                         0.0,
-                        1e-11,
+                        sample.tolerance,
                     );
                     if !q1_roots.is_regular() {
-                        attempt.note(q1_roots.outcome, free, "shoulder q1", 1.0, "");
+                        attempt.note(q1_roots.outcome, &path, "shoulder q1", 1.0, "");
                     }
-                    let free = if q1_roots.is_free() {
-                        free.union(::dh_robot::FreeJoints::of(&[0]))
+                    if path.is_chosen() {
+                        attempt.see(3, &path, [-t_26, t_25, 0.0]);
+                    }
+                    let path = if q1_roots.is_free() {
+                        attempt.choose(3, &path, ::dh_robot::FreeJoints::of(&[0]))
                     } else {
-                        free
+                        path
                     };
                     for (q1_root, &[c1, s1]) in q1_roots
-                        .or_if_free(pick.angle(3))
+                        .or_if_free(sample.angle(3))
                         .iter()
                         .enumerate()
                     {
+                        let path = path.root(3, q1_root);
                         let q1 = ::dh_robot::runtime::atan2(s1, c1);
                         let t_28 = t[0][0] * c1 + t[1][0] * s1;
                         let t_29 = t[0][1] * c1 + t[1][1] * s1;
@@ -591,6 +732,7 @@ impl Panda {
                         let t_31 = c7 * t_28 - s7 * t_29;
                         let t_32 = c5 * (c6 * t_31 + s6 * t_30)
                             + s5 * (s7 * t_28 + c7 * t_29);
+                        // Step 5: q2 from sine and cosine.
                         let q2_roots = ::dh_robot::runtime::solve_pair(
                             0.0,
                             1.0,
@@ -598,18 +740,18 @@ impl Panda {
                             1.0,
                             0.0,
                             t_27,
-                            1e-11,
+                            sample.tolerance,
                         );
                         if !q2_roots.is_regular() {
-                            attempt.note(q2_roots.outcome, free, "q2", 1.0, "");
+                            attempt.note(q2_roots.outcome, &path, "q2", 1.0, "");
                         }
-                        let free = if q2_roots.is_free() {
-                            free.union(::dh_robot::FreeJoints::of(&[1]))
+                        let path = if q2_roots.is_free() {
+                            attempt.choose(4, &path, ::dh_robot::FreeJoints::of(&[1]))
                         } else {
-                            free
+                            path
                         };
                         for (q2_root, &[c2, s2]) in q2_roots
-                            .or_if_free(pick.angle(4))
+                            .or_if_free(sample.angle(4))
                             .iter()
                             .enumerate()
                         {
@@ -622,6 +764,7 @@ impl Panda {
                             let t_38 = c6 * t_36 + s6 * t_35;
                             let t_39 = c4 * (c5 * t_38 + s5 * t_37)
                                 - s4 * (s6 * t_36 - c6 * t_35);
+                            // Step 6: q3 from sine and cosine.
                             let q3_roots = ::dh_robot::runtime::solve_pair(
                                 1.0,
                                 0.0,
@@ -629,18 +772,18 @@ impl Panda {
                                 0.0,
                                 -1.0,
                                 s5 * t_38 - c5 * t_37,
-                                1e-11,
+                                sample.tolerance,
                             );
                             if !q3_roots.is_regular() {
-                                attempt.note(q3_roots.outcome, free, "q3", 1.0, "");
+                                attempt.note(q3_roots.outcome, &path, "q3", 1.0, "");
                             }
-                            let free = if q3_roots.is_free() {
-                                free.union(::dh_robot::FreeJoints::of(&[2]))
+                            let path = if q3_roots.is_free() {
+                                attempt.choose(5, &path, ::dh_robot::FreeJoints::of(&[2]))
                             } else {
-                                free
+                                path
                             };
                             for (q3_root, &[c3, s3]) in q3_roots
-                                .or_if_free(pick.angle(5))
+                                .or_if_free(sample.angle(5))
                                 .iter()
                                 .enumerate()
                             {
@@ -670,7 +813,7 @@ impl Panda {
                                             ::dh_robot::Shoulder::Right
                                         },
                                     );
-                                found([q1, q2, q3, q4, q5, q6, q7], branch, free);
+                                found([q1, q2, q3, q4, q5, q6, q7], branch, path);
                             }
                         }
                     }
@@ -687,7 +830,7 @@ impl Panda {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
         given: f64,
     ) -> ::dh_robot::Solutions<f64, 7, 8> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.393) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -695,7 +838,7 @@ impl Panda {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.393,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: [
                 ::core::option::Option::None,
@@ -708,24 +851,26 @@ impl Panda {
             ],
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 1.393),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
-        ::dh_robot::runtime::solve(
+        ::dh_robot::runtime::solve_bounded(
             self,
             setting,
             &task,
             &frame,
-            |frame, pick, found| self.candidates(frame, given.into(), pick, found),
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, given.into(), sample, found),
         )
     }
+    /// Which root each step takes in each branch.
     const BRANCHES: [::dh_robot::Branch; 8] = {
         let mut all = [::dh_robot::Branch::ANY; 8];
-        let mut l = 0;
-        while l < 8 {
-            let q4_root = l / 1 % 2;
-            let q5_root = l / 2 % 2;
-            let q1_root = l / 4 % 2;
-            all[l] = ::dh_robot::Branch::ANY
+        let mut branch = 0;
+        while branch < 8 {
+            let q4_root = branch / 1 % 2;
+            let q5_root = branch / 2 % 2;
+            let q1_root = branch / 4 % 2;
+            all[branch] = ::dh_robot::Branch::ANY
                 .with_step(0, q4_root)
                 .with_elbow(
                     if q4_root == 0 {
@@ -750,13 +895,13 @@ impl Panda {
                         ::dh_robot::Shoulder::Right
                     },
                 );
-            l += 1;
+            branch += 1;
         }
         all
     };
-    /// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.
+    /// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.
     #[inline]
-    fn lanes(
+    fn all_branches(
         &self,
         t: &::dh_robot::runtime::Pose,
         given: f64,
@@ -784,74 +929,84 @@ impl Panda {
         let t_17 = t_9 * t_12 + t_10 * t_13 + t_11 * t_14 - t_11 * 0.2390524048815506;
         let t_18 = t_6 * t_12 + t_7 * t_13 + t_8 * t_14 - t_8 * 0.2390524048815506;
         let t_19 = t[0][2] * t_12 + t[1][2] * t_13 + t[2][2] * t_14 - t_5;
-        let ([x0, y0, z0, w0], e0, m0) = ::dh_robot::runtime::lanes::sincos(
+        // Step 1: q4 from the law of cosines.
+        let ([c4_first, s4_first, c4_second, s4_second], q4_valid, q4_margin) = ::dh_robot::runtime::lanes::sincos(
             0.11805283210226085,
             -0.05952230643526318,
             t_16,
         );
-        let c4_ = [x0, z0];
-        let s4_ = [y0, w0];
-        let g0_ = ::dh_robot::runtime::lanes::angles(&[y0, w0], &[x0, z0]);
-        let mut v86_ = [0.0; 2];
-        let mut v99_ = [0.0; 2];
-        let mut f1 = [[0.0; 4]; 2];
-        let mut margin1_ = [0.0; 2];
-        let mut valid1_ = [0.0; 2];
-        for l in 0..2 {
-            let c4 = c4_[l];
-            let s4 = s4_[l];
+        let all_c4 = [c4_first, c4_second];
+        let all_s4 = [s4_first, s4_second];
+        let all_q4 = ::dh_robot::runtime::lanes::angles(
+            &[s4_first, s4_second],
+            &[c4_first, c4_second],
+        );
+        let mut all_t_20 = [0.0; 2];
+        let mut all_t_21 = [0.0; 2];
+        let mut q5_pairs = [[0.0; 4]; 2];
+        let mut all_margin_1 = [0.0; 2];
+        let mut all_valid_1 = [0.0; 2];
+        for branch in 0..2 {
+            let c4 = all_c4[branch];
+            let s4 = all_s4[branch];
             let t_20 = 0.059224694903086864 * (1.0 - c4) - 0.22684852835606603 * s4;
             let t_21 = 0.2756640344580043 + c4 * 0.22684852835606603
                 - 0.059224694903086864 * s4;
-            v86_[l] = t_20;
-            v99_[l] = t_21;
-            let ([x1, y1, z1, w1], e1, m1) = ::dh_robot::runtime::lanes::sincos(
+            all_t_20[branch] = t_20;
+            all_t_21[branch] = t_21;
+            // Step 2: q5 from an equation in sine and cosine.
+            let ([c5_first, s5_first, c5_second, s5_second], q5_valid, q5_margin) = ::dh_robot::runtime::lanes::sincos(
                 0.0,
                 t_20,
                 -t_17,
             );
-            f1[0][l] = x1;
-            f1[1][l] = y1;
-            f1[0][l + 2] = z1;
-            f1[1][l + 2] = w1;
-            margin1_[l] = m1;
-            valid1_[l] = e1;
+            q5_pairs[0][branch] = c5_first;
+            q5_pairs[1][branch] = s5_first;
+            q5_pairs[0][branch + 2] = c5_second;
+            q5_pairs[1][branch + 2] = s5_second;
+            all_margin_1[branch] = q5_margin;
+            all_valid_1[branch] = q5_valid;
         }
-        let g1_ = ::dh_robot::runtime::lanes::angles(&f1[1], &f1[0]);
-        q[4] = ::core::array::from_fn(|l| g1_[l / 2 % 2 * 2 + l % 2]);
-        let c5_ = f1[0];
-        let s5_ = f1[1];
-        let v86_: [f64; 4] = ::core::array::from_fn(|l| v86_[l % 2]);
-        let v99_: [f64; 4] = ::core::array::from_fn(|l| v99_[l % 2]);
-        let c4_: [f64; 4] = ::core::array::from_fn(|l| c4_[l % 2]);
-        let s4_: [f64; 4] = ::core::array::from_fn(|l| s4_[l % 2]);
-        let g0_: [f64; 4] = ::core::array::from_fn(|l| g0_[l / 1 % 2]);
-        let margin1_: [f64; 4] = ::core::array::from_fn(|l| margin1_[l % 2]);
-        let mut margin_ = [0.0; 4];
-        let valid1_: [f64; 4] = ::core::array::from_fn(|l| valid1_[l % 2]);
-        let mut valid_ = [0.0; 4];
-        let mut error_ = [0.0; 4];
-        for l in 0..4 {
-            let v86 = v86_[l];
-            let c5 = c5_[l];
-            let s5 = s5_[l];
+        let all_q5 = ::dh_robot::runtime::lanes::angles(&q5_pairs[1], &q5_pairs[0]);
+        q[4] = ::core::array::from_fn(|branch| all_q5[branch / 2 % 2 * 2 + branch % 2]);
+        let all_c5 = q5_pairs[0];
+        let all_s5 = q5_pairs[1];
+        let all_t_20: [f64; 4] = ::core::array::from_fn(|branch| all_t_20[branch % 2]);
+        let all_t_21: [f64; 4] = ::core::array::from_fn(|branch| all_t_21[branch % 2]);
+        let all_c4: [f64; 4] = ::core::array::from_fn(|branch| all_c4[branch % 2]);
+        let all_s4: [f64; 4] = ::core::array::from_fn(|branch| all_s4[branch % 2]);
+        let all_q4: [f64; 4] = ::core::array::from_fn(|branch| all_q4[branch / 1 % 2]);
+        let all_margin_1: [f64; 4] = ::core::array::from_fn(|branch| {
+            all_margin_1[branch % 2]
+        });
+        let mut all_margin = [0.0; 4];
+        let all_valid_1: [f64; 4] = ::core::array::from_fn(|branch| {
+            all_valid_1[branch % 2]
+        });
+        let mut all_valid = [0.0; 4];
+        let mut all_error = [0.0; 4];
+        for branch in 0..4 {
+            let t_20 = all_t_20[branch];
+            let c5 = all_c5[branch];
+            let s5 = all_s5[branch];
             let t_22 = t_9 * s5;
             let t_23 = t_10 * s5;
             let t_24 = t_11 * s5;
             let s7s5 = s7 * s5;
             let s7c5 = s7 * c5;
-            let v99 = v99_[l];
-            let ([c6, s6], m2) = ::dh_robot::runtime::lanes::pair(
+            let t_21 = all_t_21[branch];
+            // Step 3: q6 from sine and cosine.
+            let ([c6, s6], q6_margin) = ::dh_robot::runtime::lanes::pair(
                 t_18,
                 t_19,
-                -v86 * c5,
+                -t_20 * c5,
                 -t_19,
                 t_18,
-                v99,
+                t_21,
             );
-            let g2 = ::dh_robot::runtime::lanes::angle(s6, c6);
-            let c4 = c4_[l];
-            let s4 = s4_[l];
+            let q6 = ::dh_robot::runtime::lanes::angle(s6, c6);
+            let c4 = all_c4[branch];
+            let s4 = all_s4[branch];
             let t_25 = s4 * (c5 * (t_6 * c6 + t[0][2] * s6) + t_22)
                 + c4 * (t_6 * s6 - t[0][2] * c6);
             let t_26 = s4 * (c5 * (t_7 * c6 + t[1][2] * s6) + t_23)
@@ -875,18 +1030,22 @@ impl Panda {
             let t_37 = 0.059224694903086864 - c5 * t_34;
             let t_38 = 0.059224694903086864 - (c4 * t_37 + s4 * t_35);
             let t_39 = 0.22684852835606603 - (s4 * t_37 - c4 * t_35);
-            let ([c1, s1], m3) = ::dh_robot::runtime::lanes::half_turn([[-t_26, t_25]]);
-            let g3 = ::dh_robot::runtime::lanes::angle(s1, c1);
+            // Step 4: q1 from a ratio of sine and cosine.
+            let ([c1, s1], q1_margin) = ::dh_robot::runtime::lanes::half_turn([
+                [-t_26, t_25],
+            ]);
+            let q1 = ::dh_robot::runtime::lanes::angle(s1, c1);
             let t_40 = t[0][0] * c1 + t[1][0] * s1;
             let t_41 = t[0][1] * c1 + t[1][1] * s1;
             let t_42 = t[0][2] * c1 + t[1][2] * s1;
             let t_43 = c7 * t_40 - s7 * t_41;
             let t_44 = c5 * (c6 * t_43 + s6 * t_42) + s5 * (s7 * t_40 + c7 * t_41);
+            // Step 5: q2 from sine and cosine.
             let [c2, s2] = ::dh_robot::runtime::lanes::unit(
                 t_27,
                 s4 * t_44 + c4 * (s6 * t_43 - c6 * t_42),
             );
-            let g4 = ::dh_robot::runtime::lanes::angle(s2, c2);
+            let q2 = ::dh_robot::runtime::lanes::angle(s2, c2);
             let t_45 = t_40 * c2 - t[2][0] * s2;
             let t_46 = t_41 * c2 - t[2][1] * s2;
             let t_47 = t_42 * c2 - t[2][2] * s2;
@@ -900,11 +1059,12 @@ impl Panda {
             let t_55 = c2 * t_33;
             let t_56 = s2 * t_39;
             let t_57 = c2 * t_39;
+            // Step 6: q3 from sine and cosine.
             let [c3, s3] = ::dh_robot::runtime::lanes::unit(
                 t_51,
                 -(s5 * t_50 - c5 * t_49),
             );
-            let g5 = ::dh_robot::runtime::lanes::angle(s3, c3);
+            let q3 = ::dh_robot::runtime::lanes::angle(s3, c3);
             let t_58 = t_30 * c3 - t_29 * s3;
             let t_59 = t_30 * s3 + t_29 * c3;
             let t_60 = c2 * t_58 + t_52;
@@ -914,7 +1074,7 @@ impl Panda {
             let t_64 = c3 * t_38 - s3 * t_36;
             let t_65 = s3 * t_38 + c3 * t_36;
             let t_66 = c2 * t_64 + t_56;
-            let r7 = (c1 * t_60 - s1 * t_59 - t[0][0]).abs()
+            let q3_error = (c1 * t_60 - s1 * t_59 - t[0][0]).abs()
                 + (s1 * t_60 + c1 * t_59 - t[1][0]).abs()
                 + (-(s2 * t_58 - t_53) - t[2][0]).abs()
                 + (c1 * t_63 - s1 * t_62 - t[0][2]).abs()
@@ -923,42 +1083,44 @@ impl Panda {
                 + (c1 * t_66 - s1 * t_65 - t[0][3]).abs()
                 + (s1 * t_66 + c1 * t_65 - t[1][3]).abs()
                 + (0.2390524048815506 - (s2 * t_64 - t_57) - t[2][3]).abs();
-            let g0 = g0_[l];
-            let margin1 = margin1_[l];
-            let valid1 = valid1_[l];
-            margin_[l] = ::dh_robot::runtime::lanes::lesser(
+            let q4 = all_q4[branch];
+            let margin_1 = all_margin_1[branch];
+            let valid_1 = all_valid_1[branch];
+            // How far the branch is from what it should be.
+            all_margin[branch] = ::dh_robot::runtime::lanes::lesser(
                 ::dh_robot::runtime::lanes::lesser(
-                    ::dh_robot::runtime::lanes::lesser(m0, margin1),
-                    m2,
+                    ::dh_robot::runtime::lanes::lesser(q4_margin, margin_1),
+                    q6_margin,
                 ),
-                m3,
+                q1_margin,
             );
-            valid_[l] = e0 * valid1;
-            error_[l] = r7;
-            let h3 = ::dh_robot::runtime::lanes::opposite(g3);
-            let h4 = ::dh_robot::runtime::lanes::negative(g4);
-            let h5 = ::dh_robot::runtime::lanes::opposite(g5);
-            q[0][l] = g3;
-            q[1][l] = g4;
-            q[2][l] = g5;
-            q[3][l] = g0;
-            q[5][l] = ::dh_robot::runtime::lanes::into_range(
-                g2,
+            all_valid[branch] = q4_valid * valid_1;
+            all_error[branch] = q3_error;
+            // The mirrored half differs by signs.
+            let q1_second = ::dh_robot::runtime::lanes::opposite(q1);
+            let q2_second = ::dh_robot::runtime::lanes::negative(q2);
+            let q3_second = ::dh_robot::runtime::lanes::opposite(q3);
+            q[0][branch] = q1;
+            q[1][branch] = q2;
+            q[2][branch] = q3;
+            q[3][branch] = q4;
+            q[5][branch] = ::dh_robot::runtime::lanes::into_range(
+                q6,
                 -0.017453292519943295,
                 3.752457891787808,
             );
-            q[0][l + 4] = h3;
-            q[1][l + 4] = h4;
-            q[2][l + 4] = h5;
-            q[3][l + 4] = g0;
-            q[5][l + 4] = ::dh_robot::runtime::lanes::into_range(
-                g2,
+            q[0][branch + 4] = q1_second;
+            q[1][branch + 4] = q2_second;
+            q[2][branch + 4] = q3_second;
+            q[3][branch + 4] = q4;
+            q[5][branch + 4] = ::dh_robot::runtime::lanes::into_range(
+                q6,
                 -0.017453292519943295,
                 3.752457891787808,
             );
         }
-        *valid = ::core::array::from_fn(|l| valid_[l % 4]);
-        ::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)
+        *valid = ::core::array::from_fn(|branch| all_valid[branch % 4]);
+        ::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
@@ -1100,9 +1262,13 @@ impl ::dh_robot::runtime::Kinematics<7> for Panda {
         )
     }
 }
-impl ::dh_robot::InverseKinematics<7, 8, f64> for Panda {
+impl ::dh_robot::InverseKinematics<7, f64> for Panda {
     type Target = (::dh_robot::nalgebra::IsometryMatrix3<f64>, f64);
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 7, 8> {
+    type Solutions = ::dh_robot::Solutions<f64, 7, 8>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         Panda::inverse(self, &target.0, target.1)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for Panda {
+    type Joints = ::dh_robot::runtime::Joints<7>;
 }

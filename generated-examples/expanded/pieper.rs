@@ -601,11 +601,27 @@ impl ::dh_robot::Jacobian<6, f64> for Pieper {
     fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         Pieper::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 6],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 6>,
+    ) {
+        Pieper::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl Pieper {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 8;
+    /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
+    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
+    /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
+    const LENGTH_SCALE: f64 = 6.19664904810903;
+    /// What a length is multiplied by.
+    const PER_LENGTH: f64 = 1.0 / Self::LENGTH_SCALE;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -622,7 +638,7 @@ impl Pieper {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 6.19664904810903) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -630,30 +646,105 @@ impl Pieper {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 6.19664904810903,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 6.19664904810903),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
+        );
+        ::dh_robot::runtime::solve_bounded(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
+    /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
+    /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.
+    ///
+    /// # Errors
+    /// The reason why no joint values reach the target.
+    pub fn inverse_near(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        q: &[f64; 6],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 6>, ::dh_robot::Why<f64>> {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: false,
+            given: [::core::option::Option::None; 6],
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
+        );
+        let unknowns = self.unknowns(&q.map(f64::from));
+        ::dh_robot::runtime::solve_near::<
+            _,
+            6,
+            8,
+        >(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            q,
+            unknowns,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at
+    /// neighbouring poses and along self-motions. To compare with.
+    #[must_use]
+    pub fn inverse_exhaustive(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 6, 8> {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: false,
+            given: [::core::option::Option::None; 6],
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
             &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
+            |frame, sample, found| self.candidates(frame, sample, found),
         )
+    }
+    /// The plan's unknowns at joint values.
+    fn unknowns(&self, q: &[f64; 6]) -> [f64; 8] {
+        [q[0], q[1], q[4], q[3], q[5], 0.0, 0.0, 0.0]
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::runtime::Pose,
-        pick: ::dh_robot::runtime::Pick,
-        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+        sample: &::dh_robot::runtime::Sample,
+        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::runtime::Path),
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
-        let free = ::dh_robot::FreeJoints::NONE;
+        let path = ::dh_robot::runtime::Path::START;
         let angles = [self.alpha2, self.alpha3, self.alpha1, self.alpha4, self.alpha5];
         let (
             [s_alpha2,
@@ -670,13 +761,13 @@ impl Pieper {
             ],
         ) = ::dh_robot::runtime::sincos_batch(&angles);
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
-        let t_3 = self.d2 * 0.16137754328771614;
-        let t_4 = self.d3 * 0.16137754328771614;
-        let t_5 = self.d4 * 0.16137754328771614;
+        let t_3 = self.d2 * Self::PER_LENGTH;
+        let t_4 = self.d3 * Self::PER_LENGTH;
+        let t_5 = self.d4 * Self::PER_LENGTH;
         let t_6 = t_3 + t_4 * c_alpha2 + c_alpha2 * t_5 * c_alpha3 - t[2][3] * c_alpha1;
-        let t_7 = self.a3 * 0.16137754328771614;
-        let t_8 = self.a1 * 0.16137754328771614;
-        let t_9 = self.a2 * 0.16137754328771614;
+        let t_7 = self.a3 * Self::PER_LENGTH;
+        let t_8 = self.a1 * Self::PER_LENGTH;
+        let t_9 = self.a2 * Self::PER_LENGTH;
         let t_10 = t_3 * (t_3 - c_alpha1 * t[2][3] * 2.0) + t_2 + t_8 * t_8 - t_9 * t_9
             - t_7 * t_7 - t_4 * t_4;
         let t_11 = 2.0 * t_9;
@@ -693,6 +784,7 @@ impl Pieper {
         let t_22 = t[2][2] * c_alpha1;
         let t_23 = c_alpha4 * c_alpha5;
         let t_24 = s_alpha4 * c_alpha5;
+        // Step 1: q1, q3 from two equations in two angles (Pieper's method).
         let q1_and_q3_roots = ::dh_robot::runtime::solve_bilinear_choosing(
             &[
                 t_6,
@@ -716,19 +808,21 @@ impl Pieper {
                 0.0,
                 0.0,
             ],
-            [pick.angle(0), pick.angle(1)],
-            1e-11,
+            [sample.angle(0), sample.angle(1)],
+            sample.tolerance,
         );
         if !q1_and_q3_roots.is_regular() {
-            attempt.note(q1_and_q3_roots.outcome, free, "q1, q3", 6.19664904810903, "m");
+            attempt
+                .note(q1_and_q3_roots.outcome, &path, "q1, q3", Self::LENGTH_SCALE, "m");
         }
-        let free = if q1_and_q3_roots.is_free() {
-            free.union(::dh_robot::FreeJoints::of(&[0, 2]))
+        let path = if q1_and_q3_roots.is_free() {
+            attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[0, 2]))
         } else {
-            free
+            path
         };
         for (q1_and_q3_root, &[[c1, s1], [c3, s3]]) in q1_and_q3_roots.iter().enumerate()
         {
+            let path = path.root(0, q1_and_q3_root);
             let q1 = ::dh_robot::runtime::atan2(s1, c1);
             let q3 = ::dh_robot::runtime::atan2(s3, c3);
             let t_25 = t[0][0] * c1 + t[1][0] * s1;
@@ -753,6 +847,7 @@ impl Pieper {
             let t_44 = c_alpha2 * t_38;
             let t_45 = t_5 * (s_alpha3 * c_alpha2 * c3 + t_15)
                 - (c_alpha2 * t_7 * s3 - t_16);
+            // Step 2: q2 from sine and cosine.
             let q2_roots = ::dh_robot::runtime::solve_pair(
                 t_31,
                 t_32,
@@ -760,18 +855,18 @@ impl Pieper {
                 t_32,
                 -t_31,
                 t_45,
-                1e-11,
+                sample.tolerance,
             );
             if !q2_roots.is_regular() {
-                attempt.note(q2_roots.outcome, free, "q2", 1.0, "");
+                attempt.note(q2_roots.outcome, &path, "q2", 1.0, "");
             }
-            let free = if q2_roots.is_free() {
-                free.union(::dh_robot::FreeJoints::of(&[1]))
+            let path = if q2_roots.is_free() {
+                attempt.choose(1, &path, ::dh_robot::FreeJoints::of(&[1]))
             } else {
-                free
+                path
             };
             for (q2_root, &[c2, s2]) in q2_roots
-                .or_if_free(pick.angle(1))
+                .or_if_free(sample.angle(1))
                 .iter()
                 .enumerate()
             {
@@ -799,26 +894,41 @@ impl Pieper {
                 let t_66 = c_alpha3 * t_61 - s_alpha3 * t_55;
                 let t_67 = s_alpha4 * (s_alpha3 * t_59 + c_alpha3 * t_53);
                 let t_68 = s_alpha4 * (s_alpha3 * t_61 + c_alpha3 * t_55);
+                // Step 3: q5 from an equation in sine and cosine.
                 let q5_roots = ::dh_robot::runtime::solve_sincos(
                     -s_alpha4 * s_alpha5,
                     0.0,
                     s_alpha3 * t_63 + c_alpha3 * t_57 - t_23,
-                    1e-11,
+                    sample.tolerance,
                 );
                 if !q5_roots.is_regular() {
-                    attempt.note(q5_roots.outcome, free, "wrist q5", 1.0, "");
+                    attempt.note(q5_roots.outcome, &path, "wrist q5", 1.0, "");
                 }
-                let free = if q5_roots.is_free() {
-                    free.union(::dh_robot::FreeJoints::of(&[4]))
+                if path.is_chosen() {
+                    attempt
+                        .see(
+                            2,
+                            &path,
+                            [
+                                -s_alpha4 * s_alpha5,
+                                0.0,
+                                s_alpha3 * t_63 + c_alpha3 * t_57 - t_23,
+                            ],
+                        );
+                }
+                let path = if q5_roots.is_free() {
+                    attempt.choose(2, &path, ::dh_robot::FreeJoints::of(&[4]))
                 } else {
-                    free
+                    path
                 };
                 for (q5_root, &[c5, s5]) in q5_roots
-                    .or_if_free(pick.angle(2))
+                    .or_if_free(sample.angle(2))
                     .iter()
                     .enumerate()
                 {
+                    let path = path.root(2, q5_root);
                     let q5 = ::dh_robot::runtime::atan2(s5, c5);
+                    // Step 4: q4 from sine and cosine.
                     let q4_roots = ::dh_robot::runtime::solve_pair(
                         -t_62,
                         t_64,
@@ -826,18 +936,18 @@ impl Pieper {
                         t_64,
                         t_62,
                         s_alpha5 * c_alpha4 * c5 + t_24,
-                        1e-11,
+                        sample.tolerance,
                     );
                     if !q4_roots.is_regular() {
-                        attempt.note(q4_roots.outcome, free, "q4", 1.0, "");
+                        attempt.note(q4_roots.outcome, &path, "q4", 1.0, "");
                     }
-                    let free = if q4_roots.is_free() {
-                        free.union(::dh_robot::FreeJoints::of(&[3]))
+                    let path = if q4_roots.is_free() {
+                        attempt.choose(3, &path, ::dh_robot::FreeJoints::of(&[3]))
                     } else {
-                        free
+                        path
                     };
                     for (q4_root, &[c4, s4]) in q4_roots
-                        .or_if_free(pick.angle(3))
+                        .or_if_free(sample.angle(3))
                         .iter()
                         .enumerate()
                     {
@@ -846,6 +956,7 @@ impl Pieper {
                             - s5 * (c_alpha4 * (t_58 * s4 + t_65 * c4) - t_67);
                         let t_70 = c5 * (t_60 * c4 - t_66 * s4)
                             - s5 * (c_alpha4 * (t_60 * s4 + t_66 * c4) - t_68);
+                        // Step 5: q6 from sine and cosine.
                         let q6_roots = ::dh_robot::runtime::solve_pair(
                             1.0,
                             0.0,
@@ -853,18 +964,18 @@ impl Pieper {
                             0.0,
                             -1.0,
                             t_70,
-                            1e-11,
+                            sample.tolerance,
                         );
                         if !q6_roots.is_regular() {
-                            attempt.note(q6_roots.outcome, free, "q6", 1.0, "");
+                            attempt.note(q6_roots.outcome, &path, "q6", 1.0, "");
                         }
-                        let free = if q6_roots.is_free() {
-                            free.union(::dh_robot::FreeJoints::of(&[5]))
+                        let path = if q6_roots.is_free() {
+                            attempt.choose(4, &path, ::dh_robot::FreeJoints::of(&[5]))
                         } else {
-                            free
+                            path
                         };
                         for (q6_root, &[c6, s6]) in q6_roots
-                            .or_if_free(pick.angle(4))
+                            .or_if_free(sample.angle(4))
                             .iter()
                             .enumerate()
                         {
@@ -879,7 +990,7 @@ impl Pieper {
                                         ::dh_robot::Wrist::Flip
                                     },
                                 );
-                            found([q1, q2, q3, q4, q5, q6], branch, free);
+                            found([q1, q2, q3, q4, q5, q6], branch, path);
                         }
                     }
                 }
@@ -1127,9 +1238,13 @@ impl ::dh_robot::runtime::Kinematics<6> for Pieper {
         )
     }
 }
-impl ::dh_robot::InverseKinematics<6, 8, f64> for Pieper {
+impl ::dh_robot::InverseKinematics<6, f64> for Pieper {
     type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 6, 8> {
+    type Solutions = ::dh_robot::Solutions<f64, 6, 8>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         Pieper::inverse(self, target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for Pieper {
+    type Joints = ::dh_robot::runtime::Joints<6>;
 }

@@ -160,11 +160,27 @@ impl ::dh_robot::Jacobian<3, f64> for Planar3rCraig {
     fn jacobian(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 3> {
         Planar3rCraig::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 3],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 3>,
+    ) {
+        Planar3rCraig::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl Planar3rCraig {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 2;
+    /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
+    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
+    /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
+    const LENGTH_SCALE: f64 = 7.088461226509633;
+    /// What a length is multiplied by.
+    const PER_LENGTH: f64 = 1.0 / Self::LENGTH_SCALE;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// Plan:
@@ -185,13 +201,99 @@ impl Planar3rCraig {
             );
         }
         let frame = ::dh_robot::runtime::frame_of_plane(
-            [x / 7.088461226509633, y / 7.088461226509633],
+            [x / Self::LENGTH_SCALE, y / Self::LENGTH_SCALE],
             phi,
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 7.088461226509633,
+            reach: Self::LENGTH_SCALE,
+            few: false,
+            given: [::core::option::Option::None; 3],
+        };
+        let task = ::dh_robot::runtime::Task::Planar(x, y, phi);
+        ::dh_robot::runtime::solve_bounded(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
+    /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
+    /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.
+    ///
+    /// # Errors
+    /// The reason why no joint values reach the target.
+    pub fn inverse_near(
+        &self,
+        target: (f64, f64, f64),
+        q: &[f64; 3],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 3>, ::dh_robot::Why<f64>> {
+        let (x, y, phi): (f64, f64, f64) = (
+            target.0.into(),
+            target.1.into(),
+            target.2.into(),
+        );
+        if ![x, y, phi].iter().all(|x: &f64| x.is_finite()) {
+            return ::core::result::Result::Err(::dh_robot::Why::NotFinite);
+        }
+        let frame = ::dh_robot::runtime::frame_of_plane(
+            [x / Self::LENGTH_SCALE, y / Self::LENGTH_SCALE],
+            phi,
+            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        );
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: false,
+            given: [::core::option::Option::None; 3],
+        };
+        let task = ::dh_robot::runtime::Task::Planar(x, y, phi);
+        let unknowns = self.unknowns(&q.map(f64::from));
+        ::dh_robot::runtime::solve_near::<
+            _,
+            3,
+            2,
+        >(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            q,
+            unknowns,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at
+    /// neighbouring poses and along self-motions. To compare with.
+    #[must_use]
+    pub fn inverse_exhaustive(
+        &self,
+        target: (f64, f64, f64),
+    ) -> ::dh_robot::Solutions<f64, 3, 2> {
+        let (x, y, phi): (f64, f64, f64) = (
+            target.0.into(),
+            target.1.into(),
+            target.2.into(),
+        );
+        if ![x, y, phi].iter().all(|x: &f64| x.is_finite()) {
+            return ::dh_robot::Solutions::none(
+                &Self::JOINTS,
+                ::dh_robot::Why::NotFinite,
+            );
+        }
+        let frame = ::dh_robot::runtime::frame_of_plane(
+            [x / Self::LENGTH_SCALE, y / Self::LENGTH_SCALE],
+            phi,
+            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        );
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: [::core::option::Option::None; 3],
         };
@@ -201,22 +303,27 @@ impl Planar3rCraig {
             setting,
             &task,
             &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
+            |frame, sample, found| self.candidates(frame, sample, found),
         )
+    }
+    /// The plan's unknowns at joint values.
+    fn unknowns(&self, q: &[f64; 3]) -> [f64; 8] {
+        [q[0] + q[1] + q[2], q[1], q[0], 0.0, 0.0, 0.0, 0.0, 0.0]
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::runtime::Pose,
-        pick: ::dh_robot::runtime::Pick,
-        found: &mut dyn FnMut([f64; 3], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+        sample: &::dh_robot::runtime::Sample,
+        found: &mut dyn FnMut([f64; 3], ::dh_robot::Branch, ::dh_robot::runtime::Path),
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
-        let free = ::dh_robot::FreeJoints::NONE;
+        let path = ::dh_robot::runtime::Path::START;
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
-        let t_3 = self.l1 * 0.14107434153130033;
-        let t_4 = self.l2 * 0.14107434153130033;
+        let t_3 = self.l1 * Self::PER_LENGTH;
+        let t_4 = self.l2 * Self::PER_LENGTH;
         let t_5 = t_3 * t_3 + t_4 * t_4;
+        // Step 1: q1 + q2 + q3 from sine and cosine.
         let q1_plus_q2_plus_q3_roots = ::dh_robot::runtime::solve_pair(
             1.0,
             0.0,
@@ -224,54 +331,60 @@ impl Planar3rCraig {
             0.0,
             -1.0,
             t[0][1],
-            1e-11,
+            sample.tolerance,
         );
         if !q1_plus_q2_plus_q3_roots.is_regular() {
             attempt
-                .note(q1_plus_q2_plus_q3_roots.outcome, free, "q1 + q2 + q3", 1.0, "");
+                .note(q1_plus_q2_plus_q3_roots.outcome, &path, "q1 + q2 + q3", 1.0, "");
         }
-        let free = if q1_plus_q2_plus_q3_roots.is_free() {
-            free.union(::dh_robot::FreeJoints::of(&[0, 1, 2]))
+        let path = if q1_plus_q2_plus_q3_roots.is_free() {
+            attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[0, 1, 2]))
         } else {
-            free
+            path
         };
         for (q1_plus_q2_plus_q3_root, &[c123, s123]) in q1_plus_q2_plus_q3_roots
-            .or_if_free(pick.angle(0))
+            .or_if_free(sample.angle(0))
             .iter()
             .enumerate()
         {
             let q1_plus_q2_plus_q3 = ::dh_robot::runtime::atan2(s123, c123);
+            // Step 2: q2 from the law of cosines.
             let q2_roots = ::dh_robot::runtime::solve_sincos(
                 2.0 * t_3 * t_4,
                 0.0,
                 t_2 - t_5,
-                1e-11,
+                sample.tolerance,
             );
             if !q2_roots.is_regular() {
                 attempt
                     .note_law(
                         q2_roots.outcome,
-                        free,
+                        &path,
                         "elbow q2",
                         [t_5, t_2 - t_5],
                         false,
-                        7.088461226509633,
+                        Self::LENGTH_SCALE,
                         "m",
                     );
             }
-            let free = if q2_roots.is_free() {
-                free.union(::dh_robot::FreeJoints::of(&[1]))
+            if path.is_chosen() {
+                attempt.see(1, &path, [2.0 * t_3 * t_4, 0.0, t_2 - t_5]);
+            }
+            let path = if q2_roots.is_free() {
+                attempt.choose(1, &path, ::dh_robot::FreeJoints::of(&[1]))
             } else {
-                free
+                path
             };
             for (q2_root, &[c2, s2]) in q2_roots
-                .or_if_free(pick.angle(1))
+                .or_if_free(sample.angle(1))
                 .iter()
                 .enumerate()
             {
+                let path = path.root(1, q2_root);
                 let q2 = ::dh_robot::runtime::atan2(s2, c2);
                 let t_6 = t_3 + t_4 * c2;
                 let t_7 = t_4 * s2;
+                // Step 3: q1 from sine and cosine.
                 let q1_roots = ::dh_robot::runtime::solve_pair(
                     t_6,
                     -t_7,
@@ -279,18 +392,18 @@ impl Planar3rCraig {
                     t_7,
                     t_6,
                     t[1][3],
-                    1e-11,
+                    sample.tolerance,
                 );
                 if !q1_roots.is_regular() {
-                    attempt.note(q1_roots.outcome, free, "q1", 1.0, "");
+                    attempt.note(q1_roots.outcome, &path, "q1", 1.0, "");
                 }
-                let free = if q1_roots.is_free() {
-                    free.union(::dh_robot::FreeJoints::of(&[0]))
+                let path = if q1_roots.is_free() {
+                    attempt.choose(2, &path, ::dh_robot::FreeJoints::of(&[0]))
                 } else {
-                    free
+                    path
                 };
                 for (q1_root, &[c1, s1]) in q1_roots
-                    .or_if_free(pick.angle(2))
+                    .or_if_free(sample.angle(2))
                     .iter()
                     .enumerate()
                 {
@@ -304,7 +417,7 @@ impl Planar3rCraig {
                                 ::dh_robot::Elbow::Down
                             },
                         );
-                    found([q1, q2, q1_plus_q2_plus_q3 - q2 - q1], branch, free);
+                    found([q1, q2, q1_plus_q2_plus_q3 - q2 - q1], branch, path);
                 }
             }
         }
@@ -350,9 +463,13 @@ impl ::dh_robot::runtime::Kinematics<3> for Planar3rCraig {
         )
     }
 }
-impl ::dh_robot::InverseKinematics<3, 2, f64> for Planar3rCraig {
+impl ::dh_robot::InverseKinematics<3, f64> for Planar3rCraig {
     type Target = (f64, f64, f64);
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 3, 2> {
+    type Solutions = ::dh_robot::Solutions<f64, 3, 2>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         Planar3rCraig::inverse(self, *target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for Planar3rCraig {
+    type Joints = ::dh_robot::runtime::Joints<3>;
 }

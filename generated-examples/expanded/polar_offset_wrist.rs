@@ -310,11 +310,27 @@ impl ::dh_robot::Jacobian<6, f64> for PolarOffsetWrist {
     fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         PolarOffsetWrist::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 6],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 6>,
+    ) {
+        PolarOffsetWrist::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl PolarOffsetWrist {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 16;
+    /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
+    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::ELIMINATION;
+    /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
+    const LENGTH_SCALE: f64 = 1.07;
+    /// What a length is multiplied by.
+    const PER_LENGTH: f64 = 1.0 / Self::LENGTH_SCALE;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -327,7 +343,7 @@ impl PolarOffsetWrist {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 16> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.07) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -335,30 +351,106 @@ impl PolarOffsetWrist {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.07,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 1.07),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
+        );
+        ::dh_robot::runtime::solve_bounded(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
+    /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
+    /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.
+    ///
+    /// # Errors
+    /// The reason why no joint values reach the target.
+    pub fn inverse_near(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        q: &[f64; 6],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 6>, ::dh_robot::Why<f64>> {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: false,
+            given: [::core::option::Option::None; 6],
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
+        );
+        let unknowns = self.unknowns(&q.map(f64::from));
+        ::dh_robot::runtime::solve_near::<
+            _,
+            6,
+            16,
+        >(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            q,
+            unknowns,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at
+    /// neighbouring poses and along self-motions. To compare with.
+    #[must_use]
+    pub fn inverse_exhaustive(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 6, 16> {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: false,
+            given: [::core::option::Option::None; 6],
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve(
             self,
             setting,
             &task,
             &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
+            |frame, sample, found| self.candidates(frame, sample, found),
         )
+    }
+    /// The plan's unknowns at joint values.
+    fn unknowns(&self, q: &[f64; 6]) -> [f64; 8] {
+        [q[0], 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::runtime::Pose,
-        pick: ::dh_robot::runtime::Pick,
-        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+        sample: &::dh_robot::runtime::Sample,
+        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::runtime::Path),
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
-        let free = ::dh_robot::FreeJoints::NONE;
+        let path = ::dh_robot::runtime::Path::START;
+        // Step 1: q1, q2, q3, q4, q5, q6 from the general elimination (Raghavan and Roth).
         let joints_roots = ::dh_robot::runtime::solve_general(
             &[
                 [
@@ -393,12 +485,12 @@ impl PolarOffsetWrist {
             [54, 59, 12],
         );
         if !joints_roots.is_regular() {
-            attempt.note(joints_roots.outcome, free, "q1, q2, q3, q4, q5, q6", 1.0, "");
+            attempt.note(joints_roots.outcome, &path, "q1, q2, q3, q4, q5, q6", 1.0, "");
         }
-        let free = if joints_roots.is_free() {
-            free.union(::dh_robot::FreeJoints::of(&[0, 1, 2, 3, 4, 5]))
+        let path = if joints_roots.is_free() {
+            attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[0, 1, 2, 3, 4, 5]))
         } else {
-            free
+            path
         };
         for (
             joints_root,
@@ -422,14 +514,15 @@ impl PolarOffsetWrist {
             ],
             ],
         ) in joints_roots.or_if_free([[1.0, 0.0]; 6]).iter().enumerate() {
+            let path = path.root(0, joints_root);
             let q1 = ::dh_robot::runtime::atan2(s1, c1);
             let q2 = ::dh_robot::runtime::atan2(s2, c2);
-            let q3 = q3_scaled * 1.07;
+            let q3 = q3_scaled * Self::LENGTH_SCALE;
             let q4 = ::dh_robot::runtime::atan2(s4, c4);
             let q5 = ::dh_robot::runtime::atan2(s5, c5);
             let q6 = ::dh_robot::runtime::atan2(s6, c6);
             let branch = ::dh_robot::Branch::ANY.with_step(0, joints_root);
-            found([q1, q2, q3, q4, q5, q6], branch, free);
+            found([q1, q2, q3, q4, q5, q6], branch, path);
         }
         attempt
     }
@@ -516,9 +609,13 @@ impl ::dh_robot::runtime::Kinematics<6> for PolarOffsetWrist {
         )
     }
 }
-impl ::dh_robot::InverseKinematics<6, 16, f64> for PolarOffsetWrist {
+impl ::dh_robot::InverseKinematics<6, f64> for PolarOffsetWrist {
     type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 6, 16> {
+    type Solutions = ::dh_robot::Solutions<f64, 6, 16>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         PolarOffsetWrist::inverse(self, target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for PolarOffsetWrist {
+    type Joints = ::dh_robot::runtime::Joints<6>;
 }

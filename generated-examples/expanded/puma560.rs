@@ -296,11 +296,27 @@ impl ::dh_robot::Jacobian<6, f64> for Puma560 {
     fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         Puma560::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 6],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 6>,
+    ) {
+        Puma560::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl Puma560 {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 8;
+    /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
+    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
+    /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
+    const LENGTH_SCALE: f64 = 1.0518492311766083;
+    /// What a length is multiplied by.
+    const PER_LENGTH: f64 = 1.0 / Self::LENGTH_SCALE;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -318,7 +334,7 @@ impl Puma560 {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.0518492311766083) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -326,15 +342,15 @@ impl Puma560 {
         };
         let mut q = [[0.0; 8]; 6];
         let mut valid = [0.0; 8];
-        if !self.lanes(&frame, &mut q, &mut valid) {
+        if !self.all_branches(&frame, &mut q, &mut valid) {
             return self.robust(target);
         }
         if valid == [1.0; 8] {
-            let at = |l: usize| ::dh_robot::runtime::lanes::solution(
+            let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
-                l,
+                branch,
             );
             return ::dh_robot::Solutions::full(
                 &Self::JOINTS,
@@ -343,33 +359,129 @@ impl Puma560 {
         }
         ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
+    /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
+    /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
+    /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.
+    ///
+    /// # Errors
+    /// The reason why no joint values reach the target.
+    pub fn inverse_near(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        q: &[f64; 6],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 6>, ::dh_robot::Why<f64>> {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: false,
+            given: [::core::option::Option::None; 6],
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
+        );
+        let mut found = [[0.0; 8]; 6];
+        let mut valid = [0.0; 8];
+        if self.all_branches(&frame, &mut found, &mut valid) {
+            let list: ::dh_robot::Solutions<_, 6, 8> = ::dh_robot::runtime::lanes::collect(
+                &Self::JOINTS,
+                &valid,
+                &found,
+                &Self::BRANCHES,
+            );
+            return ::dh_robot::runtime::nearest(&list, q, Self::LENGTH_SCALE);
+        }
+        let unknowns = self.unknowns(&q.map(f64::from));
+        ::dh_robot::runtime::solve_near::<
+            _,
+            6,
+            8,
+        >(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            q,
+            unknowns,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at
+    /// neighbouring poses and along self-motions. To compare with.
+    #[must_use]
+    pub fn inverse_exhaustive(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 6, 8> {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: false,
+            given: [::core::option::Option::None; 6],
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
+        );
+        ::dh_robot::runtime::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The plan's unknowns at joint values.
+    fn unknowns(&self, q: &[f64; 6]) -> [f64; 8] {
+        [q[0], q[2], q[1], q[3], q[4], q[5], 0.0, 0.0]
+    }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::runtime::Pose,
-        pick: ::dh_robot::runtime::Pick,
-        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+        sample: &::dh_robot::runtime::Sample,
+        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::runtime::Path),
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
-        let free = ::dh_robot::FreeJoints::NONE;
+        let path = ::dh_robot::runtime::Path::START;
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
-        let t_3 = self.d3 * 0.9507065940252585;
-        let t_4 = self.a2 * 0.9507065940252585;
+        let t_3 = self.d3 * Self::PER_LENGTH;
+        let t_4 = self.a2 * Self::PER_LENGTH;
         let t_5 = 2.0 * t_4;
-        let t_6 = self.a3 * 0.9507065940252585;
-        let t_7 = self.d4 * 0.9507065940252585;
+        let t_6 = self.a3 * Self::PER_LENGTH;
+        let t_7 = self.d4 * Self::PER_LENGTH;
         let t_8 = t_4 * t_4 + t_6 * t_6 + t_3 * t_3 + t_7 * t_7;
-        let q1_roots = ::dh_robot::runtime::solve_sincos(-t[1][3], t[0][3], -t_3, 1e-11);
+        // Step 1: q1 from an equation in sine and cosine.
+        let q1_roots = ::dh_robot::runtime::solve_sincos(
+            -t[1][3],
+            t[0][3],
+            -t_3,
+            sample.tolerance,
+        );
         if !q1_roots.is_regular() {
-            attempt.note(q1_roots.outcome, free, "shoulder q1", 1.0518492311766083, "m");
+            attempt
+                .note(q1_roots.outcome, &path, "shoulder q1", Self::LENGTH_SCALE, "m");
         }
-        let free = if q1_roots.is_free() {
-            free.union(::dh_robot::FreeJoints::of(&[0]))
+        let path = if q1_roots.is_free() {
+            attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[0]))
         } else {
-            free
+            path
         };
-        for (q1_root, &[c1, s1]) in q1_roots.or_if_free(pick.angle(0)).iter().enumerate()
+        for (q1_root, &[c1, s1]) in q1_roots
+            .or_if_free(sample.angle(0))
+            .iter()
+            .enumerate()
         {
+            let path = path.root(0, q1_root);
             let q1 = ::dh_robot::runtime::atan2(s1, c1);
             let t_9 = t[0][3] * c1 + t[1][3] * s1;
             let t_10 = t[0][0] * c1 + t[1][0] * s1;
@@ -378,35 +490,41 @@ impl Puma560 {
             let t_13 = t[0][1] * s1 - t[1][1] * c1;
             let t_14 = t[0][2] * c1 + t[1][2] * s1;
             let t_15 = t[0][2] * s1 - t[1][2] * c1;
+            // Step 2: q3 from the law of cosines.
             let q3_roots = ::dh_robot::runtime::solve_sincos(
                 t_5 * t_6,
                 -t_5 * t_7,
                 t_2 - t_8,
-                1e-11,
+                sample.tolerance,
             );
             if !q3_roots.is_regular() {
                 attempt
                     .note_law(
                         q3_roots.outcome,
-                        free,
+                        &path,
                         "elbow q3",
                         [t_8, t_2 - t_8],
                         false,
-                        1.0518492311766083,
+                        Self::LENGTH_SCALE,
                         "m",
                     );
             }
-            let free = if q3_roots.is_free() {
-                free.union(::dh_robot::FreeJoints::of(&[2]))
+            if path.is_chosen() {
+                attempt.see(1, &path, [t_5 * t_6, -t_5 * t_7, t_2 - t_8]);
+            }
+            let path = if q3_roots.is_free() {
+                attempt.choose(1, &path, ::dh_robot::FreeJoints::of(&[2]))
             } else {
-                free
+                path
             };
             for (q3_root, &[c3, s3]) in q3_roots
-                .or_if_free(pick.angle(1))
+                .or_if_free(sample.angle(1))
                 .iter()
                 .enumerate()
             {
+                let path = path.root(1, q3_root);
                 let q3 = ::dh_robot::runtime::atan2(s3, c3);
+                // Step 3: q2 from sine and cosine.
                 let q2_roots = ::dh_robot::runtime::solve_pair(
                     -t_9,
                     t[2][3],
@@ -414,18 +532,18 @@ impl Puma560 {
                     t[2][3],
                     t_9,
                     -(t_6 * s3 + t_7 * c3),
-                    1e-11,
+                    sample.tolerance,
                 );
                 if !q2_roots.is_regular() {
-                    attempt.note(q2_roots.outcome, free, "q2", 1.0, "");
+                    attempt.note(q2_roots.outcome, &path, "q2", 1.0, "");
                 }
-                let free = if q2_roots.is_free() {
-                    free.union(::dh_robot::FreeJoints::of(&[1]))
+                let path = if q2_roots.is_free() {
+                    attempt.choose(2, &path, ::dh_robot::FreeJoints::of(&[1]))
                 } else {
-                    free
+                    path
                 };
                 for (q2_root, &[c2, s2]) in q2_roots
-                    .or_if_free(pick.angle(2))
+                    .or_if_free(sample.angle(2))
                     .iter()
                     .enumerate()
                 {
@@ -437,28 +555,34 @@ impl Puma560 {
                     let t_20 = t_12 * t_16 - t[2][1] * t_17;
                     let t_21 = t_12 * t_17 + t[2][1] * t_16;
                     let t_22 = t_14 * t_16 - t[2][2] * t_17;
+                    // Step 4: q4 from a ratio of sine and cosine.
                     let q4_roots = ::dh_robot::runtime::solve_sincos(
                         -t_15,
                         t_22,
                         0.0,
-                        1e-11,
+                        sample.tolerance,
                     );
                     if !q4_roots.is_regular() {
-                        attempt.note(q4_roots.outcome, free, "wrist q4", 1.0, "");
+                        attempt.note(q4_roots.outcome, &path, "wrist q4", 1.0, "");
                     }
-                    let free = if q4_roots.is_free() {
-                        free.union(::dh_robot::FreeJoints::of(&[3]))
+                    if path.is_chosen() {
+                        attempt.see(3, &path, [-t_15, t_22, 0.0]);
+                    }
+                    let path = if q4_roots.is_free() {
+                        attempt.choose(3, &path, ::dh_robot::FreeJoints::of(&[3]))
                     } else {
-                        free
+                        path
                     };
                     for (q4_root, &[c4, s4]) in q4_roots
-                        .or_if_free(pick.angle(3))
+                        .or_if_free(sample.angle(3))
                         .iter()
                         .enumerate()
                     {
+                        let path = path.root(3, q4_root);
                         let q4 = ::dh_robot::runtime::atan2(s4, c4);
                         let t_23 = t_18 * c4 + t_11 * s4;
                         let t_24 = t_20 * c4 + t_13 * s4;
+                        // Step 5: q5 from sine and cosine.
                         let q5_roots = ::dh_robot::runtime::solve_pair(
                             0.0,
                             -1.0,
@@ -466,22 +590,23 @@ impl Puma560 {
                             1.0,
                             0.0,
                             -(t_14 * t_17 + t[2][2] * t_16),
-                            1e-11,
+                            sample.tolerance,
                         );
                         if !q5_roots.is_regular() {
-                            attempt.note(q5_roots.outcome, free, "q5", 1.0, "");
+                            attempt.note(q5_roots.outcome, &path, "q5", 1.0, "");
                         }
-                        let free = if q5_roots.is_free() {
-                            free.union(::dh_robot::FreeJoints::of(&[4]))
+                        let path = if q5_roots.is_free() {
+                            attempt.choose(4, &path, ::dh_robot::FreeJoints::of(&[4]))
                         } else {
-                            free
+                            path
                         };
                         for (q5_root, &[c5, s5]) in q5_roots
-                            .or_if_free(pick.angle(4))
+                            .or_if_free(sample.angle(4))
                             .iter()
                             .enumerate()
                         {
                             let q5 = ::dh_robot::runtime::atan2(s5, c5);
+                            // Step 6: q6 from sine and cosine.
                             let q6_roots = ::dh_robot::runtime::solve_pair(
                                 1.0,
                                 0.0,
@@ -489,18 +614,18 @@ impl Puma560 {
                                 0.0,
                                 -1.0,
                                 t_24 * c5 - t_21 * s5,
-                                1e-11,
+                                sample.tolerance,
                             );
                             if !q6_roots.is_regular() {
-                                attempt.note(q6_roots.outcome, free, "q6", 1.0, "");
+                                attempt.note(q6_roots.outcome, &path, "q6", 1.0, "");
                             }
-                            let free = if q6_roots.is_free() {
-                                free.union(::dh_robot::FreeJoints::of(&[5]))
+                            let path = if q6_roots.is_free() {
+                                attempt.choose(5, &path, ::dh_robot::FreeJoints::of(&[5]))
                             } else {
-                                free
+                                path
                             };
                             for (q6_root, &[c6, s6]) in q6_roots
-                                .or_if_free(pick.angle(5))
+                                .or_if_free(sample.angle(5))
                                 .iter()
                                 .enumerate()
                             {
@@ -530,7 +655,7 @@ impl Puma560 {
                                             ::dh_robot::Wrist::Flip
                                         },
                                     );
-                                found([q1, q2, q3, q4, q5, q6], branch, free);
+                                found([q1, q2, q3, q4, q5, q6], branch, path);
                             }
                         }
                     }
@@ -546,7 +671,7 @@ impl Puma560 {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 1.0518492311766083) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -554,29 +679,31 @@ impl Puma560 {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.0518492311766083,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 1.0518492311766083),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
-        ::dh_robot::runtime::solve(
+        ::dh_robot::runtime::solve_bounded(
             self,
             setting,
             &task,
             &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
         )
     }
+    /// Which root each step takes in each branch.
     const BRANCHES: [::dh_robot::Branch; 8] = {
         let mut all = [::dh_robot::Branch::ANY; 8];
-        let mut l = 0;
-        while l < 8 {
-            let q1_root = l / 1 % 2;
-            let q3_root = l / 2 % 2;
-            let q4_root = l / 4 % 2;
-            all[l] = ::dh_robot::Branch::ANY
+        let mut branch = 0;
+        while branch < 8 {
+            let q1_root = branch / 1 % 2;
+            let q3_root = branch / 2 % 2;
+            let q4_root = branch / 4 % 2;
+            all[branch] = ::dh_robot::Branch::ANY
                 .with_step(0, q1_root)
                 .with_shoulder(
                     if q1_root == 1 {
@@ -601,44 +728,48 @@ impl Puma560 {
                         ::dh_robot::Wrist::Flip
                     },
                 );
-            l += 1;
+            branch += 1;
         }
         all
     };
-    /// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.
+    /// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.
     #[inline]
-    fn lanes(
+    fn all_branches(
         &self,
         t: &::dh_robot::runtime::Pose,
         q: &mut [[f64; 8]; 6],
         valid: &mut [f64; 8],
     ) -> bool {
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
-        let t_3 = self.d3 * 0.9507065940252585;
-        let t_4 = self.a2 * 0.9507065940252585;
+        let t_3 = self.d3 * Self::PER_LENGTH;
+        let t_4 = self.a2 * Self::PER_LENGTH;
         let t_5 = 2.0 * t_4;
-        let t_6 = self.a3 * 0.9507065940252585;
-        let t_7 = self.d4 * 0.9507065940252585;
-        let ([x0, y0, z0, w0], e0, m0) = ::dh_robot::runtime::lanes::sincos(
+        let t_6 = self.a3 * Self::PER_LENGTH;
+        let t_7 = self.d4 * Self::PER_LENGTH;
+        // Step 1: q1 from an equation in sine and cosine.
+        let ([c1_first, s1_first, c1_second, s1_second], q1_valid, q1_margin) = ::dh_robot::runtime::lanes::sincos(
             -t[1][3],
             t[0][3],
             -t_3,
         );
-        let c1_ = [x0, z0];
-        let s1_ = [y0, w0];
-        let g0_ = ::dh_robot::runtime::lanes::angles(&[y0, w0], &[x0, z0]);
-        let mut v54_ = [0.0; 2];
-        let mut v60_ = [0.0; 2];
-        let mut v63_ = [0.0; 2];
-        let mut v66_ = [0.0; 2];
-        let mut v69_ = [0.0; 2];
-        let mut v72_ = [0.0; 2];
-        let mut v75_ = [0.0; 2];
-        let mut v303_ = [0.0; 2];
-        let mut v306_ = [0.0; 2];
-        for l in 0..2 {
-            let c1 = c1_[l];
-            let s1 = s1_[l];
+        let all_c1 = [c1_first, c1_second];
+        let all_s1 = [s1_first, s1_second];
+        let all_q1 = ::dh_robot::runtime::lanes::angles(
+            &[s1_first, s1_second],
+            &[c1_first, c1_second],
+        );
+        let mut all_t_8 = [0.0; 2];
+        let mut all_t_9 = [0.0; 2];
+        let mut all_t_10 = [0.0; 2];
+        let mut all_t_11 = [0.0; 2];
+        let mut all_t_12 = [0.0; 2];
+        let mut all_t_13 = [0.0; 2];
+        let mut all_t_14 = [0.0; 2];
+        let mut all_t_15 = [0.0; 2];
+        let mut all_t_16 = [0.0; 2];
+        for branch in 0..2 {
+            let c1 = all_c1[branch];
+            let s1 = all_s1[branch];
             let t_8 = t[0][3] * c1 + t[1][3] * s1;
             let t_9 = t[0][0] * c1 + t[1][0] * s1;
             let t_10 = t[0][0] * s1 - t[1][0] * c1;
@@ -648,147 +779,159 @@ impl Puma560 {
             let t_14 = t[0][2] * s1 - t[1][2] * c1;
             let t_15 = t_3 * s1;
             let t_16 = t_3 * c1;
-            v54_[l] = t_8;
-            v60_[l] = t_9;
-            v63_[l] = t_10;
-            v66_[l] = t_11;
-            v69_[l] = t_12;
-            v72_[l] = t_13;
-            v75_[l] = t_14;
-            v303_[l] = t_15;
-            v306_[l] = t_16;
+            all_t_8[branch] = t_8;
+            all_t_9[branch] = t_9;
+            all_t_10[branch] = t_10;
+            all_t_11[branch] = t_11;
+            all_t_12[branch] = t_12;
+            all_t_13[branch] = t_13;
+            all_t_14[branch] = t_14;
+            all_t_15[branch] = t_15;
+            all_t_16[branch] = t_16;
         }
-        let ([x1, y1, z1, w1], e1, m1) = ::dh_robot::runtime::lanes::sincos(
+        // Step 2: q3 from the law of cosines.
+        let ([c3_first, s3_first, c3_second, s3_second], q3_valid, q3_margin) = ::dh_robot::runtime::lanes::sincos(
             t_5 * t_6,
             -t_5 * t_7,
             t_2 - (t_4 * t_4 + t_6 * t_6 + t_3 * t_3 + t_7 * t_7),
         );
-        let c3_ = [x1, x1, z1, z1];
-        let s3_ = [y1, y1, w1, w1];
-        let g1_ = ::dh_robot::runtime::lanes::angles(&[y1, w1], &[x1, z1]);
-        let v54_: [f64; 4] = ::core::array::from_fn(|l| v54_[l % 2]);
-        let c1_: [f64; 4] = ::core::array::from_fn(|l| c1_[l % 2]);
-        let s1_: [f64; 4] = ::core::array::from_fn(|l| s1_[l % 2]);
-        let v60_: [f64; 4] = ::core::array::from_fn(|l| v60_[l % 2]);
-        let v66_: [f64; 4] = ::core::array::from_fn(|l| v66_[l % 2]);
-        let v72_: [f64; 4] = ::core::array::from_fn(|l| v72_[l % 2]);
-        let v303_: [f64; 4] = ::core::array::from_fn(|l| v303_[l % 2]);
-        let v306_: [f64; 4] = ::core::array::from_fn(|l| v306_[l % 2]);
-        let v75_: [f64; 4] = ::core::array::from_fn(|l| v75_[l % 2]);
-        let v63_: [f64; 4] = ::core::array::from_fn(|l| v63_[l % 2]);
-        let v69_: [f64; 4] = ::core::array::from_fn(|l| v69_[l % 2]);
-        let g0_: [f64; 4] = ::core::array::from_fn(|l| g0_[l / 1 % 2]);
-        let g1_: [f64; 4] = ::core::array::from_fn(|l| g1_[l / 2 % 2]);
-        let mut margin_ = [0.0; 4];
-        let mut valid_ = [0.0; 4];
-        let mut error_ = [0.0; 4];
-        for l in 0..4 {
-            let c3 = c3_[l];
-            let s3 = s3_[l];
-            let v54 = v54_[l];
-            let ([c2, s2], m2) = ::dh_robot::runtime::lanes::pair(
-                -v54,
+        let all_c3 = [c3_first, c3_first, c3_second, c3_second];
+        let all_s3 = [s3_first, s3_first, s3_second, s3_second];
+        let all_q3 = ::dh_robot::runtime::lanes::angles(
+            &[s3_first, s3_second],
+            &[c3_first, c3_second],
+        );
+        let all_t_8: [f64; 4] = ::core::array::from_fn(|branch| all_t_8[branch % 2]);
+        let all_c1: [f64; 4] = ::core::array::from_fn(|branch| all_c1[branch % 2]);
+        let all_s1: [f64; 4] = ::core::array::from_fn(|branch| all_s1[branch % 2]);
+        let all_t_9: [f64; 4] = ::core::array::from_fn(|branch| all_t_9[branch % 2]);
+        let all_t_11: [f64; 4] = ::core::array::from_fn(|branch| all_t_11[branch % 2]);
+        let all_t_13: [f64; 4] = ::core::array::from_fn(|branch| all_t_13[branch % 2]);
+        let all_t_15: [f64; 4] = ::core::array::from_fn(|branch| all_t_15[branch % 2]);
+        let all_t_16: [f64; 4] = ::core::array::from_fn(|branch| all_t_16[branch % 2]);
+        let all_t_14: [f64; 4] = ::core::array::from_fn(|branch| all_t_14[branch % 2]);
+        let all_t_10: [f64; 4] = ::core::array::from_fn(|branch| all_t_10[branch % 2]);
+        let all_t_12: [f64; 4] = ::core::array::from_fn(|branch| all_t_12[branch % 2]);
+        let all_q1: [f64; 4] = ::core::array::from_fn(|branch| all_q1[branch / 1 % 2]);
+        let all_q3: [f64; 4] = ::core::array::from_fn(|branch| all_q3[branch / 2 % 2]);
+        let mut all_margin = [0.0; 4];
+        let mut all_valid = [0.0; 4];
+        let mut all_error = [0.0; 4];
+        for branch in 0..4 {
+            let c3 = all_c3[branch];
+            let s3 = all_s3[branch];
+            let t_8 = all_t_8[branch];
+            // Step 3: q2 from sine and cosine.
+            let ([c2, s2], q2_margin) = ::dh_robot::runtime::lanes::pair(
+                -t_8,
                 t[2][3],
                 -(t_4 + t_6 * c3 - t_7 * s3),
                 t[2][3],
-                v54,
+                t_8,
                 -(t_6 * s3 + t_7 * c3),
             );
-            let g2 = ::dh_robot::runtime::lanes::angle(s2, c2);
-            let c1 = c1_[l];
-            let s1 = s1_[l];
-            let v60 = v60_[l];
-            let v66 = v66_[l];
-            let v72 = v72_[l];
-            let v303 = v303_[l];
-            let v306 = v306_[l];
+            let q2 = ::dh_robot::runtime::lanes::angle(s2, c2);
+            let c1 = all_c1[branch];
+            let s1 = all_s1[branch];
+            let t_9 = all_t_9[branch];
+            let t_11 = all_t_11[branch];
+            let t_13 = all_t_13[branch];
+            let t_15 = all_t_15[branch];
+            let t_16 = all_t_16[branch];
             let t_17 = c3 * c2 - s3 * s2;
             let t_18 = c3 * s2 + s3 * c2;
-            let t_19 = v60 * t_17 - t[2][0] * t_18;
-            let t_20 = v60 * t_18 + t[2][0] * t_17;
-            let t_21 = v66 * t_17 - t[2][1] * t_18;
-            let t_22 = v66 * t_18 + t[2][1] * t_17;
-            let t_23 = v72 * t_17 - t[2][2] * t_18;
+            let t_19 = t_9 * t_17 - t[2][0] * t_18;
+            let t_20 = t_9 * t_18 + t[2][0] * t_17;
+            let t_21 = t_11 * t_17 - t[2][1] * t_18;
+            let t_22 = t_11 * t_18 + t[2][1] * t_17;
+            let t_23 = t_13 * t_17 - t[2][2] * t_18;
             let t_24 = t_6 * t_17 - t_7 * t_18 + t_4 * c2;
-            let r3 = (c1 * t_24 - v303 - t[0][3]).abs()
-                + (s1 * t_24 + v306 - t[1][3]).abs()
+            let q2_error = (c1 * t_24 - t_15 - t[0][3]).abs()
+                + (s1 * t_24 + t_16 - t[1][3]).abs()
                 + (-(t_6 * t_18 + t_7 * t_17 + t_4 * s2) - t[2][3]).abs();
-            let v75 = v75_[l];
-            let ([c4, s4], m3) = ::dh_robot::runtime::lanes::half_turn([[-v75, t_23]]);
-            let g3 = ::dh_robot::runtime::lanes::angle(s4, c4);
-            let v63 = v63_[l];
-            let v69 = v69_[l];
-            let t_25 = t_19 * c4 + v63 * s4;
-            let t_26 = t_21 * c4 + v69 * s4;
+            let t_14 = all_t_14[branch];
+            // Step 4: q4 from a ratio of sine and cosine.
+            let ([c4, s4], q4_margin) = ::dh_robot::runtime::lanes::half_turn([
+                [-t_14, t_23],
+            ]);
+            let q4 = ::dh_robot::runtime::lanes::angle(s4, c4);
+            let t_10 = all_t_10[branch];
+            let t_12 = all_t_12[branch];
+            let t_25 = t_19 * c4 + t_10 * s4;
+            let t_26 = t_21 * c4 + t_12 * s4;
+            // Step 5: q5 from sine and cosine.
             let [c5, s5] = ::dh_robot::runtime::lanes::unit(
-                -(v72 * t_18 + t[2][2] * t_17),
-                -(t_23 * c4 + v75 * s4),
+                -(t_13 * t_18 + t[2][2] * t_17),
+                -(t_23 * c4 + t_14 * s4),
             );
-            let g4 = ::dh_robot::runtime::lanes::angle(s5, c5);
+            let q5 = ::dh_robot::runtime::lanes::angle(s5, c5);
             let c4s5 = c4 * s5;
             let s4s5 = s4 * s5;
             let t_27 = t_17 * c4s5 + t_18 * c5;
-            let r5 = (-(c1 * t_27 + s1 * s4s5) - t[0][2]).abs()
+            let q5_error = (-(c1 * t_27 + s1 * s4s5) - t[0][2]).abs()
                 + (-(s1 * t_27 - c1 * s4s5) - t[1][2]).abs()
                 + (t_18 * c4s5 - t_17 * c5 - t[2][2]).abs();
+            // Step 6: q6 from sine and cosine.
             let [c6, s6] = ::dh_robot::runtime::lanes::unit(
                 t_25 * c5 - t_20 * s5,
                 -(t_26 * c5 - t_22 * s5),
             );
-            let g5 = ::dh_robot::runtime::lanes::angle(s6, c6);
+            let q6 = ::dh_robot::runtime::lanes::angle(s6, c6);
             let c5c6 = c5 * c6;
             let s5c6 = s5 * c6;
             let t_28 = c4 * c5c6 - s4 * s6;
             let t_29 = s4 * c5c6 + c4 * s6;
             let t_30 = t_17 * t_28 - t_18 * s5c6;
-            let r6 = (c1 * t_30 + s1 * t_29 - t[0][0]).abs()
+            let q6_error = (c1 * t_30 + s1 * t_29 - t[0][0]).abs()
                 + (s1 * t_30 - c1 * t_29 - t[1][0]).abs()
                 + (-(t_18 * t_28 + t_17 * s5c6) - t[2][0]).abs();
-            let g0 = g0_[l];
-            let g1 = g1_[l];
-            margin_[l] = ::dh_robot::runtime::lanes::lesser(
+            let q1 = all_q1[branch];
+            let q3 = all_q3[branch];
+            // How far the branch is from what it should be.
+            all_margin[branch] = ::dh_robot::runtime::lanes::lesser(
                 ::dh_robot::runtime::lanes::lesser(
-                    ::dh_robot::runtime::lanes::lesser(m0, m1),
-                    m2,
+                    ::dh_robot::runtime::lanes::lesser(q1_margin, q3_margin),
+                    q2_margin,
                 ),
-                m3,
+                q4_margin,
             );
-            valid_[l] = e0 * e1;
-            error_[l] = r3 + r5 + r6;
-            let h3 = ::dh_robot::runtime::lanes::opposite(g3);
-            let h4 = ::dh_robot::runtime::lanes::negative(g4);
-            let h5 = ::dh_robot::runtime::lanes::opposite(g5);
-            q[0][l] = g0;
-            q[1][l] = ::dh_robot::runtime::lanes::into_range(
-                g2,
+            all_valid[branch] = q1_valid * q3_valid;
+            all_error[branch] = q2_error + q5_error + q6_error;
+            // The mirrored half differs by signs.
+            let q4_second = ::dh_robot::runtime::lanes::opposite(q4);
+            let q5_second = ::dh_robot::runtime::lanes::negative(q5);
+            let q6_second = ::dh_robot::runtime::lanes::opposite(q6);
+            q[0][branch] = q1;
+            q[1][branch] = ::dh_robot::runtime::lanes::into_range(
+                q2,
                 -3.9269908169872414,
                 0.7853981633974483,
             );
-            q[2][l] = ::dh_robot::runtime::lanes::into_range(
-                g1,
+            q[2][branch] = ::dh_robot::runtime::lanes::into_range(
+                q3,
                 -0.7853981633974483,
                 3.9269908169872414,
             );
-            q[3][l] = g3;
-            q[4][l] = g4;
-            q[5][l] = g5;
-            q[0][l + 4] = g0;
-            q[1][l + 4] = ::dh_robot::runtime::lanes::into_range(
-                g2,
+            q[3][branch] = q4;
+            q[4][branch] = q5;
+            q[5][branch] = q6;
+            q[0][branch + 4] = q1;
+            q[1][branch + 4] = ::dh_robot::runtime::lanes::into_range(
+                q2,
                 -3.9269908169872414,
                 0.7853981633974483,
             );
-            q[2][l + 4] = ::dh_robot::runtime::lanes::into_range(
-                g1,
+            q[2][branch + 4] = ::dh_robot::runtime::lanes::into_range(
+                q3,
                 -0.7853981633974483,
                 3.9269908169872414,
             );
-            q[3][l + 4] = h3;
-            q[4][l + 4] = h4;
-            q[5][l + 4] = h5;
+            q[3][branch + 4] = q4_second;
+            q[4][branch + 4] = q5_second;
+            q[5][branch + 4] = q6_second;
         }
-        *valid = ::core::array::from_fn(|l| valid_[l % 4]);
-        ::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)
+        *valid = ::core::array::from_fn(|branch| all_valid[branch % 4]);
+        ::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
@@ -869,9 +1012,13 @@ impl ::dh_robot::runtime::Kinematics<6> for Puma560 {
         )
     }
 }
-impl ::dh_robot::InverseKinematics<6, 8, f64> for Puma560 {
+impl ::dh_robot::InverseKinematics<6, f64> for Puma560 {
     type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 6, 8> {
+    type Solutions = ::dh_robot::Solutions<f64, 6, 8>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         Puma560::inverse(self, target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for Puma560 {
+    type Joints = ::dh_robot::runtime::Joints<6>;
 }

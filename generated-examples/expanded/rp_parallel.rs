@@ -137,11 +137,27 @@ impl ::dh_robot::Jacobian<2, f64> for RpParallel {
     fn jacobian(&self, q: &[f64; 2]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 2> {
         RpParallel::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 2],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 2>,
+    ) {
+        RpParallel::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl RpParallel {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 1;
+    /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
+    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
+    /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
+    const LENGTH_SCALE: f64 = 0.50565;
+    /// What a length is multiplied by.
+    const PER_LENGTH: f64 = 1.0 / Self::LENGTH_SCALE;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -155,7 +171,7 @@ impl RpParallel {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 2, 1> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 0.50565) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -163,44 +179,136 @@ impl RpParallel {
         };
         let mut q = [[0.0; 1]; 2];
         let mut valid = [0.0; 1];
-        if !self.lanes(&frame, &mut q, &mut valid) {
+        if !self.all_branches(&frame, &mut q, &mut valid) {
             return self.robust(target);
         }
         if valid == [1.0; 1] {
-            let at = |l: usize| ::dh_robot::runtime::lanes::solution(
+            let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
-                l,
+                branch,
             );
             return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0)]);
         }
         ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
+    /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
+    /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
+    /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.
+    ///
+    /// # Errors
+    /// The reason why no joint values reach the target.
+    pub fn inverse_near(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        q: &[f64; 2],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 2>, ::dh_robot::Why<f64>> {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: true,
+            given: [::core::option::Option::None; 2],
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
+        );
+        let mut found = [[0.0; 1]; 2];
+        let mut valid = [0.0; 1];
+        if self.all_branches(&frame, &mut found, &mut valid) {
+            let list: ::dh_robot::Solutions<_, 2, 1> = ::dh_robot::runtime::lanes::collect(
+                &Self::JOINTS,
+                &valid,
+                &found,
+                &Self::BRANCHES,
+            );
+            return ::dh_robot::runtime::nearest(&list, q, Self::LENGTH_SCALE);
+        }
+        let unknowns = self.unknowns(&q.map(f64::from));
+        ::dh_robot::runtime::solve_near::<
+            _,
+            2,
+            1,
+        >(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            q,
+            unknowns,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at
+    /// neighbouring poses and along self-motions. To compare with.
+    #[must_use]
+    pub fn inverse_exhaustive(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 2, 1> {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: true,
+            given: [::core::option::Option::None; 2],
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
+        );
+        ::dh_robot::runtime::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The plan's unknowns at joint values.
+    fn unknowns(&self, q: &[f64; 2]) -> [f64; 8] {
+        [(q[1]) / Self::LENGTH_SCALE, q[0], 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::runtime::Pose,
-        pick: ::dh_robot::runtime::Pick,
-        found: &mut dyn FnMut([f64; 2], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+        sample: &::dh_robot::runtime::Sample,
+        found: &mut dyn FnMut([f64; 2], ::dh_robot::Branch, ::dh_robot::runtime::Path),
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
-        let free = ::dh_robot::FreeJoints::NONE;
-        let q2_roots = ::dh_robot::runtime::solve_quadratic(0.0, 1.0, -t[2][3], 1e-11);
+        let path = ::dh_robot::runtime::Path::START;
+        // Step 1: q2 from a linear equation.
+        let q2_roots = ::dh_robot::runtime::solve_quadratic(
+            0.0,
+            1.0,
+            -t[2][3],
+            sample.tolerance,
+        );
         if !q2_roots.is_regular() {
-            attempt.note(q2_roots.outcome, free, "q2", 0.50565, "m");
+            attempt.note(q2_roots.outcome, &path, "q2", Self::LENGTH_SCALE, "m");
         }
-        let free = if q2_roots.is_free() {
-            free.union(::dh_robot::FreeJoints::of(&[1]))
+        let path = if q2_roots.is_free() {
+            attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[1]))
         } else {
-            free
+            path
         };
         for (q2_root, &q2_scaled) in q2_roots
-            .or_if_free(pick.length(0))
+            .or_if_free(sample.length(0))
             .iter()
             .enumerate()
         {
-            let q2 = q2_scaled * 0.50565;
+            let q2 = q2_scaled * Self::LENGTH_SCALE;
+            // Step 2: q1 from sine and cosine.
             let q1_roots = ::dh_robot::runtime::solve_pair(
                 1.0,
                 0.0,
@@ -208,24 +316,24 @@ impl RpParallel {
                 0.0,
                 -1.0,
                 t[0][1],
-                1e-11,
+                sample.tolerance,
             );
             if !q1_roots.is_regular() {
-                attempt.note(q1_roots.outcome, free, "q1", 1.0, "");
+                attempt.note(q1_roots.outcome, &path, "q1", 1.0, "");
             }
-            let free = if q1_roots.is_free() {
-                free.union(::dh_robot::FreeJoints::of(&[0]))
+            let path = if q1_roots.is_free() {
+                attempt.choose(1, &path, ::dh_robot::FreeJoints::of(&[0]))
             } else {
-                free
+                path
             };
             for (q1_root, &[c1, s1]) in q1_roots
-                .or_if_free(pick.angle(1))
+                .or_if_free(sample.angle(1))
                 .iter()
                 .enumerate()
             {
                 let q1 = ::dh_robot::runtime::atan2(s1, c1);
                 let branch = ::dh_robot::Branch::ANY;
-                found([q1, q2], branch, free);
+                found([q1, q2], branch, path);
             }
         }
         attempt
@@ -237,7 +345,7 @@ impl RpParallel {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 2, 1> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 0.50565) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -245,60 +353,64 @@ impl RpParallel {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 0.50565,
+            reach: Self::LENGTH_SCALE,
             few: true,
             given: [::core::option::Option::None; 2],
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 0.50565),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
-        ::dh_robot::runtime::solve(
+        ::dh_robot::runtime::solve_bounded(
             self,
             setting,
             &task,
             &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
         )
     }
+    /// Which root each step takes in each branch.
     const BRANCHES: [::dh_robot::Branch; 1] = {
         let mut all = [::dh_robot::Branch::ANY; 1];
-        let mut l = 0;
-        while l < 1 {
-            all[l] = ::dh_robot::Branch::ANY;
-            l += 1;
+        let mut branch = 0;
+        while branch < 1 {
+            all[branch] = ::dh_robot::Branch::ANY;
+            branch += 1;
         }
         all
     };
-    /// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.
+    /// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.
     #[inline]
-    fn lanes(
+    fn all_branches(
         &self,
         t: &::dh_robot::runtime::Pose,
         q: &mut [[f64; 1]; 2],
         valid: &mut [f64; 1],
     ) -> bool {
-        let t_2 = self.a1 * 1.9776525264511025;
-        let mut margin_ = [0.0; 1];
-        let mut valid_ = [0.0; 1];
-        let mut error_ = [0.0; 1];
-        let r0 = (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs()
-            + (1.0 - t[2][2]).abs();
-        let (q2_scaled, m0) = ::dh_robot::runtime::lanes::linear(1.0, -t[2][3]);
-        let q2_scaled = q2_scaled;
-        let g0 = q2_scaled * 0.50565;
-        let r1 = (q2_scaled - t[2][3]).abs();
+        let t_2 = self.a1 * Self::PER_LENGTH;
+        let mut all_margin = [0.0; 1];
+        let mut all_valid = [0.0; 1];
+        let mut all_error = [0.0; 1];
+        let constant_error = (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs()
+            + (0.0 - t[1][2]).abs() + (1.0 - t[2][2]).abs();
+        // Step 1: q2 from a linear equation.
+        let (q2_scaled, q2_margin) = ::dh_robot::runtime::lanes::linear(1.0, -t[2][3]);
+        let q2 = q2_scaled * Self::LENGTH_SCALE;
+        let q2_error = (q2_scaled - t[2][3]).abs();
+        // Step 2: q1 from sine and cosine.
         let [c1, s1] = ::dh_robot::runtime::lanes::unit(t[0][0], -t[0][1]);
-        let g1 = ::dh_robot::runtime::lanes::angle(s1, c1);
-        let r2 = (-s1 - t[0][1]).abs() + (c1 - t[1][1]).abs()
+        let q1 = ::dh_robot::runtime::lanes::angle(s1, c1);
+        let q1_error = (-s1 - t[0][1]).abs() + (c1 - t[1][1]).abs()
             + (t_2 * c1 - t[0][3]).abs() + (t_2 * s1 - t[1][3]).abs();
-        let l = 0;
-        margin_[l] = m0;
-        valid_[l] = 1.0;
-        error_[l] = r0 + r1 + r2;
-        q[0][l] = g1;
-        q[1][l] = g0;
-        *valid = valid_;
-        ::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)
+        let branch = 0;
+        // How far the branch is from what it should be.
+        all_margin[branch] = q2_margin;
+        all_valid[branch] = 1.0;
+        all_error[branch] = constant_error + q2_error + q1_error;
+        q[0][branch] = q1;
+        q[1][branch] = q2;
+        *valid = all_valid;
+        ::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
@@ -330,9 +442,13 @@ impl ::dh_robot::runtime::Kinematics<2> for RpParallel {
         "m"
     }
 }
-impl ::dh_robot::InverseKinematics<2, 1, f64> for RpParallel {
+impl ::dh_robot::InverseKinematics<2, f64> for RpParallel {
     type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 2, 1> {
+    type Solutions = ::dh_robot::Solutions<f64, 2, 1>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         RpParallel::inverse(self, target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for RpParallel {
+    type Joints = ::dh_robot::runtime::Joints<2>;
 }

@@ -187,11 +187,27 @@ impl ::dh_robot::Jacobian<3, f64> for RrrIntersecting {
     fn jacobian(&self, q: &[f64; 3]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 3> {
         RrrIntersecting::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 3],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 3>,
+    ) {
+        RrrIntersecting::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl RrrIntersecting {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 4;
+    /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
+    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
+    /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
+    const LENGTH_SCALE: f64 = 1.0675141762776192;
+    /// What a length is multiplied by.
+    const PER_LENGTH: f64 = 1.0 / Self::LENGTH_SCALE;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// Plan:
@@ -211,12 +227,88 @@ impl RrrIntersecting {
             );
         }
         let frame = ::dh_robot::runtime::frame_of_axis(
-            p.map(|x| x / 1.0675141762776192),
+            p.map(|x| x / Self::LENGTH_SCALE),
             [0.0, 0.0, 1.0],
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 1.0675141762776192,
+            reach: Self::LENGTH_SCALE,
+            few: false,
+            given: [::core::option::Option::None; 3],
+        };
+        let task = ::dh_robot::runtime::Task::Position(p);
+        ::dh_robot::runtime::solve_bounded(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
+    /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
+    /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.
+    ///
+    /// # Errors
+    /// The reason why no joint values reach the target.
+    pub fn inverse_near(
+        &self,
+        target: &::dh_robot::nalgebra::Point3<f64>,
+        q: &[f64; 3],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 3>, ::dh_robot::Why<f64>> {
+        let p: [f64; 3] = [target.x.into(), target.y.into(), target.z.into()];
+        if !p.iter().all(|x: &f64| x.is_finite()) {
+            return ::core::result::Result::Err(::dh_robot::Why::NotFinite);
+        }
+        let frame = ::dh_robot::runtime::frame_of_axis(
+            p.map(|x| x / Self::LENGTH_SCALE),
+            [0.0, 0.0, 1.0],
+        );
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: false,
+            given: [::core::option::Option::None; 3],
+        };
+        let task = ::dh_robot::runtime::Task::Position(p);
+        let unknowns = self.unknowns(&q.map(f64::from));
+        ::dh_robot::runtime::solve_near::<
+            _,
+            3,
+            4,
+        >(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            q,
+            unknowns,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at
+    /// neighbouring poses and along self-motions. To compare with.
+    #[must_use]
+    pub fn inverse_exhaustive(
+        &self,
+        target: &::dh_robot::nalgebra::Point3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 3, 4> {
+        let p: [f64; 3] = [target.x.into(), target.y.into(), target.z.into()];
+        if !p.iter().all(|x: &f64| x.is_finite()) {
+            return ::dh_robot::Solutions::none(
+                &Self::JOINTS,
+                ::dh_robot::Why::NotFinite,
+            );
+        }
+        let frame = ::dh_robot::runtime::frame_of_axis(
+            p.map(|x| x / Self::LENGTH_SCALE),
+            [0.0, 0.0, 1.0],
+        );
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: [::core::option::Option::None; 3],
         };
@@ -226,65 +318,86 @@ impl RrrIntersecting {
             setting,
             &task,
             &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
+            |frame, sample, found| self.candidates(frame, sample, found),
         )
+    }
+    /// The plan's unknowns at joint values.
+    fn unknowns(&self, q: &[f64; 3]) -> [f64; 8] {
+        [q[0], q[2], q[1], 0.0, 0.0, 0.0, 0.0, 0.0]
     }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::runtime::Pose,
-        pick: ::dh_robot::runtime::Pick,
-        found: &mut dyn FnMut([f64; 3], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+        sample: &::dh_robot::runtime::Sample,
+        found: &mut dyn FnMut([f64; 3], ::dh_robot::Branch, ::dh_robot::runtime::Path),
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
-        let free = ::dh_robot::FreeJoints::NONE;
+        let path = ::dh_robot::runtime::Path::START;
         let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
-        let t_3 = self.d2 * 0.9367557098744688;
-        let t_4 = self.l2 * 0.9367557098744688;
-        let t_5 = self.l3 * 0.9367557098744688;
+        let t_3 = self.d2 * Self::PER_LENGTH;
+        let t_4 = self.l2 * Self::PER_LENGTH;
+        let t_5 = self.l3 * Self::PER_LENGTH;
         let t_6 = t_3 * t_3 + t_4 * t_4 + t_5 * t_5;
-        let q1_roots = ::dh_robot::runtime::solve_sincos(-t[1][3], t[0][3], -t_3, 1e-11);
+        // Step 1: q1 from an equation in sine and cosine.
+        let q1_roots = ::dh_robot::runtime::solve_sincos(
+            -t[1][3],
+            t[0][3],
+            -t_3,
+            sample.tolerance,
+        );
         if !q1_roots.is_regular() {
-            attempt.note(q1_roots.outcome, free, "shoulder q1", 1.0675141762776192, "m");
+            attempt
+                .note(q1_roots.outcome, &path, "shoulder q1", Self::LENGTH_SCALE, "m");
         }
-        let free = if q1_roots.is_free() {
-            free.union(::dh_robot::FreeJoints::of(&[0]))
+        let path = if q1_roots.is_free() {
+            attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[0]))
         } else {
-            free
+            path
         };
-        for (q1_root, &[c1, s1]) in q1_roots.or_if_free(pick.angle(0)).iter().enumerate()
+        for (q1_root, &[c1, s1]) in q1_roots
+            .or_if_free(sample.angle(0))
+            .iter()
+            .enumerate()
         {
+            let path = path.root(0, q1_root);
             let q1 = ::dh_robot::runtime::atan2(s1, c1);
             let t_7 = t[0][3] * c1 + t[1][3] * s1;
+            // Step 2: q3 from the law of cosines.
             let q3_roots = ::dh_robot::runtime::solve_sincos(
                 2.0 * t_4 * t_5,
                 0.0,
                 t_2 - t_6,
-                1e-11,
+                sample.tolerance,
             );
             if !q3_roots.is_regular() {
                 attempt
                     .note_law(
                         q3_roots.outcome,
-                        free,
+                        &path,
                         "elbow q3",
                         [t_6, t_2 - t_6],
                         false,
-                        1.0675141762776192,
+                        Self::LENGTH_SCALE,
                         "m",
                     );
             }
-            let free = if q3_roots.is_free() {
-                free.union(::dh_robot::FreeJoints::of(&[2]))
+            if path.is_chosen() {
+                attempt.see(1, &path, [2.0 * t_4 * t_5, 0.0, t_2 - t_6]);
+            }
+            let path = if q3_roots.is_free() {
+                attempt.choose(1, &path, ::dh_robot::FreeJoints::of(&[2]))
             } else {
-                free
+                path
             };
             for (q3_root, &[c3, s3]) in q3_roots
-                .or_if_free(pick.angle(1))
+                .or_if_free(sample.angle(1))
                 .iter()
                 .enumerate()
             {
+                let path = path.root(1, q3_root);
                 let q3 = ::dh_robot::runtime::atan2(s3, c3);
+                // Step 3: q2 from sine and cosine.
                 let q2_roots = ::dh_robot::runtime::solve_pair(
                     -t_7,
                     t[2][3],
@@ -292,18 +405,18 @@ impl RrrIntersecting {
                     t[2][3],
                     t_7,
                     -t_5 * s3,
-                    1e-11,
+                    sample.tolerance,
                 );
                 if !q2_roots.is_regular() {
-                    attempt.note(q2_roots.outcome, free, "q2", 1.0, "");
+                    attempt.note(q2_roots.outcome, &path, "q2", 1.0, "");
                 }
-                let free = if q2_roots.is_free() {
-                    free.union(::dh_robot::FreeJoints::of(&[1]))
+                let path = if q2_roots.is_free() {
+                    attempt.choose(2, &path, ::dh_robot::FreeJoints::of(&[1]))
                 } else {
-                    free
+                    path
                 };
                 for (q2_root, &[c2, s2]) in q2_roots
-                    .or_if_free(pick.angle(2))
+                    .or_if_free(sample.angle(2))
                     .iter()
                     .enumerate()
                 {
@@ -325,7 +438,7 @@ impl RrrIntersecting {
                                 ::dh_robot::Elbow::Down
                             },
                         );
-                    found([q1, q2, q3], branch, free);
+                    found([q1, q2, q3], branch, path);
                 }
             }
         }
@@ -374,9 +487,13 @@ impl ::dh_robot::runtime::Kinematics<3> for RrrIntersecting {
         )
     }
 }
-impl ::dh_robot::InverseKinematics<3, 4, f64> for RrrIntersecting {
+impl ::dh_robot::InverseKinematics<3, f64> for RrrIntersecting {
     type Target = ::dh_robot::nalgebra::Point3<f64>;
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 3, 4> {
+    type Solutions = ::dh_robot::Solutions<f64, 3, 4>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         RrrIntersecting::inverse(self, target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for RrrIntersecting {
+    type Joints = ::dh_robot::runtime::Joints<3>;
 }

@@ -345,7 +345,7 @@ impl SixAxisChain {
             joints: &Self::JOINTS,
             reach: Self::LENGTH_SCALE,
             few: false,
-            given: ::core::option::Option::None,
+            given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
@@ -394,7 +394,7 @@ impl SixAxisChain {
             joints: &Self::JOINTS,
             reach: Self::LENGTH_SCALE,
             few: false,
-            given: ::core::option::Option::None,
+            given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
@@ -666,7 +666,7 @@ impl SixAxisChain {
             joints: &Self::JOINTS,
             reach: Self::LENGTH_SCALE,
             few: false,
-            given: ::core::option::Option::None,
+            given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),

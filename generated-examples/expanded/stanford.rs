@@ -279,11 +279,27 @@ impl ::dh_robot::Jacobian<6, f64> for Stanford {
     fn jacobian(&self, q: &[f64; 6]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 6> {
         Stanford::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 6],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 6>,
+    ) {
+        Stanford::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl Stanford {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 8;
+    /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
+    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
+    /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
+    const LENGTH_SCALE: f64 = 0.5862999999999999;
+    /// What a length is multiplied by.
+    const PER_LENGTH: f64 = 1.0 / Self::LENGTH_SCALE;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -301,7 +317,7 @@ impl Stanford {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 0.5862999999999999) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -309,15 +325,15 @@ impl Stanford {
         };
         let mut q = [[0.0; 8]; 6];
         let mut valid = [0.0; 8];
-        if !self.lanes(&frame, &mut q, &mut valid) {
+        if !self.all_branches(&frame, &mut q, &mut valid) {
             return self.robust(target);
         }
         if valid == [1.0; 8] {
-            let at = |l: usize| ::dh_robot::runtime::lanes::solution(
+            let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
-                l,
+                branch,
             );
             return ::dh_robot::Solutions::full(
                 &Self::JOINTS,
@@ -326,32 +342,123 @@ impl Stanford {
         }
         ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
+    /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
+    /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
+    /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.
+    ///
+    /// # Errors
+    /// The reason why no joint values reach the target.
+    pub fn inverse_near(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        q: &[f64; 6],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 6>, ::dh_robot::Why<f64>> {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: false,
+            given: [::core::option::Option::None; 6],
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
+        );
+        let mut found = [[0.0; 8]; 6];
+        let mut valid = [0.0; 8];
+        if self.all_branches(&frame, &mut found, &mut valid) {
+            let list: ::dh_robot::Solutions<_, 6, 8> = ::dh_robot::runtime::lanes::collect(
+                &Self::JOINTS,
+                &valid,
+                &found,
+                &Self::BRANCHES,
+            );
+            return ::dh_robot::runtime::nearest(&list, q, Self::LENGTH_SCALE);
+        }
+        let unknowns = self.unknowns(&q.map(f64::from));
+        ::dh_robot::runtime::solve_near::<
+            _,
+            6,
+            8,
+        >(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            q,
+            unknowns,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at
+    /// neighbouring poses and along self-motions. To compare with.
+    #[must_use]
+    pub fn inverse_exhaustive(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 6, 8> {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: false,
+            given: [::core::option::Option::None; 6],
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
+        );
+        ::dh_robot::runtime::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The plan's unknowns at joint values.
+    fn unknowns(&self, q: &[f64; 6]) -> [f64; 8] {
+        [q[0], q[1], (q[2]) / Self::LENGTH_SCALE, q[5], q[3], q[4], 0.0, 0.0]
+    }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::runtime::Pose,
-        pick: ::dh_robot::runtime::Pick,
-        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+        sample: &::dh_robot::runtime::Sample,
+        found: &mut dyn FnMut([f64; 6], ::dh_robot::Branch, ::dh_robot::runtime::Path),
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
-        let free = ::dh_robot::FreeJoints::NONE;
+        let path = ::dh_robot::runtime::Path::START;
         let t_2 = t[2][3] - 0.7027119222241174;
+        // Step 1: q1 from an equation in sine and cosine.
         let q1_roots = ::dh_robot::runtime::solve_sincos(
             -t[1][3],
             t[0][3],
             -0.22804025243049636,
-            1e-11,
+            sample.tolerance,
         );
         if !q1_roots.is_regular() {
-            attempt.note(q1_roots.outcome, free, "shoulder q1", 0.5862999999999999, "m");
+            attempt
+                .note(q1_roots.outcome, &path, "shoulder q1", Self::LENGTH_SCALE, "m");
         }
-        let free = if q1_roots.is_free() {
-            free.union(::dh_robot::FreeJoints::of(&[0]))
+        let path = if q1_roots.is_free() {
+            attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[0]))
         } else {
-            free
+            path
         };
-        for (q1_root, &[c1, s1]) in q1_roots.or_if_free(pick.angle(0)).iter().enumerate()
+        for (q1_root, &[c1, s1]) in q1_roots
+            .or_if_free(sample.angle(0))
+            .iter()
+            .enumerate()
         {
+            let path = path.root(0, q1_root);
             let q1 = ::dh_robot::runtime::atan2(s1, c1);
             let t_3 = t[0][3] * c1 + t[1][3] * s1;
             let t_4 = t[0][0] * c1 + t[1][0] * s1;
@@ -360,65 +467,87 @@ impl Stanford {
             let t_7 = t[0][1] * s1 - t[1][1] * c1;
             let t_8 = t[0][2] * c1 + t[1][2] * s1;
             let t_9 = t[0][2] * s1 - t[1][2] * c1;
-            let q2_roots = ::dh_robot::runtime::solve_sincos(-t_3, t_2, 0.0, 1e-11);
+            // Step 2: q2 from a ratio of sine and cosine.
+            let q2_roots = ::dh_robot::runtime::solve_sincos(
+                -t_3,
+                t_2,
+                0.0,
+                sample.tolerance,
+            );
             if !q2_roots.is_regular() {
                 attempt
-                    .note(q2_roots.outcome, free, "elbow q2", 0.5862999999999999, "m");
+                    .note(q2_roots.outcome, &path, "elbow q2", Self::LENGTH_SCALE, "m");
             }
-            let free = if q2_roots.is_free() {
-                free.union(::dh_robot::FreeJoints::of(&[1]))
+            if path.is_chosen() {
+                attempt.see(1, &path, [-t_3, t_2, 0.0]);
+            }
+            let path = if q2_roots.is_free() {
+                attempt.choose(1, &path, ::dh_robot::FreeJoints::of(&[1]))
             } else {
-                free
+                path
             };
             for (q2_root, &[c2, s2]) in q2_roots
-                .or_if_free(pick.angle(1))
+                .or_if_free(sample.angle(1))
                 .iter()
                 .enumerate()
             {
+                let path = path.root(1, q2_root);
                 let q2 = ::dh_robot::runtime::atan2(s2, c2);
                 let t_10 = t_4 * c2 - t[2][0] * s2;
                 let t_11 = t_6 * c2 - t[2][1] * s2;
                 let t_12 = t_8 * c2 - t[2][2] * s2;
+                // Step 3: q3 from a linear equation.
                 let q3_roots = ::dh_robot::runtime::solve_quadratic(
                     0.0,
                     -1.0,
                     t_3 * s2 + t_2 * c2,
-                    1e-11,
+                    sample.tolerance,
                 );
                 if !q3_roots.is_regular() {
-                    attempt.note(q3_roots.outcome, free, "q3", 0.5862999999999999, "m");
+                    attempt.note(q3_roots.outcome, &path, "q3", Self::LENGTH_SCALE, "m");
                 }
-                let free = if q3_roots.is_free() {
-                    free.union(::dh_robot::FreeJoints::of(&[2]))
+                let path = if q3_roots.is_free() {
+                    attempt.choose(2, &path, ::dh_robot::FreeJoints::of(&[2]))
                 } else {
-                    free
+                    path
                 };
                 for (q3_root, &q3_scaled) in q3_roots
-                    .or_if_free(pick.length(2))
+                    .or_if_free(sample.length(2))
                     .iter()
                     .enumerate()
                 {
-                    let q3 = q3_scaled * 0.5862999999999999;
+                    let q3 = q3_scaled * Self::LENGTH_SCALE;
+                    // Step 4: q6 from a ratio of sine and cosine.
                     let q6_roots = ::dh_robot::runtime::solve_sincos(
                         t_6 * s2 + t[2][1] * c2,
                         t_4 * s2 + t[2][0] * c2,
                         0.0,
-                        1e-11,
+                        sample.tolerance,
                     );
                     if !q6_roots.is_regular() {
-                        attempt.note(q6_roots.outcome, free, "wrist q6", 1.0, "");
+                        attempt.note(q6_roots.outcome, &path, "wrist q6", 1.0, "");
                     }
-                    let free = if q6_roots.is_free() {
-                        free.union(::dh_robot::FreeJoints::of(&[5]))
+                    if path.is_chosen() {
+                        attempt
+                            .see(
+                                3,
+                                &path,
+                                [t_6 * s2 + t[2][1] * c2, t_4 * s2 + t[2][0] * c2, 0.0],
+                            );
+                    }
+                    let path = if q6_roots.is_free() {
+                        attempt.choose(3, &path, ::dh_robot::FreeJoints::of(&[5]))
                     } else {
-                        free
+                        path
                     };
                     for (q6_root, &[c6, s6]) in q6_roots
-                        .or_if_free(pick.angle(3))
+                        .or_if_free(sample.angle(3))
                         .iter()
                         .enumerate()
                     {
+                        let path = path.root(3, q6_root);
                         let q6 = ::dh_robot::runtime::atan2(s6, c6);
+                        // Step 5: q4 from sine and cosine.
                         let q4_roots = ::dh_robot::runtime::solve_pair(
                             0.0,
                             -1.0,
@@ -426,24 +555,25 @@ impl Stanford {
                             1.0,
                             0.0,
                             t_10 * s6 + t_11 * c6,
-                            1e-11,
+                            sample.tolerance,
                         );
                         if !q4_roots.is_regular() {
-                            attempt.note(q4_roots.outcome, free, "q4", 1.0, "");
+                            attempt.note(q4_roots.outcome, &path, "q4", 1.0, "");
                         }
-                        let free = if q4_roots.is_free() {
-                            free.union(::dh_robot::FreeJoints::of(&[3]))
+                        let path = if q4_roots.is_free() {
+                            attempt.choose(4, &path, ::dh_robot::FreeJoints::of(&[3]))
                         } else {
-                            free
+                            path
                         };
                         for (q4_root, &[c4, s4]) in q4_roots
-                            .or_if_free(pick.angle(4))
+                            .or_if_free(sample.angle(4))
                             .iter()
                             .enumerate()
                         {
                             let q4 = ::dh_robot::runtime::atan2(s4, c4);
                             let t_13 = c6 * (t_5 * c4 + t_10 * s4)
                                 - s6 * (t_7 * c4 + t_11 * s4);
+                            // Step 6: q5 from sine and cosine.
                             let q5_roots = ::dh_robot::runtime::solve_pair(
                                 1.0,
                                 0.0,
@@ -451,18 +581,18 @@ impl Stanford {
                                 0.0,
                                 -1.0,
                                 -(t_9 * c4 + t_12 * s4),
-                                1e-11,
+                                sample.tolerance,
                             );
                             if !q5_roots.is_regular() {
-                                attempt.note(q5_roots.outcome, free, "q5", 1.0, "");
+                                attempt.note(q5_roots.outcome, &path, "q5", 1.0, "");
                             }
-                            let free = if q5_roots.is_free() {
-                                free.union(::dh_robot::FreeJoints::of(&[4]))
+                            let path = if q5_roots.is_free() {
+                                attempt.choose(5, &path, ::dh_robot::FreeJoints::of(&[4]))
                             } else {
-                                free
+                                path
                             };
                             for (q5_root, &[c5, s5]) in q5_roots
-                                .or_if_free(pick.angle(5))
+                                .or_if_free(sample.angle(5))
                                 .iter()
                                 .enumerate()
                             {
@@ -492,7 +622,7 @@ impl Stanford {
                                             ::dh_robot::Wrist::Flip
                                         },
                                     );
-                                found([q1, q2, q3, q4, q5, q6], branch, free);
+                                found([q1, q2, q3, q4, q5, q6], branch, path);
                             }
                         }
                     }
@@ -508,7 +638,7 @@ impl Stanford {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 8> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 0.5862999999999999) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -516,29 +646,31 @@ impl Stanford {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 0.5862999999999999,
+            reach: Self::LENGTH_SCALE,
             few: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 0.5862999999999999),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
-        ::dh_robot::runtime::solve(
+        ::dh_robot::runtime::solve_bounded(
             self,
             setting,
             &task,
             &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
         )
     }
+    /// Which root each step takes in each branch.
     const BRANCHES: [::dh_robot::Branch; 8] = {
         let mut all = [::dh_robot::Branch::ANY; 8];
-        let mut l = 0;
-        while l < 8 {
-            let q1_root = l / 1 % 2;
-            let q2_root = l / 2 % 2;
-            let q6_root = l / 4 % 2;
-            all[l] = ::dh_robot::Branch::ANY
+        let mut branch = 0;
+        while branch < 8 {
+            let q1_root = branch / 1 % 2;
+            let q2_root = branch / 2 % 2;
+            let q6_root = branch / 4 % 2;
+            all[branch] = ::dh_robot::Branch::ANY
                 .with_step(0, q1_root)
                 .with_shoulder(
                     if q1_root == 1 {
@@ -563,41 +695,45 @@ impl Stanford {
                         ::dh_robot::Wrist::Flip
                     },
                 );
-            l += 1;
+            branch += 1;
         }
         all
     };
-    /// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.
+    /// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.
     #[inline]
-    fn lanes(
+    fn all_branches(
         &self,
         t: &::dh_robot::runtime::Pose,
         q: &mut [[f64; 8]; 6],
         valid: &mut [f64; 8],
     ) -> bool {
         let t_2 = t[2][3] - 0.7027119222241174;
-        let ([x0, y0, z0, w0], e0, m0) = ::dh_robot::runtime::lanes::sincos(
+        // Step 1: q1 from an equation in sine and cosine.
+        let ([c1_first, s1_first, c1_second, s1_second], q1_valid, q1_margin) = ::dh_robot::runtime::lanes::sincos(
             -t[1][3],
             t[0][3],
             -0.22804025243049636,
         );
-        let c1_ = [x0, z0];
-        let s1_ = [y0, w0];
-        let g0_ = ::dh_robot::runtime::lanes::angles(&[y0, w0], &[x0, z0]);
-        let mut v39_ = [0.0; 2];
-        let mut v47_ = [0.0; 2];
-        let mut v50_ = [0.0; 2];
-        let mut v53_ = [0.0; 2];
-        let mut v56_ = [0.0; 2];
-        let mut v59_ = [0.0; 2];
-        let mut v62_ = [0.0; 2];
-        let mut v272_ = [0.0; 2];
-        let mut v275_ = [0.0; 2];
-        let mut f1 = [[0.0; 4]; 2];
-        let mut margin1_ = [0.0; 2];
-        for l in 0..2 {
-            let c1 = c1_[l];
-            let s1 = s1_[l];
+        let all_c1 = [c1_first, c1_second];
+        let all_s1 = [s1_first, s1_second];
+        let all_q1 = ::dh_robot::runtime::lanes::angles(
+            &[s1_first, s1_second],
+            &[c1_first, c1_second],
+        );
+        let mut all_t_3 = [0.0; 2];
+        let mut all_t_4 = [0.0; 2];
+        let mut all_t_5 = [0.0; 2];
+        let mut all_t_6 = [0.0; 2];
+        let mut all_t_7 = [0.0; 2];
+        let mut all_t_8 = [0.0; 2];
+        let mut all_t_9 = [0.0; 2];
+        let mut all_t_10 = [0.0; 2];
+        let mut all_t_11 = [0.0; 2];
+        let mut q2_pairs = [[0.0; 4]; 2];
+        let mut all_margin_1 = [0.0; 2];
+        for branch in 0..2 {
+            let c1 = all_c1[branch];
+            let s1 = all_s1[branch];
             let t_3 = t[0][3] * c1 + t[1][3] * s1;
             let t_4 = t[0][0] * c1 + t[1][0] * s1;
             let t_5 = t[0][0] * s1 - t[1][0] * c1;
@@ -607,83 +743,91 @@ impl Stanford {
             let t_9 = t[0][2] * s1 - t[1][2] * c1;
             let t_10 = 0.22804025243049636 * s1;
             let t_11 = 0.22804025243049636 * c1;
-            v39_[l] = t_3;
-            v47_[l] = t_4;
-            v50_[l] = t_5;
-            v53_[l] = t_6;
-            v56_[l] = t_7;
-            v59_[l] = t_8;
-            v62_[l] = t_9;
-            v272_[l] = t_10;
-            v275_[l] = t_11;
-            let ([x1, y1], m1) = ::dh_robot::runtime::lanes::half_turn([[-t_3, t_2]]);
-            f1[0][l] = x1;
-            f1[1][l] = y1;
-            f1[0][l + 2] = -x1;
-            f1[1][l + 2] = -y1;
-            margin1_[l] = m1;
-        }
-        let g1_ = ::dh_robot::runtime::lanes::angles(&f1[1], &f1[0]);
-        q[1] = ::core::array::from_fn(|l| g1_[l / 2 % 2 * 2 + l % 2]);
-        let c2_ = f1[0];
-        let s2_ = f1[1];
-        let v39_: [f64; 4] = ::core::array::from_fn(|l| v39_[l % 2]);
-        let v47_: [f64; 4] = ::core::array::from_fn(|l| v47_[l % 2]);
-        let v53_: [f64; 4] = ::core::array::from_fn(|l| v53_[l % 2]);
-        let v59_: [f64; 4] = ::core::array::from_fn(|l| v59_[l % 2]);
-        let c1_: [f64; 4] = ::core::array::from_fn(|l| c1_[l % 2]);
-        let s1_: [f64; 4] = ::core::array::from_fn(|l| s1_[l % 2]);
-        let v272_: [f64; 4] = ::core::array::from_fn(|l| v272_[l % 2]);
-        let v275_: [f64; 4] = ::core::array::from_fn(|l| v275_[l % 2]);
-        let v50_: [f64; 4] = ::core::array::from_fn(|l| v50_[l % 2]);
-        let v56_: [f64; 4] = ::core::array::from_fn(|l| v56_[l % 2]);
-        let v62_: [f64; 4] = ::core::array::from_fn(|l| v62_[l % 2]);
-        let g0_: [f64; 4] = ::core::array::from_fn(|l| g0_[l / 1 % 2]);
-        let margin1_: [f64; 4] = ::core::array::from_fn(|l| margin1_[l % 2]);
-        let mut margin_ = [0.0; 4];
-        let mut valid_ = [0.0; 4];
-        let mut error_ = [0.0; 4];
-        for l in 0..4 {
-            let v39 = v39_[l];
-            let v47 = v47_[l];
-            let v53 = v53_[l];
-            let v59 = v59_[l];
-            let c2 = c2_[l];
-            let s2 = s2_[l];
-            let t_12 = v47 * c2 - t[2][0] * s2;
-            let t_13 = v53 * c2 - t[2][1] * s2;
-            let t_14 = v59 * c2 - t[2][2] * s2;
-            let (q3_scaled, m2) = ::dh_robot::runtime::lanes::linear(
-                -1.0,
-                v39 * s2 + t_2 * c2,
-            );
-            let q3_scaled = q3_scaled;
-            let g2 = q3_scaled * 0.5862999999999999;
-            let c1 = c1_[l];
-            let s1 = s1_[l];
-            let v272 = v272_[l];
-            let v275 = v275_[l];
-            let t_15 = s2 * q3_scaled;
-            let r3 = (c1 * t_15 - v272 - t[0][3]).abs()
-                + (s1 * t_15 + v275 - t[1][3]).abs()
-                + (0.7027119222241174 + c2 * q3_scaled - t[2][3]).abs();
-            let ([c6, s6], m3) = ::dh_robot::runtime::lanes::half_turn([
-                [v53 * s2 + t[2][1] * c2, v47 * s2 + t[2][0] * c2],
+            all_t_3[branch] = t_3;
+            all_t_4[branch] = t_4;
+            all_t_5[branch] = t_5;
+            all_t_6[branch] = t_6;
+            all_t_7[branch] = t_7;
+            all_t_8[branch] = t_8;
+            all_t_9[branch] = t_9;
+            all_t_10[branch] = t_10;
+            all_t_11[branch] = t_11;
+            // Step 2: q2 from a ratio of sine and cosine.
+            let ([c2_first, s2_first], q2_margin) = ::dh_robot::runtime::lanes::half_turn([
+                [-t_3, t_2],
             ]);
-            let g3 = ::dh_robot::runtime::lanes::angle(s6, c6);
-            let v50 = v50_[l];
-            let v56 = v56_[l];
+            q2_pairs[0][branch] = c2_first;
+            q2_pairs[1][branch] = s2_first;
+            q2_pairs[0][branch + 2] = -c2_first;
+            q2_pairs[1][branch + 2] = -s2_first;
+            all_margin_1[branch] = q2_margin;
+        }
+        let all_q2 = ::dh_robot::runtime::lanes::angles(&q2_pairs[1], &q2_pairs[0]);
+        q[1] = ::core::array::from_fn(|branch| all_q2[branch / 2 % 2 * 2 + branch % 2]);
+        let all_c2 = q2_pairs[0];
+        let all_s2 = q2_pairs[1];
+        let all_t_3: [f64; 4] = ::core::array::from_fn(|branch| all_t_3[branch % 2]);
+        let all_t_4: [f64; 4] = ::core::array::from_fn(|branch| all_t_4[branch % 2]);
+        let all_t_6: [f64; 4] = ::core::array::from_fn(|branch| all_t_6[branch % 2]);
+        let all_t_8: [f64; 4] = ::core::array::from_fn(|branch| all_t_8[branch % 2]);
+        let all_c1: [f64; 4] = ::core::array::from_fn(|branch| all_c1[branch % 2]);
+        let all_s1: [f64; 4] = ::core::array::from_fn(|branch| all_s1[branch % 2]);
+        let all_t_10: [f64; 4] = ::core::array::from_fn(|branch| all_t_10[branch % 2]);
+        let all_t_11: [f64; 4] = ::core::array::from_fn(|branch| all_t_11[branch % 2]);
+        let all_t_5: [f64; 4] = ::core::array::from_fn(|branch| all_t_5[branch % 2]);
+        let all_t_7: [f64; 4] = ::core::array::from_fn(|branch| all_t_7[branch % 2]);
+        let all_t_9: [f64; 4] = ::core::array::from_fn(|branch| all_t_9[branch % 2]);
+        let all_q1: [f64; 4] = ::core::array::from_fn(|branch| all_q1[branch / 1 % 2]);
+        let all_margin_1: [f64; 4] = ::core::array::from_fn(|branch| {
+            all_margin_1[branch % 2]
+        });
+        let mut all_margin = [0.0; 4];
+        let mut all_valid = [0.0; 4];
+        let mut all_error = [0.0; 4];
+        for branch in 0..4 {
+            let t_3 = all_t_3[branch];
+            let t_4 = all_t_4[branch];
+            let t_6 = all_t_6[branch];
+            let t_8 = all_t_8[branch];
+            let c2 = all_c2[branch];
+            let s2 = all_s2[branch];
+            let t_12 = t_4 * c2 - t[2][0] * s2;
+            let t_13 = t_6 * c2 - t[2][1] * s2;
+            let t_14 = t_8 * c2 - t[2][2] * s2;
+            // Step 3: q3 from a linear equation.
+            let (q3_scaled, q3_margin) = ::dh_robot::runtime::lanes::linear(
+                -1.0,
+                t_3 * s2 + t_2 * c2,
+            );
+            let q3 = q3_scaled * Self::LENGTH_SCALE;
+            let c1 = all_c1[branch];
+            let s1 = all_s1[branch];
+            let t_10 = all_t_10[branch];
+            let t_11 = all_t_11[branch];
+            let t_15 = s2 * q3_scaled;
+            let q3_error = (c1 * t_15 - t_10 - t[0][3]).abs()
+                + (s1 * t_15 + t_11 - t[1][3]).abs()
+                + (0.7027119222241174 + c2 * q3_scaled - t[2][3]).abs();
+            // Step 4: q6 from a ratio of sine and cosine.
+            let ([c6, s6], q6_margin) = ::dh_robot::runtime::lanes::half_turn([
+                [t_6 * s2 + t[2][1] * c2, t_4 * s2 + t[2][0] * c2],
+            ]);
+            let q6 = ::dh_robot::runtime::lanes::angle(s6, c6);
+            let t_5 = all_t_5[branch];
+            let t_7 = all_t_7[branch];
+            // Step 5: q4 from sine and cosine.
             let [c4, s4] = ::dh_robot::runtime::lanes::unit(
                 t_12 * s6 + t_13 * c6,
-                -(v50 * s6 + v56 * c6),
+                -(t_5 * s6 + t_7 * c6),
             );
-            let g4 = ::dh_robot::runtime::lanes::angle(s4, c4);
-            let v62 = v62_[l];
-            let t_16 = c6 * (v50 * c4 + t_12 * s4) - s6 * (v56 * c4 + t_13 * s4);
+            let q4 = ::dh_robot::runtime::lanes::angle(s4, c4);
+            let t_9 = all_t_9[branch];
+            let t_16 = c6 * (t_5 * c4 + t_12 * s4) - s6 * (t_7 * c4 + t_13 * s4);
             let s6c4 = s6 * c4;
             let s6s4 = s6 * s4;
-            let [c5, s5] = ::dh_robot::runtime::lanes::unit(t_16, v62 * c4 + t_14 * s4);
-            let g5 = ::dh_robot::runtime::lanes::angle(s5, c5);
+            // Step 6: q5 from sine and cosine.
+            let [c5, s5] = ::dh_robot::runtime::lanes::unit(t_16, t_9 * c4 + t_14 * s4);
+            let q5 = ::dh_robot::runtime::lanes::angle(s5, c5);
             let c6c5 = c6 * c5;
             let c6s5 = c6 * s5;
             let t_17 = s4 * c6c5 + s6c4;
@@ -692,39 +836,41 @@ impl Stanford {
             let s4s5 = s4 * s5;
             let c4s5 = c4 * s5;
             let t_20 = c2 * s4s5 + s2 * c5;
-            let r6 = (c1 * t_19 + s1 * t_18 - t[0][0]).abs()
+            let q5_error = (c1 * t_19 + s1 * t_18 - t[0][0]).abs()
                 + (s1 * t_19 - c1 * t_18 - t[1][0]).abs()
                 + (-(s2 * t_17 + c2 * c6s5) - t[2][0]).abs()
                 + (c1 * t_20 + s1 * c4s5 - t[0][2]).abs()
                 + (s1 * t_20 - c1 * c4s5 - t[1][2]).abs()
                 + (-(s2 * s4s5 - c2 * c5) - t[2][2]).abs();
-            let g0 = g0_[l];
-            let margin1 = margin1_[l];
-            margin_[l] = ::dh_robot::runtime::lanes::lesser(
+            let q1 = all_q1[branch];
+            let margin_1 = all_margin_1[branch];
+            // How far the branch is from what it should be.
+            all_margin[branch] = ::dh_robot::runtime::lanes::lesser(
                 ::dh_robot::runtime::lanes::lesser(
-                    ::dh_robot::runtime::lanes::lesser(m0, margin1),
-                    m2,
+                    ::dh_robot::runtime::lanes::lesser(q1_margin, margin_1),
+                    q3_margin,
                 ),
-                m3,
+                q6_margin,
             );
-            valid_[l] = e0;
-            error_[l] = r3 + r6;
-            let h3 = ::dh_robot::runtime::lanes::opposite(g3);
-            let h4 = ::dh_robot::runtime::lanes::opposite(g4);
-            let h5 = ::dh_robot::runtime::lanes::negative(g5);
-            q[0][l] = g0;
-            q[2][l] = g2;
-            q[3][l] = g4;
-            q[4][l] = g5;
-            q[5][l] = g3;
-            q[0][l + 4] = g0;
-            q[2][l + 4] = g2;
-            q[3][l + 4] = h4;
-            q[4][l + 4] = h5;
-            q[5][l + 4] = h3;
+            all_valid[branch] = q1_valid;
+            all_error[branch] = q3_error + q5_error;
+            // The mirrored half differs by signs.
+            let q6_second = ::dh_robot::runtime::lanes::opposite(q6);
+            let q4_second = ::dh_robot::runtime::lanes::opposite(q4);
+            let q5_second = ::dh_robot::runtime::lanes::negative(q5);
+            q[0][branch] = q1;
+            q[2][branch] = q3;
+            q[3][branch] = q4;
+            q[4][branch] = q5;
+            q[5][branch] = q6;
+            q[0][branch + 4] = q1;
+            q[2][branch + 4] = q3;
+            q[3][branch + 4] = q4_second;
+            q[4][branch + 4] = q5_second;
+            q[5][branch + 4] = q6_second;
         }
-        *valid = ::core::array::from_fn(|l| valid_[l % 4]);
-        ::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)
+        *valid = ::core::array::from_fn(|branch| all_valid[branch % 4]);
+        ::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
@@ -800,9 +946,13 @@ impl ::dh_robot::runtime::Kinematics<6> for Stanford {
         )
     }
 }
-impl ::dh_robot::InverseKinematics<6, 8, f64> for Stanford {
+impl ::dh_robot::InverseKinematics<6, f64> for Stanford {
     type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 6, 8> {
+    type Solutions = ::dh_robot::Solutions<f64, 6, 8>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         Stanford::inverse(self, target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for Stanford {
+    type Joints = ::dh_robot::runtime::Joints<6>;
 }

@@ -378,7 +378,7 @@ impl Ur5 {
             joints: &Self::JOINTS,
             reach: Self::LENGTH_SCALE,
             few: false,
-            given: ::core::option::Option::None,
+            given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
@@ -427,7 +427,7 @@ impl Ur5 {
             joints: &Self::JOINTS,
             reach: Self::LENGTH_SCALE,
             few: false,
-            given: ::core::option::Option::None,
+            given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
@@ -693,7 +693,7 @@ impl Ur5 {
             joints: &Self::JOINTS,
             reach: Self::LENGTH_SCALE,
             few: false,
-            given: ::core::option::Option::None,
+            given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),

@@ -189,11 +189,27 @@ impl ::dh_robot::Jacobian<4, f64> for WaferPrrr {
     fn jacobian(&self, q: &[f64; 4]) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 4> {
         WaferPrrr::jacobian(self, q)
     }
+    #[inline]
+    fn forward_and_jacobian(
+        &self,
+        q: &[f64; 4],
+    ) -> (
+        ::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        ::dh_robot::nalgebra::SMatrix<f64, 6, 4>,
+    ) {
+        WaferPrrr::forward_and_jacobian(self, q)
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl WaferPrrr {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 2;
+    /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
+    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
+    /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
+    const LENGTH_SCALE: f64 = 0.6091883671078886;
+    /// What a length is multiplied by.
+    const PER_LENGTH: f64 = 1.0 / Self::LENGTH_SCALE;
     /// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.
     ///
     /// A rotation that lost digits (in a file with six decimals, say) is accepted up to
@@ -209,7 +225,7 @@ impl WaferPrrr {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 4, 2> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 0.6091883671078886) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -217,61 +233,148 @@ impl WaferPrrr {
         };
         let mut q = [[0.0; 2]; 4];
         let mut valid = [0.0; 2];
-        if !self.lanes(&frame, &mut q, &mut valid) {
+        if !self.all_branches(&frame, &mut q, &mut valid) {
             return self.robust(target);
         }
         if valid == [1.0; 2] {
-            let at = |l: usize| ::dh_robot::runtime::lanes::solution(
+            let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
-                l,
+                branch,
             );
             return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0), at(1)]);
         }
         ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
+    /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
+    /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
+    /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.
+    ///
+    /// # Errors
+    /// The reason why no joint values reach the target.
+    pub fn inverse_near(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        q: &[f64; 4],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 4>, ::dh_robot::Why<f64>> {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: true,
+            given: [::core::option::Option::None; 4],
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
+        );
+        let mut found = [[0.0; 2]; 4];
+        let mut valid = [0.0; 2];
+        if self.all_branches(&frame, &mut found, &mut valid) {
+            let list: ::dh_robot::Solutions<_, 4, 2> = ::dh_robot::runtime::lanes::collect(
+                &Self::JOINTS,
+                &valid,
+                &found,
+                &Self::BRANCHES,
+            );
+            return ::dh_robot::runtime::nearest(&list, q, Self::LENGTH_SCALE);
+        }
+        let unknowns = self.unknowns(&q.map(f64::from));
+        ::dh_robot::runtime::solve_near::<
+            _,
+            4,
+            2,
+        >(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            q,
+            unknowns,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at
+    /// neighbouring poses and along self-motions. To compare with.
+    #[must_use]
+    pub fn inverse_exhaustive(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> ::dh_robot::Solutions<f64, 4, 2> {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: true,
+            given: [::core::option::Option::None; 4],
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
+        );
+        ::dh_robot::runtime::solve(
+            self,
+            setting,
+            &task,
+            &frame,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The plan's unknowns at joint values.
+    fn unknowns(&self, q: &[f64; 4]) -> [f64; 8] {
+        [(q[0]) / Self::LENGTH_SCALE, q[1] + q[2] + q[3], q[2], q[1], 0.0, 0.0, 0.0, 0.0]
+    }
     /// Runs the plan: calls `found` with every candidate.
     fn candidates(
         &self,
         t: &::dh_robot::runtime::Pose,
-        pick: ::dh_robot::runtime::Pick,
-        found: &mut dyn FnMut([f64; 4], ::dh_robot::Branch, ::dh_robot::FreeJoints),
+        sample: &::dh_robot::runtime::Sample,
+        found: &mut dyn FnMut([f64; 4], ::dh_robot::Branch, ::dh_robot::runtime::Path),
     ) -> ::dh_robot::runtime::Attempt {
         let mut attempt = ::dh_robot::runtime::Attempt::new();
-        let free = ::dh_robot::FreeJoints::NONE;
-        let t_2 = self.d4 * 1.6415283908776575;
+        let path = ::dh_robot::runtime::Path::START;
+        let t_2 = self.d4 * Self::PER_LENGTH;
         let t_3 = t[0][3] - t[0][2] * t_2;
         let t_4 = t[1][3] - t[1][2] * t_2;
         let t_5 = t[2][3] - t[2][2] * t_2;
         let t_6 = t_3 * t_3 + t_4 * t_4;
-        let t_7 = self.d2 * 1.6415283908776575;
-        let t_8 = self.d3 * 1.6415283908776575;
-        let t_9 = self.a2 * 1.6415283908776575;
-        let t_10 = self.a3 * 1.6415283908776575;
+        let t_7 = self.d2 * Self::PER_LENGTH;
+        let t_8 = self.d3 * Self::PER_LENGTH;
+        let t_9 = self.a2 * Self::PER_LENGTH;
+        let t_10 = self.a3 * Self::PER_LENGTH;
         let t_11 = t_8 * (t_8 + t_7 * 2.0);
         let t_12 = t_9 * t_9 + t_10 * t_10 + t_7 * t_7;
+        // Step 1: q1 from a linear equation.
         let q1_roots = ::dh_robot::runtime::solve_quadratic(
             0.0,
             1.0,
             -(t_5 - (t_7 + t_8)),
-            1e-11,
+            sample.tolerance,
         );
         if !q1_roots.is_regular() {
-            attempt.note(q1_roots.outcome, free, "q1", 0.6091883671078886, "m");
+            attempt.note(q1_roots.outcome, &path, "q1", Self::LENGTH_SCALE, "m");
         }
-        let free = if q1_roots.is_free() {
-            free.union(::dh_robot::FreeJoints::of(&[0]))
+        let path = if q1_roots.is_free() {
+            attempt.choose(0, &path, ::dh_robot::FreeJoints::of(&[0]))
         } else {
-            free
+            path
         };
         for (q1_root, &q1_scaled) in q1_roots
-            .or_if_free(pick.length(0))
+            .or_if_free(sample.length(0))
             .iter()
             .enumerate()
         {
-            let q1 = q1_scaled * 0.6091883671078886;
+            let q1 = q1_scaled * Self::LENGTH_SCALE;
             let t_13 = t_5 - q1_scaled;
+            // Step 2: q2 + q3 + q4 from sine and cosine.
             let q2_plus_q3_plus_q4_roots = ::dh_robot::runtime::solve_pair(
                 1.0,
                 0.0,
@@ -279,60 +382,71 @@ impl WaferPrrr {
                 0.0,
                 -1.0,
                 t[0][1],
-                1e-11,
+                sample.tolerance,
             );
             if !q2_plus_q3_plus_q4_roots.is_regular() {
                 attempt
                     .note(
                         q2_plus_q3_plus_q4_roots.outcome,
-                        free,
+                        &path,
                         "q2 + q3 + q4",
                         1.0,
                         "",
                     );
             }
-            let free = if q2_plus_q3_plus_q4_roots.is_free() {
-                free.union(::dh_robot::FreeJoints::of(&[1, 2, 3]))
+            let path = if q2_plus_q3_plus_q4_roots.is_free() {
+                attempt.choose(1, &path, ::dh_robot::FreeJoints::of(&[1, 2, 3]))
             } else {
-                free
+                path
             };
             for (q2_plus_q3_plus_q4_root, &[c234, s234]) in q2_plus_q3_plus_q4_roots
-                .or_if_free(pick.angle(1))
+                .or_if_free(sample.angle(1))
                 .iter()
                 .enumerate()
             {
                 let q2_plus_q3_plus_q4 = ::dh_robot::runtime::atan2(s234, c234);
+                // Step 3: q3 from the law of cosines.
                 let q3_roots = ::dh_robot::runtime::solve_sincos(
                     2.0 * t_9 * t_10,
                     0.0,
                     -(t_11 - (t_6 + t_13 * t_13 - t_12)),
-                    1e-11,
+                    sample.tolerance,
                 );
                 if !q3_roots.is_regular() {
                     attempt
                         .note_law(
                             q3_roots.outcome,
-                            free,
+                            &path,
                             "elbow q3",
                             [t_11 + t_12, -(t_11 - (t_6 + t_13 * t_13 - t_12))],
                             false,
-                            0.6091883671078886,
+                            Self::LENGTH_SCALE,
                             "m",
                         );
                 }
-                let free = if q3_roots.is_free() {
-                    free.union(::dh_robot::FreeJoints::of(&[2]))
+                if path.is_chosen() {
+                    attempt
+                        .see(
+                            2,
+                            &path,
+                            [2.0 * t_9 * t_10, 0.0, -(t_11 - (t_6 + t_13 * t_13 - t_12))],
+                        );
+                }
+                let path = if q3_roots.is_free() {
+                    attempt.choose(2, &path, ::dh_robot::FreeJoints::of(&[2]))
                 } else {
-                    free
+                    path
                 };
                 for (q3_root, &[c3, s3]) in q3_roots
-                    .or_if_free(pick.angle(2))
+                    .or_if_free(sample.angle(2))
                     .iter()
                     .enumerate()
                 {
+                    let path = path.root(2, q3_root);
                     let q3 = ::dh_robot::runtime::atan2(s3, c3);
                     let t_14 = t_9 + t_10 * c3;
                     let t_15 = t_10 * s3;
+                    // Step 4: q2 from sine and cosine.
                     let q2_roots = ::dh_robot::runtime::solve_pair(
                         t_14,
                         -t_15,
@@ -340,18 +454,18 @@ impl WaferPrrr {
                         t_15,
                         t_14,
                         t_4,
-                        1e-11,
+                        sample.tolerance,
                     );
                     if !q2_roots.is_regular() {
-                        attempt.note(q2_roots.outcome, free, "q2", 1.0, "");
+                        attempt.note(q2_roots.outcome, &path, "q2", 1.0, "");
                     }
-                    let free = if q2_roots.is_free() {
-                        free.union(::dh_robot::FreeJoints::of(&[1]))
+                    let path = if q2_roots.is_free() {
+                        attempt.choose(3, &path, ::dh_robot::FreeJoints::of(&[1]))
                     } else {
-                        free
+                        path
                     };
                     for (q2_root, &[c2, s2]) in q2_roots
-                        .or_if_free(pick.angle(3))
+                        .or_if_free(sample.angle(3))
                         .iter()
                         .enumerate()
                     {
@@ -365,7 +479,7 @@ impl WaferPrrr {
                                     ::dh_robot::Elbow::Down
                                 },
                             );
-                        found([q1, q2, q3, q2_plus_q3_plus_q4 - q3 - q2], branch, free);
+                        found([q1, q2, q3, q2_plus_q3_plus_q4 - q3 - q2], branch, path);
                     }
                 }
             }
@@ -379,7 +493,7 @@ impl WaferPrrr {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 4, 2> {
-        let frame = match ::dh_robot::runtime::frame_of(target, 0.6091883671078886) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
                 return ::dh_robot::Solutions::none(&Self::JOINTS, why);
@@ -387,27 +501,29 @@ impl WaferPrrr {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: 0.6091883671078886,
+            reach: Self::LENGTH_SCALE,
             few: true,
             given: [::core::option::Option::None; 4],
         };
         let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, 0.6091883671078886),
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
-        ::dh_robot::runtime::solve(
+        ::dh_robot::runtime::solve_bounded(
             self,
             setting,
             &task,
             &frame,
-            |frame, pick, found| self.candidates(frame, pick, found),
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
         )
     }
+    /// Which root each step takes in each branch.
     const BRANCHES: [::dh_robot::Branch; 2] = {
         let mut all = [::dh_robot::Branch::ANY; 2];
-        let mut l = 0;
-        while l < 2 {
-            let q3_root = l / 1 % 2;
-            all[l] = ::dh_robot::Branch::ANY
+        let mut branch = 0;
+        while branch < 2 {
+            let q3_root = branch / 1 % 2;
+            all[branch] = ::dh_robot::Branch::ANY
                 .with_step(0, q3_root)
                 .with_elbow(
                     if q3_root == 0 {
@@ -416,59 +532,68 @@ impl WaferPrrr {
                         ::dh_robot::Elbow::Down
                     },
                 );
-            l += 1;
+            branch += 1;
         }
         all
     };
-    /// The plan for all branches at once: joint values, and which branches are real; false where the robust way has to decide.
+    /// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.
     #[inline]
-    fn lanes(
+    fn all_branches(
         &self,
         t: &::dh_robot::runtime::Pose,
         q: &mut [[f64; 2]; 4],
         valid: &mut [f64; 2],
     ) -> bool {
-        let t_2 = self.d4 * 1.6415283908776575;
+        let t_2 = self.d4 * Self::PER_LENGTH;
         let t_3 = t[0][3] - t[0][2] * t_2;
         let t_4 = t[1][3] - t[1][2] * t_2;
         let t_5 = t[2][3] - t[2][2] * t_2;
         let t_6 = t_3 * t_3 + t_4 * t_4;
-        let t_7 = self.d2 * 1.6415283908776575;
-        let t_8 = self.d3 * 1.6415283908776575;
+        let t_7 = self.d2 * Self::PER_LENGTH;
+        let t_8 = self.d3 * Self::PER_LENGTH;
         let t_9 = t_7 + t_8;
-        let t_10 = self.a2 * 1.6415283908776575;
-        let t_11 = self.a3 * 1.6415283908776575;
+        let t_10 = self.a2 * Self::PER_LENGTH;
+        let t_11 = self.a3 * Self::PER_LENGTH;
         let t_12 = t_8 * (t_8 + t_7 * 2.0);
         let t_13 = t_10 * t_10 + t_11 * t_11 + t_7 * t_7;
         let t_14 = t_2 + t_9;
-        let r0 = (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs() + (0.0 - t[1][2]).abs()
-            + (1.0 - t[2][2]).abs();
-        let (q1_scaled, m0) = ::dh_robot::runtime::lanes::linear(1.0, -(t_5 - t_9));
-        let q1_scaled = q1_scaled;
-        let g0 = q1_scaled * 0.6091883671078886;
+        let constant_error = (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs()
+            + (0.0 - t[1][2]).abs() + (1.0 - t[2][2]).abs();
+        // Step 1: q1 from a linear equation.
+        let (q1_scaled, q1_margin) = ::dh_robot::runtime::lanes::linear(
+            1.0,
+            -(t_5 - t_9),
+        );
+        let q1 = q1_scaled * Self::LENGTH_SCALE;
         let t_15 = t_5 - q1_scaled;
-        let r1 = (q1_scaled + t_14 - t[2][3]).abs();
+        let q1_error = (q1_scaled + t_14 - t[2][3]).abs();
+        // Step 2: q2 + q3 + q4 from sine and cosine.
         let [c234, s234] = ::dh_robot::runtime::lanes::unit(t[0][0], -t[0][1]);
-        let g1 = ::dh_robot::runtime::lanes::angle(s234, c234);
-        let r2 = (-s234 - t[0][1]).abs() + (c234 - t[1][1]).abs();
-        let ([x2, y2, z2, w2], e2, m2) = ::dh_robot::runtime::lanes::sincos(
+        let q2_plus_q3_plus_q4 = ::dh_robot::runtime::lanes::angle(s234, c234);
+        let q2_plus_q3_plus_q4_error = (-s234 - t[0][1]).abs() + (c234 - t[1][1]).abs();
+        // Step 3: q3 from the law of cosines.
+        let ([c3_first, s3_first, c3_second, s3_second], q3_valid, q3_margin) = ::dh_robot::runtime::lanes::sincos(
             2.0 * t_10 * t_11,
             0.0,
             -(t_12 - (t_6 + t_15 * t_15 - t_13)),
         );
-        let c3_ = [x2, z2];
-        let s3_ = [y2, w2];
-        let g2_ = ::dh_robot::runtime::lanes::angles(&[y2, w2], &[x2, z2]);
-        let g2_: [f64; 2] = ::core::array::from_fn(|l| g2_[l / 1 % 2]);
-        let mut margin_ = [0.0; 2];
-        let mut valid_ = [0.0; 2];
-        let mut error_ = [0.0; 2];
-        for l in 0..2 {
-            let c3 = c3_[l];
-            let s3 = s3_[l];
+        let all_c3 = [c3_first, c3_second];
+        let all_s3 = [s3_first, s3_second];
+        let all_q3 = ::dh_robot::runtime::lanes::angles(
+            &[s3_first, s3_second],
+            &[c3_first, c3_second],
+        );
+        let all_q3: [f64; 2] = ::core::array::from_fn(|branch| all_q3[branch / 1 % 2]);
+        let mut all_margin = [0.0; 2];
+        let mut all_valid = [0.0; 2];
+        let mut all_error = [0.0; 2];
+        for branch in 0..2 {
+            let c3 = all_c3[branch];
+            let s3 = all_s3[branch];
             let t_16 = t_10 + t_11 * c3;
             let t_17 = t_11 * s3;
-            let ([c2, s2], m3) = ::dh_robot::runtime::lanes::pair(
+            // Step 4: q2 from sine and cosine.
+            let ([c2, s2], q2_margin) = ::dh_robot::runtime::lanes::pair(
                 t_16,
                 -t_17,
                 t_3,
@@ -476,23 +601,27 @@ impl WaferPrrr {
                 t_16,
                 t_4,
             );
-            let g3 = ::dh_robot::runtime::lanes::angle(s2, c2);
-            let r4 = (t_11 * (c3 * c2 - s3 * s2) + t_10 * c2 - t[0][3]).abs()
+            let q2 = ::dh_robot::runtime::lanes::angle(s2, c2);
+            let q2_error = (t_11 * (c3 * c2 - s3 * s2) + t_10 * c2 - t[0][3]).abs()
                 + (t_11 * (c3 * s2 + s3 * c2) + t_10 * s2 - t[1][3]).abs();
-            let g2 = g2_[l];
-            margin_[l] = ::dh_robot::runtime::lanes::lesser(
-                ::dh_robot::runtime::lanes::lesser(m0, m2),
-                m3,
+            let q3 = all_q3[branch];
+            // How far the branch is from what it should be.
+            all_margin[branch] = ::dh_robot::runtime::lanes::lesser(
+                ::dh_robot::runtime::lanes::lesser(q1_margin, q3_margin),
+                q2_margin,
             );
-            valid_[l] = e2;
-            error_[l] = r0 + r1 + r2 + r4;
-            q[0][l] = g0;
-            q[1][l] = g3;
-            q[2][l] = g2;
-            q[3][l] = ::dh_robot::runtime::lanes::wrap(g1 - g2 - g3);
+            all_valid[branch] = q3_valid;
+            all_error[branch] = constant_error + q1_error + q2_plus_q3_plus_q4_error
+                + q2_error;
+            q[0][branch] = q1;
+            q[1][branch] = q2;
+            q[2][branch] = q3;
+            q[3][branch] = ::dh_robot::runtime::lanes::wrap(
+                q2_plus_q3_plus_q4 - q3 - q2,
+            );
         }
-        *valid = valid_;
-        ::dh_robot::runtime::lanes::confirmed(&valid_, &margin_, &error_)
+        *valid = all_valid;
+        ::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
@@ -541,9 +670,13 @@ impl ::dh_robot::runtime::Kinematics<4> for WaferPrrr {
         "m"
     }
 }
-impl ::dh_robot::InverseKinematics<4, 2, f64> for WaferPrrr {
+impl ::dh_robot::InverseKinematics<4, f64> for WaferPrrr {
     type Target = ::dh_robot::nalgebra::IsometryMatrix3<f64>;
-    fn inverse(&self, target: &Self::Target) -> ::dh_robot::Solutions<f64, 4, 2> {
+    type Solutions = ::dh_robot::Solutions<f64, 4, 2>;
+    fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         WaferPrrr::inverse(self, target)
     }
+}
+impl ::dh_robot::runtime::HasJoints<f64> for WaferPrrr {
+    type Joints = ::dh_robot::runtime::Joints<4>;
 }

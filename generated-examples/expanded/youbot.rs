@@ -286,7 +286,7 @@ impl Youbot {
             joints: &Self::JOINTS,
             reach: Self::LENGTH_SCALE,
             few: true,
-            given: ::core::option::Option::None,
+            given: [::core::option::Option::None; 5],
         };
         let task = ::dh_robot::runtime::Task::Axis(p, z);
         ::dh_robot::runtime::solve_bounded(
@@ -332,7 +332,7 @@ impl Youbot {
             joints: &Self::JOINTS,
             reach: Self::LENGTH_SCALE,
             few: true,
-            given: ::core::option::Option::None,
+            given: [::core::option::Option::None; 5],
         };
         let task = ::dh_robot::runtime::Task::Axis(p, z);
         let unknowns = self.unknowns(&q.map(f64::from));
@@ -386,7 +386,7 @@ impl Youbot {
             joints: &Self::JOINTS,
             reach: Self::LENGTH_SCALE,
             few: true,
-            given: ::core::option::Option::None,
+            given: [::core::option::Option::None; 5],
         };
         let task = ::dh_robot::runtime::Task::Axis(p, z);
         ::dh_robot::runtime::solve(
