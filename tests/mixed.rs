@@ -54,7 +54,7 @@ fn a_list_of_mixed_arms_answers_like_each_of_them() {
             }
             let wanted = (alone.inverse)(&target, &q);
             let mut found = Vec::new();
-            let why = arm.inverse(&target, redundant(alone.module, &q), &mut |s: SolutionView<'_, f64>| {
+            let why = arm.inverse(&target, redundant(alone.module, &q).as_slice(), &mut |s: SolutionView<'_, f64>| {
                 found.push(s.q.to_vec());
             });
             assert_eq!((why, found.len()), (Why::Solved, wanted.q.len()), "{}", alone.module);
@@ -64,7 +64,9 @@ fn a_list_of_mixed_arms_answers_like_each_of_them() {
             // The nearest one within the ranges, and back where the arm stands.
             let inside = |q: &[f64]| arm.joints().iter().zip(q).all(|(joint, q)| joint.contains(*q));
             let mut next = q.clone();
-            let why = arm.toward(&target, redundant(alone.module, &q), &mut next).expect("as many values as joints");
+            let why = arm
+                .toward(&target, redundant(alone.module, &q).as_slice(), &mut next)
+                .expect("as many values as joints");
             assert_eq!(why == Why::Solved, found.iter().any(|q| inside(q)), "{}: {why}", alone.module);
             assert!(if why == Why::Solved { inside(&next) } else { next == q });
         }
@@ -79,7 +81,7 @@ fn slices_of_another_length_are_refused() {
             let mut q = vec![0.1; given];
             let refused = arm.forward(&q).expect_err("another length");
             assert_eq!((refused.joints, refused.given), (dof, given));
-            assert_eq!(arm.toward(&pose, None, &mut q), Err(refused));
+            assert_eq!(arm.toward(&pose, &[], &mut q), Err(refused));
             assert!(arm.frames(&vec![0.1; dof], &mut vec![pose; given]).is_err());
             assert!(arm.frames(&q, &mut vec![pose; dof]).is_err());
             assert!(arm.jacobian(&vec![0.1; dof], &mut vec![[0.0; 6]; given]).is_err());

@@ -1,7 +1,7 @@
 //! Several joints that the caller gives, and tasks that need fewer joints than the arm has.
 
 use dh_robot::nalgebra::{IsometryMatrix3, Point3};
-use dh_robot::{InverseKinematics, dh_robot};
+use dh_robot::{Arm, InverseKinematics, dh_robot};
 use dh_tests::sample::Random;
 
 dh_robot! {
@@ -104,6 +104,9 @@ fn a_seven_axis_arm_on_a_rail() {
         most = most.max(found.len());
         let by_trait = InverseKinematics::inverse(&arm, &(target, [q[3], q[0]]));
         assert_eq!(by_trait.len(), found.len());
+        let mut count = 0;
+        (&arm as &dyn Arm).inverse(&target, &[q[3], q[0]], &mut |_| count += 1);
+        assert_eq!(count, found.len());
     }
     assert_eq!(most, 8);
     assert!(arm.inverse(&arm.forward(&[0.3; 8]), [f64::NAN, 0.0]).is_empty());

@@ -21,7 +21,7 @@ use crate::{Branch, FreeJoints, Joint, Real, Why};
 ///     for arm in arms {
 ///         let q = [value; 16];
 ///         let target = arm.forward(&q[..arm.dof()])?;
-///         arm.inverse(&target, None, &mut |solution| {
+///         arm.inverse(&target, &[], &mut |solution| {
 ///             let inside = arm.joints().iter().zip(solution.q).all(|(joint, q)| joint.contains(*q));
 ///             count += usize::from(inside);
 ///         });
@@ -75,12 +75,12 @@ pub trait Arm<T: Real = f64> {
     /// Hands every solution for a target to `found`, each once; returns [`Why::Solved`], or why there is none.
     ///
     /// Of the target an arm takes what its task asks for: all of it, its position, its position and z axis, or x, y and the angle about z.
-    /// `redundant` is the value of the joint that the caller chooses, where the table has such a joint (zero if there is no value), and means
-    /// nothing to other arms.
+    /// `redundant` are the values of the joints that the caller chooses, in the order of the table's setting (zero where there is no value);
+    /// they mean nothing to other arms.
     fn inverse(
         &self,
         target: &IsometryMatrix3<T>,
-        redundant: Option<T>,
+        redundant: &[T],
         found: &mut dyn FnMut(SolutionView<'_, T>),
     ) -> Why<T>;
 
@@ -90,7 +90,7 @@ pub trait Arm<T: Real = f64> {
     /// # Errors
     ///
     /// [`WrongLength`] if `q` does not hold one value per joint.
-    fn toward(&self, target: &IsometryMatrix3<T>, redundant: Option<T>, q: &mut [T]) -> Result<Why<T>, WrongLength>;
+    fn toward(&self, target: &IsometryMatrix3<T>, redundant: &[T], q: &mut [T]) -> Result<Why<T>, WrongLength>;
 }
 
 /// A [`Solution`](crate::Solution) whose joint values are a slice.
@@ -145,13 +145,13 @@ impl<T: Real, R: HasJoints<T>> Arm<T> for R {
     fn inverse(
         &self,
         target: &IsometryMatrix3<T>,
-        redundant: Option<T>,
+        redundant: &[T],
         found: &mut dyn FnMut(SolutionView<'_, T>),
     ) -> Why<T> {
         R::Joints::inverse(self, target, redundant, found)
     }
 
-    fn toward(&self, target: &IsometryMatrix3<T>, redundant: Option<T>, q: &mut [T]) -> Result<Why<T>, WrongLength> {
+    fn toward(&self, target: &IsometryMatrix3<T>, redundant: &[T], q: &mut [T]) -> Result<Why<T>, WrongLength> {
         R::Joints::toward(self, target, redundant, q)
     }
 }

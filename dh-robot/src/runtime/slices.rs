@@ -30,11 +30,10 @@ pub trait OverSlices<R, T: Real> {
     fn inverse(
         robot: &R,
         target: &IsometryMatrix3<T>,
-        redundant: Option<T>,
+        redundant: &[T],
         found: &mut dyn FnMut(SolutionView<'_, T>),
     ) -> Why<T>;
-    fn toward(robot: &R, target: &IsometryMatrix3<T>, redundant: Option<T>, q: &mut [T])
-    -> Result<Why<T>, WrongLength>;
+    fn toward(robot: &R, target: &IsometryMatrix3<T>, redundant: &[T], q: &mut [T]) -> Result<Why<T>, WrongLength>;
 }
 
 /// The slice as an array of one entry per joint.
@@ -79,24 +78,19 @@ where
     fn inverse(
         robot: &R,
         target: &IsometryMatrix3<T>,
-        redundant: Option<T>,
+        redundant: &[T],
         found: &mut dyn FnMut(SolutionView<'_, T>),
     ) -> Why<T> {
-        let solutions = robot.inverse(&R::Target::of(target, redundant.unwrap_or(T::zero())));
+        let solutions = robot.inverse(&R::Target::of(target, redundant));
         for solution in solutions.iter() {
             found(SolutionView { q: &solution.q, branch: solution.branch, free: solution.free });
         }
         solutions.why()
     }
 
-    fn toward(
-        robot: &R,
-        target: &IsometryMatrix3<T>,
-        redundant: Option<T>,
-        q: &mut [T],
-    ) -> Result<Why<T>, WrongLength> {
+    fn toward(robot: &R, target: &IsometryMatrix3<T>, redundant: &[T], q: &mut [T]) -> Result<Why<T>, WrongLength> {
         let q: &mut [T; N] = array_mut(q)?;
-        let solutions = robot.inverse(&R::Target::of(target, redundant.unwrap_or(T::zero()))).within_range();
+        let solutions = robot.inverse(&R::Target::of(target, redundant)).within_range();
         if let Some(solution) = solutions.toward(q) {
             *q = solution.q;
         }
@@ -106,38 +100,44 @@ where
 
 /// What an inverse is given, as a part of a pose.
 pub trait PartOfPose<T: Real> {
-    /// The part of `pose`, and the value of the joint that the caller chooses where the arm has one.
-    fn of(pose: &IsometryMatrix3<T>, redundant: T) -> Self;
+    /// The part of `pose`, and the values of the joints that the caller chooses where the arm has such joints.
+    fn of(pose: &IsometryMatrix3<T>, redundant: &[T]) -> Self;
 }
 
 impl<T: Real> PartOfPose<T> for IsometryMatrix3<T> {
-    fn of(pose: &Self, _: T) -> Self {
+    fn of(pose: &Self, _: &[T]) -> Self {
         *pose
     }
 }
 
 impl<T: Real> PartOfPose<T> for Point3<T> {
-    fn of(pose: &IsometryMatrix3<T>, _: T) -> Self {
+    fn of(pose: &IsometryMatrix3<T>, _: &[T]) -> Self {
         pose.translation.vector.into()
     }
 }
 
 impl<T: Real> PartOfPose<T> for (T, T, T) {
-    fn of(pose: &IsometryMatrix3<T>, _: T) -> Self {
+    fn of(pose: &IsometryMatrix3<T>, _: &[T]) -> Self {
         let (p, r) = (&pose.translation.vector, pose.rotation.matrix());
         (p.x, p.y, atan2(r[(1, 0)], r[(0, 0)]))
     }
 }
 
 impl<T: Real> PartOfPose<T> for (Point3<T>, UnitVector3<T>) {
-    fn of(pose: &IsometryMatrix3<T>, _: T) -> Self {
+    fn of(pose: &IsometryMatrix3<T>, _: &[T]) -> Self {
         let z = pose.rotation.matrix().column(2).into_owned();
         (pose.translation.vector.into(), UnitVector3::new_unchecked(z))
     }
 }
 
 impl<T: Real, K: PartOfPose<T>> PartOfPose<T> for (K, T) {
-    fn of(pose: &IsometryMatrix3<T>, redundant: T) -> Self {
-        (K::of(pose, redundant), redundant)
+    fn of(pose: &IsometryMatrix3<T>, redundant: &[T]) -> Self {
+        (K::of(pose, redundant), redundant.first().copied().unwrap_or(T::zero()))
+    }
+}
+
+impl<T: Real, K: PartOfPose<T>, const G: usize> PartOfPose<T> for (K, [T; G]) {
+    fn of(pose: &IsometryMatrix3<T>, redundant: &[T]) -> Self {
+        (K::of(pose, redundant), core::array::from_fn(|i| redundant.get(i).copied().unwrap_or(T::zero())))
     }
 }
