@@ -4,8 +4,9 @@ use dh_symbolic::chain::Chain;
 use dh_symbolic::chain::table::parse;
 use dh_symbolic::render::document::notes::Part;
 use dh_symbolic::render::{Format, Options, notes};
-use dh_symbolic::verify::check::{Report, Verdict, check};
+use dh_symbolic::verify::check::{Report, Verdict};
 use dh_symbolic::verify::document::DocumentClaims;
+use dh_symbolic::verify::judge;
 use dh_symbolic::verify::report::document_text;
 use generated_examples::{corpus, source};
 use std::path::Path;
@@ -15,9 +16,7 @@ fn chain(text: &str) -> Chain {
 }
 
 fn judged(chain: &Chain, text: &str) -> (DocumentClaims, Report) {
-    let paper = DocumentClaims::read(chain, text);
-    let report = check(chain, &paper.derivation);
-    (paper, report)
+    judge(chain, text)
 }
 
 /// Numbers of lines that are wrong, and not understood.

@@ -256,7 +256,11 @@ impl Robot {
         let lines = self.source.parse().ok()?.claims;
         let claims = Claims::read(&lines);
         let verdicts = check::check(&self.arm.chain, &claims.derivation);
-        let checked = Checked { fine: verdicts.is_fine(), text: report::check_text(&verdicts, &claims) };
+        let checked = Checked {
+            fine: verdicts.is_fine(),
+            wrong: verdicts.wrong() > 0,
+            text: report::check_text(&verdicts, &claims),
+        };
         (!lines.is_empty()).then_some(checked)
     }
 
@@ -269,9 +273,9 @@ impl Robot {
     /// # Ok::<(), dh_symbolic::TableError>(())
     /// ```
     pub fn check_document(&self, text: &str) -> Checked {
-        let document = verify::document::DocumentClaims::read(&self.arm.chain, text);
-        let verdicts = check::check(&self.arm.chain, &document.derivation);
-        Checked { fine: verdicts.is_fine(), text: report::document_text(&verdicts, &document) }
+        let (paper, verdicts) = verify::judge(&self.arm.chain, text);
+        let text = report::document_text(&verdicts, &paper);
+        Checked { fine: verdicts.is_fine(), wrong: verdicts.wrong() > 0, text }
     }
 
     /// How the arm is inverted, step by step.
@@ -376,10 +380,16 @@ impl fmt::Debug for Robot {
 #[must_use]
 pub struct Checked {
     fine: bool,
+    wrong: bool,
     text: String,
 }
 
 impl Checked {
+    /// Is a line wrong? (One that is not understood is not.)
+    pub fn has_wrong(&self) -> bool {
+        self.wrong
+    }
+
     /// Is no line wrong or not understood?
     pub fn is_fine(&self) -> bool {
         self.fine

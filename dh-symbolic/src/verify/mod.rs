@@ -17,3 +17,26 @@ mod prove_block;
 pub mod report;
 
 pub use prove_block::Claims;
+
+/// Reads a document and checks what it says.
+///
+/// Where the angle of a row is `q2 - 90deg`, documents mean by theta_2 either that angle or the variable q2. What the document itself makes
+/// true decides: the reading under which fewer of its lines are wrong, the table's angle if both are as good.
+#[cfg(feature = "documents")]
+pub fn judge(chain: &crate::chain::Chain, text: &str) -> (document::DocumentClaims, check::Report) {
+    let judged = |variable| {
+        let (paper, differs) = document::DocumentClaims::read_as(chain, text, variable);
+        let report = check::check(chain, &paper.derivation);
+        (paper, report, differs)
+    };
+    let (mut paper, mut report, differs) = judged(false);
+    if differs {
+        let (other, found, _) = judged(true);
+        let is_variable = found.wrong() < report.wrong();
+        if is_variable {
+            (paper, report) = (other, found);
+        }
+        paper.theta_is_variable = Some(is_variable);
+    }
+    (paper, report)
+}

@@ -8,7 +8,7 @@ use crate::verify::Claims;
 use crate::verify::check::{Condition, Edit, Example, Fault, FaultKind, Mend, Pair, Ratio, Report, Verdict};
 #[cfg(feature = "documents")]
 use crate::verify::document::DocumentClaims;
-use crate::verify::language::{Derivation, Line, Place, Token, TokenKind, line_text};
+use crate::verify::language::{Derivation, Line, Place, Statement, Token, TokenKind, line_text};
 use std::fmt::Write;
 
 /// Longer formulas are cut.
@@ -143,6 +143,12 @@ fn fault_remark(report: &Report, d: &Derivation, f: &Fault) -> Remark {
                 Pair::Matrices => format!("{at}this holds nowhere{at_pose}"),
             };
         }
+        FaultKind::None(example) => {
+            r.headline = match example.joints.is_empty() {
+                true => "none of the possibilities holds".into(),
+                false => format!("none of the possibilities holds at {}", example_text(example)),
+            };
+        }
         FaultKind::Number { printed, correct, tolerance, angle } => {
             let show = |x: f64| if *angle { format!("{}deg", number(x.to_degrees())) } else { number(x) };
             r.headline = format!("{at}printed {}, correct {}", show(*printed), show(*correct));
@@ -226,10 +232,13 @@ fn marks(v: &Verdict, k: usize, r: &Remark) -> Vec<Place> {
 
 /// One line with its verdict, as plain text; what is wrong is underlined.
 pub fn line_report(report: &Report, d: &Derivation, line: &Line, verdict: &Verdict) -> String {
+    line_report_as(report, d, line, verdict, verdict_word(verdict))
+}
+
+fn line_report_as(report: &Report, d: &Derivation, line: &Line, verdict: &Verdict, word: &str) -> String {
     let tokens = d.tokens.get(line.place.clone()).unwrap_or_default();
     let (text, columns) = line_text(tokens);
-    let word = verdict_word(verdict);
-    let mut out = format!("{word:<8}{text}\n");
+    let mut out = format!("{word:<7} {text}\n");
     if let Verdict::Proven(w) = verdict
         && !w.is_everywhere()
     {
@@ -284,7 +293,7 @@ pub fn check_text(report: &Report, claims: &Claims) -> String {
     let line = |place: &Place| claims.place(place).map_or(0, crate::diagnostic::Place::line);
     let mut out = String::new();
     let counts = verdicts_text(report, &claims.derivation, line, &mut out);
-    let _ = writeln!(out, "{}", if counts.is_empty() { "no claims".into() } else { counts.join(", ") });
+    let _ = writeln!(out, "{counts}");
     out
 }
 
@@ -292,37 +301,89 @@ pub fn check_text(report: &Report, claims: &Claims) -> String {
 #[cfg(feature = "documents")]
 pub fn document_text(report: &Report, document: &DocumentClaims) -> String {
     let mut out = String::new();
-    let mut counts = verdicts_text(report, &document.derivation, |place| document.line(place), &mut out);
-    if counts.is_empty() {
-        counts.push("no formulas about the robot".into());
+    match document.theta_is_variable {
+        Some(true) => out.push_str("      theta_i is read as the variable q_i: so more lines of this document hold\n"),
+        Some(false) => out.push_str("      theta_i is read as the angle of the table, offset included\n"),
+        None => {}
     }
+    let counts = verdicts_text(report, &document.derivation, |place| document.line(place), &mut out);
     let lines = if document.prose == 1 { "line" } else { "lines" };
-    let _ = writeln!(out, "{}; {} {lines} of prose", counts.join(", "), document.prose);
+    let _ = writeln!(out, "{counts}; {} {lines} of prose", document.prose);
     out
 }
 
+/// How many lines there are of each kind.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Counts {
+    proven: usize,
+    conditional: usize,
+    agreeing: usize,
+    wrong: usize,
+    unclear: usize,
+    definitions: usize,
+}
+
+impl std::fmt::Display for Counts {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let all = self.proven + self.conditional + self.agreeing + self.wrong + self.unclear + self.definitions;
+        write!(f, "{all} formula{}, {} proven", if all == 1 { "" } else { "s" }, self.proven)?;
+        if self.conditional > 0 {
+            write!(f, ", {} proven under a condition", self.conditional)?;
+        }
+        if self.agreeing > 0 {
+            write!(f, ", {} proven for given values", self.agreeing)?;
+        }
+        write!(f, ", {} wrong, {} unclear", self.wrong, self.unclear)?;
+        match self.definitions {
+            0 => Ok(()),
+            1 => write!(f, ", 1 definition"),
+            n => write!(f, ", {n} definitions"),
+        }
+    }
+}
+
 /// Writes the verdicts; gives how many there are of each kind.
-fn verdicts_text(report: &Report, d: &Derivation, number: impl Fn(&Place) -> usize, out: &mut String) -> Vec<String> {
-    let mut counts: Vec<(&str, usize)> = Vec::new();
+fn verdicts_text(report: &Report, d: &Derivation, number: impl Fn(&Place) -> usize, out: &mut String) -> Counts {
+    let mut counts = Counts::default();
     let mut sorted: Vec<(usize, &Line, &Verdict)> =
         d.lines.iter().zip(&report.verdicts).map(|(line, v)| (number(&line.place), line, v)).collect();
     // a document may use a name before it says what it means
     sorted.sort_by_key(|t| t.0);
     for (number, line, v) in sorted {
-        if matches!(v, Verdict::Noted) {
+        let word = match v {
+            Verdict::Noted => "definition",
+            Verdict::Agrees => "proven",
+            v => verdict_word(v),
+        };
+        // a name that the reader of documents made up
+        if matches!(line.statement, Statement::Free(..)) {
             continue;
         }
-        let word = verdict_word(v);
-        match counts.iter_mut().find(|c| c.0 == word) {
-            Some(c) => c.1 += 1,
-            None => counts.push((word, 1)),
+        *match v {
+            Verdict::Noted => &mut counts.definitions,
+            Verdict::Proven(w) if w.is_everywhere() => &mut counts.proven,
+            Verdict::Proven(_) => &mut counts.conditional,
+            Verdict::Agrees => &mut counts.agreeing,
+            Verdict::Wrong(_) => &mut counts.wrong,
+            Verdict::NotUnderstood(..) => &mut counts.unclear,
+        } += 1;
+        let mut text = match &line.statement {
+            // an `at` line repeats the values before it
+            Statement::At(settings) => {
+                let new = settings.last().map_or(line.place.clone(), |s| s.place.start..line.place.end);
+                format!("{word:<7} {}\n", d.text(&new))
+            }
+            _ => line_report_as(report, d, line, v, word),
+        };
+        if matches!(v, Verdict::Agrees) {
+            text.push_str("        for the given values, to the printed digits\n");
         }
-        for (k, text) in line_report(report, d, line, v).lines().enumerate() {
+        for (k, text) in text.lines().enumerate() {
             let _ =
                 if k == 0 && number > 0 { writeln!(out, "{number:>4}  {text}") } else { writeln!(out, "      {text}") };
         }
     }
-    counts.iter().map(|(word, n)| format!("{n} {word}")).collect()
+    counts
 }
 
 /// All lines with their verdicts, as plain text.

@@ -26,7 +26,7 @@ dh: kinematics from a Denavit-Hartenberg table
 for notes:
 {notes}
 FILE holds the body of dh_robot!; without it, or with -, standard input is read.
-Exit code: 0, 1 (a claim is wrong or not understood, or the arms differ), 2 (bad usage or table).
+Exit code: 0, 1 (a claim is wrong, one of the table's own not understood, or the arms differ), 2 (bad usage or table).
 ";
 
 /// The commands, with the formats that each prints, its usual one first, and the most files that it reads.

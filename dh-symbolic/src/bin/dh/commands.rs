@@ -79,7 +79,7 @@ fn check(robot: &Robot, documents: &[String]) -> Result<Answer, Answer> {
     for (path, text) in documents.iter().zip(&texts) {
         let checked = robot.check_document(text);
         out.push_str(&format!("\n{path}\n{checked}"));
-        fine &= checked.is_fine();
+        fine &= !checked.has_wrong();
     }
     Ok(Answer { out, code: if fine { 0 } else { WRONG }, ..Answer::default() })
 }

@@ -1,6 +1,6 @@
 //! The `dh` command: notes, proofs, plans and expanded code of a table, from a file or standard input.
 //!
-//! Exit code 0: done. 1: a claim is wrong or not understood, or two arms differ. 2: bad usage or a bad table.
+//! Exit code 0: done. 1: a claim is wrong, one of the table's own not understood, or two arms differ. 2: bad usage or a bad table.
 
 mod arguments;
 mod commands;

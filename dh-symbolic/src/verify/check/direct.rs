@@ -2,6 +2,7 @@
 //!
 //! Nothing here goes through the normal form, so that what the algebra says can be held against it.
 
+mod arithmetic;
 mod matrix;
 
 use super::Evaluator;
@@ -12,6 +13,7 @@ use super::scope::numbered;
 use super::value::Value;
 use crate::chain::{Chain, Convention, Coordinate, Elementary, Handle};
 use crate::verify::language::{Expr, ExprKind};
+use arithmetic::{added, multiplied, scaled};
 use matrix::{Rows, identity, rotation, translation};
 use std::collections::BTreeMap;
 
@@ -473,36 +475,4 @@ fn written(text: &str, on: &Evaluator<'_>) -> Option<Direct> {
 /// A cosine that is one up to rounding.
 fn unit(x: f64) -> f64 {
     if x.abs() > 1.0 && x.abs() < 1.0 + 1e-13 { x.signum() } else { x }
-}
-
-fn scaled(q: Direct, k: f64) -> Direct {
-    match q {
-        Direct::Scalar(x) => Direct::Scalar(k * x),
-        Direct::Angle(x) => Direct::Angle(k * x),
-        Direct::Matrix(m) => Direct::Matrix(m.scaled(k)),
-    }
-}
-
-fn added(a: Direct, b: Direct) -> Option<Direct> {
-    match (a, b) {
-        (Direct::Scalar(x), Direct::Scalar(y)) => Some(Direct::Scalar(x + y)),
-        (Direct::Matrix(m), Direct::Matrix(n)) if m.columns == n.columns && m.cells.len() == n.cells.len() => {
-            let cells = m.cells.iter().zip(&n.cells).map(|(x, y)| x + y).collect();
-            Some(Direct::Matrix(Rows { columns: m.columns, cells }))
-        }
-        (Direct::Angle(x), Direct::Angle(y) | Direct::Scalar(y)) | (Direct::Scalar(x), Direct::Angle(y)) => {
-            Some(Direct::Angle(x + y))
-        }
-        _ => None,
-    }
-}
-
-fn multiplied(a: Direct, b: Direct) -> Option<Direct> {
-    match (a, b) {
-        (Direct::Scalar(x), Direct::Scalar(y)) | (Direct::Angle(x), Direct::Angle(y)) => Some(Direct::Scalar(x * y)),
-        (Direct::Angle(x), Direct::Scalar(y)) | (Direct::Scalar(x), Direct::Angle(y)) => Some(Direct::Angle(x * y)),
-        (Direct::Matrix(m), Direct::Scalar(x) | Direct::Angle(x))
-        | (Direct::Scalar(x) | Direct::Angle(x), Direct::Matrix(m)) => Some(Direct::Matrix(m.scaled(x))),
-        (Direct::Matrix(m), Direct::Matrix(n)) => (m.columns == n.rows()).then(|| Direct::Matrix(m.times(&n))),
-    }
 }

@@ -17,7 +17,7 @@ pub(super) struct Sides<'a> {
 }
 
 impl<'a> Sides<'a> {
-    fn new(left: &'a Expr, right: &'a Expr) -> Sides<'a> {
+    pub(super) fn new(left: &'a Expr, right: &'a Expr) -> Sides<'a> {
         Sides { left, right, printed_left: refers(right) && !refers(left) }
     }
 
@@ -105,6 +105,8 @@ impl<'a> Evaluator<'a> {
                     mend: None,
                 }]))
             }
+            Statement::Remark(_) => Ok(Verdict::Noted),
+            Statement::Either(branches) => self.either(branches, &line.place),
             Statement::Claim { first, rest, within } => {
                 let mut verdict = Verdict::Proven(Where::everywhere());
                 let mut left = first;
@@ -133,7 +135,12 @@ impl<'a> Evaluator<'a> {
         Ok(())
     }
 
-    fn relation(&mut self, sides: &Sides<'_>, relation: Relation, within: Option<&Expr>) -> Understood<Verdict> {
+    pub(super) fn relation(
+        &mut self,
+        sides: &Sides<'_>,
+        relation: Relation,
+        within: Option<&Expr>,
+    ) -> Understood<Verdict> {
         let place = sides.left.place.start..sides.right.place.end;
         let (a, b) = (self.evaluate(sides.left)?, self.evaluate(sides.right)?);
         if within.is_some() && relation != Relation::Near {

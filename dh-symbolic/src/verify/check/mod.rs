@@ -10,6 +10,7 @@
 
 mod compare;
 mod direct;
+mod either;
 mod evaluate;
 mod functions;
 mod line;
@@ -48,6 +49,11 @@ pub struct Report {
 }
 
 impl Report {
+    /// How many lines are wrong.
+    pub fn wrong(&self) -> usize {
+        self.verdicts.iter().filter(|v| matches!(v, Verdict::Wrong(_))).count()
+    }
+
     /// Is no line wrong or not understood?
     pub fn is_fine(&self) -> bool {
         self.verdicts.iter().all(|v| !matches!(v, Verdict::Wrong(_) | Verdict::NotUnderstood(..)))
@@ -143,6 +149,8 @@ pub enum FaultKind {
     Opposite,
     /// The line holds nowhere: a pose, and both sides there.
     Nowhere(Box<Example>, Pair),
+    /// Of several possibilities none holds at this pose.
+    None(Box<Example>),
     /// Two numbers differ by more than their rounding.
     Number {
         /// What the line says.

@@ -8,6 +8,10 @@ use super::value::{Turn, Value};
 use crate::algebra::{Angle, Rational};
 use crate::verify::language::Place;
 
+/// Most digits of a number, and its largest exponent: others are no quantities of robots, and would only cost time.
+const DIGITS: usize = 40;
+const POWER: i32 = 30;
+
 /// A number as written.
 pub(super) struct Written {
     pub(super) value: Rational,
@@ -31,6 +35,10 @@ impl Written {
             }
         }
         let (digits, unit) = text.split_at(end);
+        let (mantissa, power) = digits.split_once(['e', 'E']).unwrap_or((digits, "0"));
+        if mantissa.len() > DIGITS + 1 || power.parse::<i32>().map_or(true, |p| p.abs() > POWER) {
+            return None;
+        }
         let decimals = digits.split_once('.').map(|(_, tail)| {
             let (fraction, power) = tail.split_once(['e', 'E']).unwrap_or((tail, "0"));
             i32::try_from(fraction.len()).unwrap_or(0) - power.parse::<i32>().unwrap_or(0)
@@ -57,7 +65,11 @@ pub(super) fn metres(unit: &str) -> Option<Rational> {
 impl Evaluator<'_> {
     pub(super) fn number(&mut self, text: &str, place: &Place) -> Understood<Value> {
         let Some(Written { value, unit, .. }) = Written::read(text) else {
-            return refuse(place, format!("`{text}` is no number"));
+            let short: String = text.chars().take(30).collect();
+            return refuse(
+                place,
+                format!("`{short}` is no number with at most {DIGITS} digits and an exponent up to {POWER}"),
+            );
         };
         Ok(match unit.as_str() {
             "" => Value::Scalar(Ratio::number(value)),

@@ -49,6 +49,11 @@ impl Work {
         self.later -= self.left;
     }
 
+    fn spend(&mut self, cost: u64) -> Worked<()> {
+        self.left = self.left.checked_sub(cost).ok_or(Trouble::TooLarge)?;
+        Ok(())
+    }
+
     /// The power of a formula.
     pub(super) fn power(&mut self, p: &Poly, n: u32) -> Worked<Poly> {
         (0..n).try_fold(Poly::one(), |x, _| self.times(&x, p))
@@ -60,7 +65,7 @@ impl Work {
         // two harmonics of one group become two terms
         let doublings = if n > 1 && m > 1 { common_groups(a, b) } else { 0 };
         let cost = n.saturating_mul(m) << doublings.min(12);
-        self.left = self.left.checked_sub(cost).ok_or(Trouble::TooLarge)?;
+        self.spend(cost)?;
         let order = |p: &Poly| p.terms().iter().map(|(m, _)| u32::from(m.order())).max().unwrap_or(0);
         if order(a) + order(b) > ORDER {
             return Err(Trouble::TooLarge);
@@ -142,6 +147,7 @@ impl Ratio {
     }
 
     pub(super) fn plus(&self, other: &Ratio, w: &mut Work) -> Worked<Ratio> {
+        w.spend((self.num.terms().len() + other.num.terms().len()) as u64 / 8)?;
         if self.den == other.den {
             return Ratio::new(&self.num + &other.num, self.den.clone());
         }

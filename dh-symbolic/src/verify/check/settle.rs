@@ -168,7 +168,7 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Does a tiny motion of the arm change a side by more than the sides differ? Then the pose says nothing.
-    fn is_delicate(&self, at: &Numbers, sides: [&Expr; 2], values: [&Direct; 2]) -> bool {
+    pub(super) fn is_delicate(&self, at: &Numbers, sides: [&Expr; 2], values: [&Direct; 2]) -> bool {
         let Some(mut motors) = at.motors(self.chain) else { return false };
         motors.iter_mut().enumerate().for_each(|(k, q)| *q += 1e-9 * (1.0 + k as f64 / 3.0));
         let mut n = at.clone();
@@ -177,7 +177,7 @@ impl<'a> Evaluator<'a> {
         sides.into_iter().zip(values).any(|(e, v)| there.evaluate(e, self).is_none_or(|w| !w.is_near(v, 1e-5)))
     }
 
-    fn spot(&mut self, k: usize) -> (Spot, bool) {
+    pub(super) fn spot(&mut self, k: usize) -> (Spot, bool) {
         while self.spots.len() <= k {
             self.spots.push(None);
         }
@@ -190,7 +190,7 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    fn put_back(&mut self, k: usize, spot: Spot, own: bool) {
+    pub(super) fn put_back(&mut self, k: usize, spot: Spot, own: bool) {
         if let Some(place) = self.spots.get_mut(k) {
             *place = Some((spot, own));
         }

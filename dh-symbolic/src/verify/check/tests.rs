@@ -138,6 +138,30 @@ fn a_condition_that_no_pose_meets_is_no_proof() {
     assert_eq!(words(table, claims), expected);
 }
 
+/// At every pose one of the possibilities holds; where it is said when, that one.
+#[test]
+fn possibilities_are_a_set() {
+    let table = "convention = standard; let l1: length = 0.5; let l2: length = 0.25;
+        | theta | d | a | alpha | | q1 | 0 | l1 | 0 | | q2 | 0 | l2 | 0 |";
+    let claims =
+        "let x = T(0,2).px; let y = T(0,2).py; let psi = acos((x^2 + y^2 + l1^2 - l2^2)/(2*l1*sqrt(x^2 + y^2)));
+        q1 = atan2(y, x) + psi or q1 = atan2(y, x) - psi;
+        q1 = atan2(y, x) + psi if q2 < 0deg or q1 = atan2(y, x) - psi if q2 > 0deg;
+        q1 = atan2(y, x) - psi if q2 < 0deg or q1 = atan2(y, x) + psi if q2 > 0deg;
+        q1 = atan2(x, y) + psi or q1 = atan2(x, y) - psi;
+        s2 = sqrt(1 - c2^2) or s2 = -sqrt(1 - c2^2);
+        s2 = sqrt(1 - c2^2) or s2 = sqrt(1 - c2^2);";
+    let expected = ["noted", "noted", "noted", "proven", "proven", "wrong", "wrong", "proven", "wrong"];
+    assert_eq!(words(table, claims), expected);
+}
+
+/// Numbers of no robot cost no time.
+#[test]
+fn huge_numbers_are_refused() {
+    let text = puma("a2 = 1e-400*a3^2; a2 = 1e400; a2 = 0.00000000000000000000000000000000000000000000000000001;");
+    assert_eq!(text.matches("unclear").count(), 3, "{text}");
+}
+
 /// What holds at the lengths of the table, and not for all, is no proof and no mistake.
 #[test]
 fn an_instance_is_no_identity() {

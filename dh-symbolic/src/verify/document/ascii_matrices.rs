@@ -59,7 +59,13 @@ fn single_rows(line: &str) -> String {
     let mut rest = line;
     while let Some(open) = rest.find("[ ") {
         let Some(close) = rest[open..].find(" ]") else { break };
-        let inner = &rest[open + 2..open + close];
+        // `[ ]` of a list of tasks is no matrix
+        let Some(inner) = rest.get(open + 2..open + close) else {
+            let (head, tail) = rest.split_at(open + 1);
+            out.push_str(head);
+            rest = tail;
+            continue;
+        };
         out.push_str(&rest[..open]);
         out.push_str(&format!("[{}]", cells(inner).join(", ")));
         rest = &rest[open + close + 2..];

@@ -49,6 +49,54 @@ impl Statement {
         names.say_pose(frame, Some(name));
     }
 
+    /// `cos psi = E` with an angle psi without a meaning: psi is the angle with this cosine.
+    pub(super) fn gives_function(&self, names: &mut Names<'_>, sheet: &mut Sheet) -> bool {
+        let [left, right] = self.sides.as_slice() else { return false };
+        let inverse = match left.first().and_then(Item::name) {
+            Some("cos") => "acos",
+            Some("sin") => "asin",
+            Some("tan") => "atan",
+            _ => return false,
+        };
+        let argument = match left.as_slice() {
+            [_, only] => only,
+            [_, open, only, close] if open.is('(') && close.is(')') => only,
+            _ => return false,
+        };
+        let Some(letter) = Letter::of(argument).filter(|l| names.is_angle(l) && names.meaning(l).is_err()) else {
+            return false;
+        };
+        let Ok(value) = formula(right, names) else { return false };
+        if is_number(&value) || self.relations.first() != Some(&"=") {
+            return false;
+        }
+        declare_general(&value, sheet);
+        let name = names.give(&letter, false);
+        let word = |t: &str| Word::new(t, self.line);
+        let mut line = vec![word("let"), word(&name), word("="), word(inverse), word("(")];
+        line.extend(value);
+        line.push(word(")"));
+        sheet.put(line);
+        self.release(&letter, names, sheet);
+        true
+    }
+
+    /// Lines that waited for a name.
+    fn release(&self, letter: &Letter, names: &mut Names<'_>, sheet: &mut Sheet) {
+        let own = letter.own();
+        let (ready, others): (Vec<_>, Vec<_>) =
+            std::mem::take(&mut sheet.waiting).into_iter().partition(|w| w.1.name.as_ref() == Some(&own));
+        sheet.waiting = others;
+        ready.into_iter().for_each(|w| w.0.tell(names, sheet));
+    }
+
+    /// Derivatives by time and sums over forces: mechanics in general, nothing of this robot.
+    pub(super) fn is_general(&self) -> bool {
+        let name = |i: &Item, n: &str| i.name() == Some(n);
+        let by_time = |i: &Item| matches!(&i.kind, ItemKind::Fraction(t, b) if t.first().is_some_and(|i| name(i, "d")) && b.first().is_some_and(|i| name(i, "d")));
+        self.sides.iter().flatten().any(|i| by_time(i) || name(i, "int") || name(i, "sum"))
+    }
+
     /// A matrix with places that do not matter: `∗`.
     pub(super) fn is_pattern(&self) -> bool {
         let star = |cell: &Vec<Item>| matches!(cell.as_slice(), [only] if only.is('∗') || only.is('*'));
@@ -62,7 +110,8 @@ impl Statement {
     /// In a sentence, `s_5 = 0` is a condition and no claim, and so is `theta_3 = atan2(-d_4, a_3)`.
     pub(super) fn is_condition(&self, names: &Names<'_>) -> bool {
         let (Some(left), Some(right)) = (self.sides.first(), self.sides.get(1)) else { return false };
-        if !self.loose {
+        let signed = |i: &Item| matches!(i.kind, ItemKind::PlusMinus | ItemKind::MinusPlus);
+        if !self.loose || self.sides.iter().flatten().any(signed) {
             return false;
         }
         let number = matches!(right.as_slice(), [Item { kind: ItemKind::Number(_), .. }]);
@@ -179,7 +228,7 @@ impl Statement {
         let words = match rest.words(names) {
             Ok(words) => words,
             Err(unknown) => {
-                if !self.loose {
+                if !self.loose || self.marked {
                     sheet.refuse(&self.raw, self.line, unknown.why);
                 }
                 return;
@@ -191,17 +240,16 @@ impl Statement {
         if self.loose && !matrix && is_number(first) {
             return;
         }
+        if super::statements::is_foreign(first, names) {
+            return sheet.remark(&self.raw, self.line);
+        }
         declare_general(first, sheet);
         let name = names.give(letter, matrix);
         let mut line = vec![Word::new("let", self.line), Word::new(&name, self.line), Word::new("=", self.line)];
         line.extend(first.iter().cloned());
         sheet.put(line);
         self.stated_pose(names, sheet);
-        let own = letter.own();
-        let (ready, others): (Vec<_>, Vec<_>) =
-            std::mem::take(&mut sheet.waiting).into_iter().partition(|w| w.1.name.as_ref() == Some(&own));
-        sheet.waiting = others;
-        ready.into_iter().for_each(|w| w.0.tell(names, sheet));
+        self.release(letter, names, sheet);
         if words.len() > 1 {
             self.rest_claim(words, &rest.relations, names, sheet);
         }
@@ -221,7 +269,7 @@ impl Statement {
             && let Some(letter) = Letter::of(only)
             && names.say_size(&letter, &value)
         {
-            sheet.mark(self.line);
+            sheet.remark(&self.raw, self.line);
             return true;
         }
         let moves = names.variable(&name);
@@ -229,7 +277,9 @@ impl Statement {
             return false;
         }
         if moves == Some(true) && !(value.contains("deg") || value == "0") {
-            return false;
+            // an angle without a unit: a value that nothing can be compared with
+            sheet.remark(&self.raw, self.line);
+            return true;
         }
         names.values.retain(|v| v.0 != name);
         names.values.push((name, value));

@@ -32,6 +32,11 @@ pub(super) enum ItemKind {
     Text(String),
     Degree,
     PlusMinus,
+    MinusPlus,
+    /// Rows of `\begin{cases}` after an equals sign: cells of each.
+    Cases(Vec<Vec<Vec<Item>>>),
+    /// A letter with a dot: a velocity.
+    Dotted(Vec<Item>),
     Dots,
     /// Much room between formulas.
     Gap,
@@ -72,7 +77,8 @@ impl Item {
             | ItemKind::Gap
             | ItemKind::Break
             | ItemKind::Tab
-            | ItemKind::PlusMinus => false,
+            | ItemKind::PlusMinus
+            | ItemKind::MinusPlus => false,
             _ => true,
         }
     }

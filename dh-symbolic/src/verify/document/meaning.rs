@@ -1,11 +1,15 @@
 //! Translates a printed formula into the notation of claims: explicit products, round brackets, letters with their meaning.
 
 use super::Word;
+use super::brackets::{closing, describe, matrix_alone, separator_places, top_level};
 use super::layout::{Item, ItemKind};
 use super::letter::{Letter, field, index_text};
 use super::names::{Names, Unknown};
 use super::tables::function;
 use super::transforms;
+
+/// Deepest nesting of brackets.
+const DEPTH: usize = 40;
 
 type Read<T> = Result<T, Unknown>;
 
@@ -15,7 +19,7 @@ fn refuse<T>(why: impl Into<String>) -> Read<T> {
 
 /// A whole formula.
 pub(super) fn formula(items: &[Item], names: &Names<'_>) -> Read<Vec<Word>> {
-    let mut w = Writer { items, at: 0, names, out: Vec::new() };
+    let mut w = Writer { items, at: 0, names, depth: 0, out: Vec::new() };
     w.sum()?;
     match w.peek() {
         None => Ok(w.out),
@@ -23,22 +27,11 @@ pub(super) fn formula(items: &[Item], names: &Names<'_>) -> Read<Vec<Word>> {
     }
 }
 
-fn describe(item: &Item) -> String {
-    match &item.kind {
-        ItemKind::Mark(c) => format!("`{c}`"),
-        ItemKind::Name(n) | ItemKind::Number(n) | ItemKind::Text(n) => format!("`{n}`"),
-        ItemKind::PlusMinus => "a sign ± inside of a formula".into(),
-        ItemKind::Dots => "`...`".into(),
-        ItemKind::Empty => "an index without a letter".into(),
-        ItemKind::Degree => "a degree sign without a number".into(),
-        _ => "this".into(),
-    }
-}
-
 struct Writer<'a> {
     items: &'a [Item],
     at: usize,
     names: &'a Names<'a>,
+    depth: usize,
     out: Vec<Word>,
 }
 
@@ -67,7 +60,11 @@ impl<'a> Writer<'a> {
         if items.is_empty() {
             return refuse("something is missing here");
         }
-        let mut w = Writer { items, at: 0, names: self.names, out: std::mem::take(&mut self.out) };
+        let depth = self.depth + 1;
+        if depth > DEPTH {
+            return refuse(format!("brackets nested more than {DEPTH} deep"));
+        }
+        let mut w = Writer { items, at: 0, names: self.names, depth, out: std::mem::take(&mut self.out) };
         let done = w.sum();
         let rest = w.peek();
         self.out = std::mem::take(&mut w.out);
@@ -75,25 +72,31 @@ impl<'a> Writer<'a> {
         rest.map_or(Ok(()), |item| refuse(format!("{} does not belong here", describe(item))))
     }
 
+    /// A sign, also one of two.
+    fn sign(&mut self) -> Option<&'static str> {
+        let sign = match self.peek().filter(|i| i.is_bare())?.kind {
+            ItemKind::Mark('+') => "+",
+            ItemKind::Mark('-') => "-",
+            ItemKind::PlusMinus => "±",
+            ItemKind::MinusPlus => "∓",
+            _ => return None,
+        };
+        self.at += 1;
+        Some(sign)
+    }
+
     fn sum(&mut self) -> Read<()> {
-        loop {
-            if self.take('-') {
-                self.put("-");
-            } else if !self.take('+') {
-                break;
+        while let Some(sign) = self.sign() {
+            if sign != "+" {
+                self.put(sign);
             }
         }
         self.product()?;
-        loop {
-            if self.take('+') {
-                self.put("+");
-            } else if self.take('-') {
-                self.put("-");
-            } else {
-                return Ok(());
-            }
+        while let Some(sign) = self.sign() {
+            self.put(sign);
             self.product()?;
         }
+        Ok(())
     }
 
     fn product(&mut self) -> Read<()> {
@@ -108,10 +111,40 @@ impl<'a> Writer<'a> {
             } else if self.peek().is_some_and(starts_factor) {
                 self.put("*");
                 self.factor(false)?;
+            } else if self.peek().is_some_and(|i| i.kind == ItemKind::Dots) {
+                self.dots()?;
             } else {
                 return Ok(());
             }
         }
+    }
+
+    /// `T(0,1) T(1,2) ... T(5,6)`: the transforms between those that are written.
+    fn dots(&mut self) -> Read<()> {
+        let frames = |words: &[Word]| match words {
+            [t, open, i, _, j, close] if t.token.text == "T" && open.token.is("(") && close.token.is(")") => {
+                Some((i.token.text.parse::<usize>().ok()?, j.token.text.parse::<usize>().ok()?))
+            }
+            _ => None,
+        };
+        let before = self.out.len().checked_sub(6).and_then(|k| frames(&self.out[k..]));
+        self.at += 1;
+        let here = self.out.len();
+        self.put("*");
+        self.factor(false)?;
+        let after = self.out.get(here + 1..here + 7).and_then(frames);
+        let (Some((_, from)), Some((to, _))) = (before, after) else {
+            return refuse("`...` between other things than transforms of neighbouring frames");
+        };
+        if from > to {
+            return refuse("`...` between transforms that do not follow each other");
+        }
+        if from < to {
+            let line = self.line();
+            let between = ["*", "T", "(", &from.to_string(), ",", &to.to_string(), ")"].map(|w| Word::new(w, line));
+            self.out.splice(here..here, between);
+        }
+        Ok(())
     }
 
     fn factor(&mut self, divisor: bool) -> Read<()> {
@@ -127,6 +160,30 @@ impl<'a> Writer<'a> {
                     self.inner(inner)?;
                     self.put(")");
                 }
+                self.at += 1;
+                self.power(item.sup.as_deref())
+            }
+            ItemKind::Fraction(top, below) if is_partial(top) && is_partial(below) => {
+                self.put("diff (");
+                self.inner(top.get(1..).unwrap_or_default())?;
+                self.put(",");
+                self.inner(below.get(1..).unwrap_or_default())?;
+                self.put(")");
+                self.at += 1;
+                self.power(item.sup.as_deref())
+            }
+            ItemKind::Dotted(inner) => {
+                // \dot\theta_1 is the velocity of theta_1
+                let mut inner = inner.clone();
+                if let [only] = inner.as_mut_slice()
+                    && only.sub.is_none()
+                {
+                    only.sub.clone_from(&item.sub);
+                }
+                let words = formula(&inner, self.names)?;
+                let text: Vec<String> = words.into_iter().map(|w| w.token.text).collect();
+                let velocity = self.names.velocity(&text.join(" "));
+                self.put(&velocity);
                 self.at += 1;
                 self.power(item.sup.as_deref())
             }
@@ -411,6 +468,9 @@ impl<'a> Writer<'a> {
             self.put("*");
         }
         let Some(item) = self.peek() else { return refuse("the argument of a function is missing") };
+        if matches!(item.kind, ItemKind::Fraction(..) | ItemKind::Root(_)) {
+            return self.factor(false);
+        }
         let Some(letter) = Letter::of(item) else { return refuse("the argument of a function is missing") };
         let meaning = self.names.meaning(&letter)?;
         self.put(&meaning);
@@ -419,64 +479,19 @@ impl<'a> Writer<'a> {
     }
 }
 
+/// Does it begin with the sign of a partial derivative, with one quantity after it?
+fn is_partial(items: &[Item]) -> bool {
+    items.first().is_some_and(|i| i.name() == Some("partial") && i.is_bare()) && items.len() > 1
+}
+
 /// Does a factor begin here?
 fn starts_factor(item: &Item) -> bool {
     match &item.kind {
-        ItemKind::Number(_)
-        | ItemKind::Name(_)
-        | ItemKind::Group(_)
-        | ItemKind::Fraction(..)
-        | ItemKind::Root(_)
-        | ItemKind::Matrix(_) => true,
+        ItemKind::Number(_) | ItemKind::Name(_) | ItemKind::Group(_) | ItemKind::Fraction(..) | ItemKind::Root(_) => {
+            true
+        }
+        ItemKind::Matrix(_) | ItemKind::Dotted(_) => true,
         ItemKind::Mark(c) => matches!(c, '(' | '[' | '{'),
         _ => false,
     }
-}
-
-fn matrix_alone(inner: &[Item]) -> Option<&Vec<Vec<Vec<Item>>>> {
-    match inner {
-        [Item { kind: ItemKind::Matrix(rows), .. }] => Some(rows),
-        _ => None,
-    }
-}
-
-fn depth_change(item: &Item) -> i32 {
-    match item.kind {
-        ItemKind::Mark('(' | '[' | '{') => 1,
-        ItemKind::Mark(')' | ']' | '}') => -1,
-        _ => 0,
-    }
-}
-
-/// The place of the bracket that closes the one at `open`.
-pub(super) fn closing(items: &[Item], open: usize) -> Option<usize> {
-    let mut depth = 0;
-    for (k, item) in items.iter().enumerate().skip(open) {
-        depth += depth_change(item);
-        if depth == 0 {
-            return Some(k);
-        }
-    }
-    None
-}
-
-/// The pieces outside of all brackets.
-pub(super) fn top_level(items: &[Item]) -> impl Iterator<Item = &Item> {
-    let mut depth = 0;
-    items.iter().filter(move |i| {
-        depth += depth_change(i);
-        depth == 0
-    })
-}
-
-fn separator_places(items: &[Item]) -> Vec<usize> {
-    let mut depth = 0;
-    let mut out = Vec::new();
-    for (k, item) in items.iter().enumerate() {
-        depth += depth_change(item);
-        if depth == 0 && (item.is(',') || item.is(';')) {
-            out.push(k);
-        }
-    }
-    out
 }

@@ -24,10 +24,12 @@
 //! | `A \pm B` | both of the two; what an angle is equated to must have the cosine that this says |
 
 mod ascii_matrices;
+mod brackets;
 mod commands;
 mod definitions;
 mod layout;
 mod letter;
+mod macros;
 mod meaning;
 mod names;
 mod pieces;
@@ -38,18 +40,22 @@ mod tables;
 #[cfg(test)]
 mod tests;
 mod transforms;
+mod unapplied;
 
 use super::language::{Derivation, NotUnderstood, Place, Statement, Token, TokenKind};
 use crate::chain::Chain;
 use names::Names;
+use std::collections::{BTreeMap, BTreeSet};
 
-/// The claims of a document: its lines as a derivation, and where each one is.
+/// A document: its lines as a derivation, and where they stand.
 #[derive(Clone, Debug, Default)]
 pub struct DocumentClaims {
     /// What it says.
     pub derivation: Derivation,
     /// How many lines with text say nothing about the robot.
     pub prose: usize,
+    /// Where the table's angle of a joint has an offset and the document speaks of theta_i: is the variable meant?
+    pub theta_is_variable: Option<bool>,
     /// Line in the document of every token of the derivation.
     lines: Vec<usize>,
 }
@@ -57,16 +63,30 @@ pub struct DocumentClaims {
 impl DocumentClaims {
     /// Reads a document. Never fails as a whole, never panics.
     pub fn read(chain: &Chain, text: &str) -> DocumentClaims {
+        DocumentClaims::read_as(chain, text, false).0
+    }
+
+    /// The same, with theta_i as the variable of joint i instead of the table's angle, where the two differ; and whether they do anywhere.
+    pub(super) fn read_as(chain: &Chain, text: &str, theta_is_variable: bool) -> (DocumentClaims, bool) {
         let mut names = Names::new(chain);
+        names.theta_is_variable = theta_is_variable;
         let mut sheet = Sheet::default();
+        if text.len() > LARGEST {
+            sheet.refuse("the document", 1, format!("longer than {} MB: not read", LARGEST / 1_000_000));
+            return (sheet.finish(text), false);
+        }
         let turn = text.lines().position(|l| ON_AXES.iter().any(|words| l.contains(words)));
         for region in regions::split(text, &names) {
             let line = region.text.first().map_or(0, |t| t.1);
             names.on_axes |= turn.is_some_and(|k| line > k + 1);
+            if sheet.count >= MOST {
+                sheet.refuse("the rest of the document", line, format!("more than {MOST} formulas: not read"));
+                break;
+            }
             statements::read(&region, &mut names, &mut sheet);
         }
         statements::finish(&mut names, &mut sheet);
-        sheet.finish(text)
+        (sheet.finish(text), names.theta_differs.get())
     }
 
     /// Line of the document, from 1, where some words stand. 0 where there are none.
@@ -74,6 +94,10 @@ impl DocumentClaims {
         self.lines.get(place.start).or(self.lines.last()).copied().unwrap_or(0)
     }
 }
+
+/// Largest document, in bytes, and most formulas in it.
+const LARGEST: usize = 4_000_000;
+const MOST: usize = 4_000;
 
 /// Letters that are shown of a line that is not understood.
 const LONGEST: usize = 100;
@@ -100,7 +124,13 @@ struct Sheet {
     tokens: Vec<Token>,
     lines: Vec<usize>,
     /// Why the line that begins with this token was not understood.
-    refused: Vec<(usize, String)>,
+    refused: BTreeMap<usize, String>,
+    /// Lines, by their first token, that say something and claim nothing: their text.
+    remarks: BTreeMap<usize, String>,
+    /// Quantities of any row that have been given a name.
+    general: BTreeSet<String>,
+    /// Lines so far.
+    count: usize,
     /// Lines with a name that a later line may define.
     waiting: Vec<(pieces::Statement, names::Unknown)>,
     /// Lines of the document that say something, in order of appearance.
@@ -118,6 +148,7 @@ fn short(text: &str) -> String {
 
 impl Sheet {
     fn put(&mut self, words: Vec<Word>) {
+        self.count += 1;
         let last = words.last().map_or(0, |w| w.line);
         for w in words {
             self.used.push(w.line);
@@ -130,29 +161,38 @@ impl Sheet {
 
     /// A line that is not understood: its text and why.
     fn refuse(&mut self, text: &str, line: usize, why: String) {
-        self.refused.push((self.tokens.len(), why));
+        self.refused.insert(self.tokens.len(), why);
+        self.one_word(text, line);
+    }
+
+    /// A line that says something and claims nothing.
+    fn remark(&mut self, text: &str, line: usize) {
+        self.remarks.insert(self.tokens.len(), text.to_string());
+        self.one_word(text, line);
+    }
+
+    fn one_word(&mut self, text: &str, line: usize) {
+        self.count += 1;
         self.used.push(line);
         self.lines.extend([line, line]);
         self.tokens.push(Token { kind: TokenKind::Other, text: short(text) });
         self.tokens.push(Token::new(";"));
     }
 
-    /// Lines that say something without becoming lines of the derivation.
-    fn mark(&mut self, line: usize) {
-        self.used.push(line);
-    }
-
     fn finish(mut self, text: &str) -> DocumentClaims {
         let mut derivation = Derivation::parse(self.tokens);
         for line in &mut derivation.lines {
-            if let Some((_, why)) = self.refused.iter().find(|r| r.0 == line.place.start) {
+            if let Some(why) = self.refused.get(&line.place.start) {
                 line.statement = Statement::Unreadable(NotUnderstood { place: line.place.clone(), why: why.clone() });
+            }
+            if let Some(text) = self.remarks.get(&line.place.start) {
+                line.statement = Statement::Remark(text.clone());
             }
         }
         self.used.sort_unstable();
         self.used.dedup();
         let full = |(k, l): &(usize, &str)| !l.trim().is_empty() && self.used.binary_search(&(k + 1)).is_err();
         let prose = text.lines().enumerate().filter(full).count();
-        DocumentClaims { derivation, prose, lines: self.lines }
+        DocumentClaims { derivation, prose, theta_is_variable: None, lines: self.lines }
     }
 }

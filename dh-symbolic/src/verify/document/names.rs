@@ -34,6 +34,12 @@ pub(super) struct Names<'a> {
     pub(super) from_start: bool,
     /// Values given so far: settings of an `at` line.
     pub(super) values: Vec<(String, String)>,
+    /// The last side of the statement before.
+    pub(super) last_side: Vec<Item>,
+    /// Does theta_i mean the variable of joint i, also where the table's angle has an offset?
+    pub(super) theta_is_variable: bool,
+    /// Was theta_i read where the two differ?
+    pub(super) theta_differs: std::cell::Cell<bool>,
 }
 
 impl<'a> Names<'a> {
@@ -48,6 +54,9 @@ impl<'a> Names<'a> {
             on_axes: false,
             from_start: false,
             values: Vec::new(),
+            last_side: Vec::new(),
+            theta_is_variable: false,
+            theta_differs: std::cell::Cell::new(false),
         }
     }
 
@@ -95,7 +104,11 @@ impl<'a> Names<'a> {
     fn is_variable(&self, row: usize) -> bool {
         let Some(joint) = self.chain.joints.iter().find(|j| j.row + 1 == row) else { return false };
         let plain = self.chain.links.get(joint.row).is_some_and(|l| l.theta.constant.is_zero());
-        self.chain.is_direct() && joint.shift.is_zero() && plain
+        if self.chain.is_direct() && joint.shift.is_zero() && plain {
+            return true;
+        }
+        self.theta_differs.set(true);
+        self.theta_is_variable && self.chain.is_direct()
     }
 
     /// The angle whose cosine is c_n.
@@ -162,6 +175,11 @@ impl<'a> Names<'a> {
         Some(format!("{function} ( {sum})"))
     }
 
+    /// Is it a name that the document gives?
+    pub(super) fn is_given(&self, letter: &Letter) -> bool {
+        self.given.iter().any(|g| g.0 == *letter)
+    }
+
     /// Gives a name to an entry of a matrix.
     pub(super) fn bind(&mut self, letter: Letter, meaning: String) {
         self.bound.retain(|b| b.0 != letter);
@@ -214,12 +232,17 @@ impl<'a> Names<'a> {
         let number: Option<usize> = index.parse().ok().filter(|n| *n < 1000);
         match (stem, number) {
             ("c" | "s", Some(_)) => self.abbreviation(stem, index),
+            ("C" | "S", Some(_)) => self.abbreviation(&stem.to_ascii_lowercase(), index),
+            ("phi", None) if index.is_empty() && self.is_planar() => {
+                let pose = self.pose();
+                Some(format!("atan2 ( {pose} . r21 , {pose} . r11 )"))
+            }
             ("c" | "s", None) if !index.is_empty() => self.abbreviation(stem, index).or_else(|| {
-                let angle = self.table_name(&Letter { stem: index.into(), ..Letter::default() })?;
+                let angle = self.meaning(&Letter { stem: index.into(), ..Letter::default() }).ok()?;
                 Some(format!("{} ( {angle} )", if stem == "c" { "cos" } else { "sin" }))
             }),
-            // theta_{234} is a name that the document gives
-            ("theta" | "t", Some(n)) if n == 0 || n > self.chain.links.len() => None,
+            // theta_{23}: the sum of the angles
+            ("theta" | "t", Some(n)) if n == 0 || n > self.chain.links.len() => self.sum_of_angles(index),
             ("q", Some(n)) if n == 0 || n > self.chain.dof() => None,
             ("theta" | "t", Some(n)) => Some(if self.is_variable(n) && self.turning(n).is_some() {
                 format!("q{}", self.turning(n)?.1)
@@ -235,6 +258,32 @@ impl<'a> Names<'a> {
                 .find(|p| !p.declared && (p.name == joined || p.name == under))
                 .map(|p| p.name.clone()),
         }
+    }
+
+    /// theta_{23} of an arm with fewer rows than 23.
+    fn sum_of_angles(&self, index: &str) -> Option<String> {
+        let joints = Names::joints(index).filter(|j| j.len() > 1)?;
+        let angles: Option<Vec<String>> = joints
+            .iter()
+            .map(|(_, n)| self.table_name(&Letter { stem: "theta".into(), index: n.to_string(), ..Letter::default() }))
+            .collect();
+        Some(format!("( {} )", angles?.join(" + ")))
+    }
+
+    /// Do all axes point along z, so that the angle of the tool is a sum?
+    fn is_planar(&self) -> bool {
+        let flat = |l: &crate::chain::Link| l.alpha.terms.is_empty() && l.alpha.constant.is_zero();
+        self.chain.base.is_empty() && self.chain.links.iter().all(flat)
+    }
+
+    /// The velocity of a formula: that of a joint is a quantity of its own, others follow.
+    pub(super) fn velocity(&self, meaning: &str) -> String {
+        let joints: Vec<&str> = self.chain.joints.iter().map(|j| j.name.as_str()).collect();
+        if joints.contains(&meaning) {
+            return format!("{meaning}_dot");
+        }
+        let parts: Vec<String> = joints.iter().map(|q| format!("diff ( {meaning} , {q} ) * {q}_dot")).collect();
+        format!("( {} )", parts.join(" + "))
     }
 
     /// The pose of the whole arm.
@@ -254,6 +303,9 @@ impl<'a> Names<'a> {
         let n = self.chain.links.len();
         let (stem, index) = (letter.stem.as_str(), letter.index.as_str());
         let field = field(stem, index);
+        if stem == "T" && index.is_empty() && letter.frame.is_empty() {
+            return Some(self.pose());
+        }
         if stem == "J" && letter.frame.is_empty() {
             return match index.split_once(',') {
                 None if index.is_empty() => Some("J".into()),

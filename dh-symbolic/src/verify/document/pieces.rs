@@ -1,7 +1,7 @@
 //! Splits a run of formulas into statements: rows, parts of rows, sides of relations.
 
+use super::brackets::top_level;
 use super::layout::{Item, ItemKind};
-use super::meaning::top_level;
 
 /// `A = B = C` as pieces of paper.
 #[derive(Clone)]
@@ -35,7 +35,7 @@ pub(super) fn rows(items: Vec<Item>) -> Vec<Vec<Item>> {
     for row in rows.into_iter().filter(|r| r.iter().any(|i| i.kind != ItemKind::Gap)) {
         let first = row.iter().find(|i| i.kind != ItemKind::Gap).map(|i| &i.kind);
         let relates = top_level(&row).any(|i| matches!(i.kind, ItemKind::Relation(_)));
-        let sign = matches!(first, Some(ItemKind::Mark('+' | '-' | '*') | ItemKind::PlusMinus));
+        let sign = matches!(first, Some(ItemKind::Mark('+' | '-' | '*') | ItemKind::PlusMinus | ItemKind::MinusPlus));
         let continues = matches!(first, Some(ItemKind::Relation(_))) || sign && !relates;
         match out.last_mut() {
             Some(last) if continues => last.extend(row.into_iter().filter(|i| i.kind != ItemKind::Gap)),

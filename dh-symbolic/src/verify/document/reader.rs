@@ -2,7 +2,7 @@
 
 use super::layout::{Item, ItemKind};
 use super::names::Names;
-use super::tables::{relation, script};
+use super::tables::{function, relation, script};
 use crate::render::formula::greek;
 
 /// Deepest nesting of groups.
@@ -10,8 +10,14 @@ const DEPTH: usize = 40;
 
 /// Reads formulas.
 pub(super) fn items(text: &[(char, usize)], plain: bool, names: &Names<'_>) -> Vec<Item> {
-    let mut reader = Reader { text, at: 0, plain, names, depth: 0, out: Vec::new(), spaced: false };
-    reader.run(None);
+    nested(text, plain, names, 0)
+}
+
+fn nested(text: &[(char, usize)], plain: bool, names: &Names<'_>, depth: usize) -> Vec<Item> {
+    let mut reader = Reader { text, at: 0, plain, names, depth, braces: 0, out: Vec::new(), spaced: false };
+    if depth <= DEPTH {
+        reader.run(None);
+    }
     reader.out
 }
 
@@ -21,7 +27,9 @@ pub(super) struct Reader<'a> {
     plain: bool,
     names: &'a Names<'a>,
     depth: usize,
-    out: Vec<Item>,
+    /// Braces over several rows that are open: `\left\{ ... \right.`
+    pub(super) braces: usize,
+    pub(super) out: Vec<Item>,
     pub(super) spaced: bool,
 }
 
@@ -81,7 +89,14 @@ impl Reader<'_> {
                 '{' if !self.plain => {
                     self.at += 1;
                     let inner = self.group('}');
-                    self.push(if inner.is_empty() { ItemKind::Empty } else { ItemKind::Group(inner) });
+                    // {\rm atan2}
+                    match inner.as_slice() {
+                        [only] if only.is_bare() && only.name().is_some_and(|n| function(n).is_some()) => {
+                            self.push(only.kind.clone());
+                        }
+                        [] => self.push(ItemKind::Empty),
+                        _ => self.push(ItemKind::Group(inner)),
+                    }
                 }
                 '}' if !self.plain => self.at += 1,
                 '^' | '_' => {
@@ -114,6 +129,7 @@ impl Reader<'_> {
                     self.number();
                 }
                 _ if c.is_ascii_alphabetic() && self.plain => self.word(),
+                _ if c.is_ascii_alphabetic() && self.unmarked_function() => {}
                 _ => {
                     self.at += 1;
                     self.sign(c);
@@ -122,11 +138,31 @@ impl Reader<'_> {
         }
     }
 
+    /// `atan2(`, `cos(`, `Atan2[` without a backslash in a marked formula.
+    fn unmarked_function(&mut self) -> bool {
+        let letter = |t: Option<&(char, usize)>| t.is_some_and(|t| t.0.is_ascii_alphabetic());
+        let before = self.at.checked_sub(1).and_then(|k| self.text.get(k));
+        if letter(before) {
+            return false;
+        }
+        let rest: String = self.text[self.at..].iter().take(8).map(|t| t.0).collect();
+        let word: String = rest.chars().take_while(char::is_ascii_alphanumeric).collect();
+        let word =
+            if word.ends_with('2') { word.as_str() } else { word.trim_end_matches(|c: char| c.is_ascii_digit()) };
+        if word.len() < 3 || function(word).is_none() || matches!(word, "Rot" | "Trans") {
+            return false;
+        }
+        self.at += word.len();
+        self.push(ItemKind::Name(function(word).unwrap_or_default().to_string()));
+        true
+    }
+
     fn sign(&mut self, c: char) {
-        let kind = match c {
+        let ink = match c {
             '−' | '–' | '-' => ItemKind::Mark('-'),
             '·' | '×' | '*' | '⋅' | '∙' => ItemKind::Mark('*'),
             '±' => ItemKind::PlusMinus,
+            '∓' => ItemKind::MinusPlus,
             '°' => ItemKind::Degree,
             '…' | '⋯' => ItemKind::Dots,
             '【' => ItemKind::Mark('['),
@@ -143,7 +179,7 @@ impl Reader<'_> {
             c if c.is_ascii_alphabetic() => ItemKind::Name(c.to_string()),
             c => ItemKind::Mark(c),
         };
-        self.push(kind);
+        self.push(ink);
         if greek::name(c).is_some() || c.is_ascii_alphabetic() {
             self.digits_below();
         }
@@ -219,7 +255,7 @@ impl Reader<'_> {
             }
             self.at += 1;
         }
-        let inner = items(&run, false, self.names);
+        let inner = nested(&run, false, self.names, self.depth + 1);
         // a raised number before a letter, after room or a sign, belongs to the letter
         let ahead = up && self.peek().is_some_and(|c| c.is_ascii_alphabetic());
         let apart = self.spaced || self.out.last().is_none_or(|l| !l.carries() || l.is('(') || l.is('['));
@@ -269,6 +305,16 @@ impl Reader<'_> {
 
     /// One argument: a group or a single piece.
     pub(super) fn argument(&mut self) -> Vec<Item> {
+        self.depth += 1;
+        if self.depth > DEPTH {
+            self.at = self.text.len();
+        }
+        let argument = self.bare_argument();
+        self.depth -= 1;
+        argument
+    }
+
+    fn bare_argument(&mut self) -> Vec<Item> {
         self.take_while(char::is_whitespace);
         if self.peek() == Some('(') && self.plain {
             let mut depth = 0;
@@ -277,7 +323,7 @@ impl Reader<'_> {
                 depth == 0
             });
             let end = close.map_or(self.text.len(), |k| self.at + k);
-            let inner = items(self.text.get(self.at + 1..end).unwrap_or_default(), true, self.names);
+            let inner = nested(self.text.get(self.at + 1..end).unwrap_or_default(), true, self.names, self.depth + 1);
             self.at = (end + 1).min(self.text.len());
             return inner;
         }

@@ -4,6 +4,11 @@ use super::ascii_matrices;
 use super::names::Names;
 use super::tables::{DISPLAYS, relation};
 
+/// Longest stretch of formulas, in characters.
+pub(super) const LONGEST: usize = 100_000;
+/// Characters that are looked at in search of the ends of formulas.
+const SEARCHED: usize = 40_000_000;
+
 /// A stretch of formulas.
 #[derive(Debug)]
 pub(super) struct Region {
@@ -17,7 +22,8 @@ pub(super) struct Region {
 
 /// All regions, in order.
 pub(super) fn split(text: &str, names: &Names<'_>) -> Vec<Region> {
-    let marked = text.contains('$') || ["\\[", "\\(", "\\begin{"].iter().any(|m| text.contains(m));
+    let marked =
+        text.contains('$') || text.contains("```math") || ["\\[", "\\(", "\\begin{"].iter().any(|m| text.contains(m));
     if marked { Marked::new(text).regions(names) } else { plain(&numbered(ascii_matrices::flatten(text)), names) }
 }
 
@@ -34,6 +40,8 @@ struct Marked {
     outside: Vec<(usize, String)>,
     /// Lines that hold a mark.
     touched: Vec<usize>,
+    /// Characters looked at so far in search of ends.
+    searched: usize,
 }
 
 impl Marked {
@@ -42,10 +50,17 @@ impl Marked {
         let start = text.find("\\begin{document}").map_or(0, |i| text[..i].lines().count().saturating_sub(1));
         let mut chars = Vec::new();
         let mut fenced = false;
+        let mut formulas = false;
         for (k, line) in text.lines().enumerate() {
             let fence = line.trim_start().starts_with("```")
                 || line.contains("\\begin{verbatim}")
                 || line.contains("\\end{verbatim}");
+            // ```math is a display
+            if fence && !fenced && (formulas || line.trim() == "```math") {
+                formulas = !formulas;
+                chars.extend([('$', k + 1), ('$', k + 1), ('\n', k + 1)]);
+                continue;
+            }
             fenced ^= fence;
             if k >= start && !fence && !fenced {
                 let line = if latex { without_comment(line) } else { line };
@@ -53,16 +68,18 @@ impl Marked {
             }
             chars.push(('\n', k + 1));
         }
-        Marked { text: chars, at: 0, out: Vec::new(), outside: Vec::new(), touched: Vec::new() }
+        let chars = super::macros::expand(chars);
+        Marked { text: chars, at: 0, out: Vec::new(), outside: Vec::new(), touched: Vec::new(), searched: 0 }
     }
 
     fn rest_is(&self, at: usize, mark: &str) -> bool {
         mark.chars().enumerate().all(|(k, c)| self.text.get(at + k).is_some_and(|t| t.0 == c))
     }
 
-    fn find(&self, from: usize, mark: &str, within_paragraph: bool) -> Option<usize> {
+    fn find(&mut self, from: usize, mark: &str, within_paragraph: bool) -> Option<usize> {
         let mut k = from;
-        while k < self.text.len() {
+        while k < self.text.len().min(from + 2 * LONGEST) && self.searched < SEARCHED {
+            self.searched += 1;
             if within_paragraph && self.rest_is(k, "\n\n") {
                 return None;
             }
@@ -77,7 +94,7 @@ impl Marked {
     /// The closing mark of what opens here, the length of the opening mark, and whether it is a display.
     fn opening(&self) -> Option<(String, usize, bool)> {
         for (open, close, display) in
-            [("$$", "$$", true), ("$", "$", false), ("\\[", "\\]", true), ("\\(", "\\)", false)]
+            [("$$", "$$", true), ("$`", "`$", false), ("$", "$", false), ("\\[", "\\]", true), ("\\(", "\\)", false)]
         {
             if self.rest_is(self.at, open) {
                 return Some((close.into(), open.len(), display));
@@ -118,7 +135,8 @@ impl Marked {
             // `\$` is a sign of the text
             self.at += if c == '\\' { 2 } else { 1 };
         }
-        self.outside.retain(|(n, _)| !self.touched.contains(n));
+        self.touched.sort_unstable();
+        self.outside.retain(|(n, _)| self.touched.binary_search(n).is_err());
         let mut loose = plain(&self.outside, names);
         loose.iter_mut().for_each(|r| r.loose = true);
         self.out.extend(loose);
@@ -144,7 +162,8 @@ fn plain(lines: &[(usize, String)], names: &Names<'_>) -> Vec<Region> {
         let indent = line.chars().take_while(|c| c.is_whitespace()).count();
         let chars = |text: &str| text.chars().map(|c| (c, *number)).collect::<Vec<_>>();
         let signed = trimmed.starts_with(['+', '-', '−', '=', '≈', '·', '*', '±']);
-        let continues = open && out.last().is_some_and(|r| !r.loose && (signed || unbalanced(r)));
+        let continues =
+            open && out.last().is_some_and(|r| !r.loose && r.text.len() < LONGEST && (signed || unbalanced(r)));
         let found = formula(trimmed, names).map(|(text, after_words)| {
             // a list that was broken into lines
             let wrapped = sentence.is_some_and(|s| indent <= s) && before_relation(text).contains([',', '，']);

@@ -1,20 +1,38 @@
 //! Turns the statements of a document into lines of a derivation: definitions, given values, claims.
 
-use super::layout::ItemKind;
+use super::layout::{Item, ItemKind};
 use super::letter::Letter;
-use super::meaning::{formula, top_level};
+use super::meaning::formula;
 use super::names::{Names, Unknown};
 use super::pieces::{Statement, pieces, rows};
 use super::reader::items;
+use super::regions::LONGEST;
 use super::regions::Region;
 use super::transforms;
 use super::{Sheet, Word};
+use crate::verify::language::TokenKind;
 
 /// Reads a stretch of formulas.
 pub(super) fn read(region: &Region, names: &mut Names<'_>, sheet: &mut Sheet) {
+    if region.text.len() > LONGEST {
+        let line = region.text.first().map_or(0, |t| t.1);
+        let raw: String = region.text.iter().take(100).map(|t| t.0).collect();
+        return sheet.refuse(raw.trim(), line, format!("more than {LONGEST} characters without an end: not read"));
+    }
     let items = items(&region.text, region.plain, names);
+    let mut before: Vec<Item> = Vec::new();
     for row in rows(items) {
         for mut statement in pieces(&row, region.loose) {
+            for side in &mut statement.sides {
+                *side = super::unapplied::unapplied(std::mem::take(side), names);
+            }
+            // `= B` in a display of its own continues the one before
+            if let Some(first) = statement.sides.first_mut().filter(|s| s.is_empty()) {
+                let last = if before.is_empty() { &names.last_side } else { &before };
+                first.clone_from(last);
+            }
+            before = statement.sides.last().cloned().unwrap_or_default();
+            names.last_side.clone_from(&before);
             let raw: String =
                 region.text.iter().filter(|t| t.1 == statement.line && t.0 != '\n').map(|t| t.0).collect();
             statement.loose = region.loose;
@@ -76,14 +94,16 @@ impl Statement {
 
     pub(super) fn tell(&self, names: &mut Names<'_>, sheet: &mut Sheet) {
         if self.is_condition(names) {
+            if self.marked {
+                sheet.remark(&self.raw, self.line);
+            }
             return;
         }
-        if self.is_legend(names) || self.is_index() || self.is_pattern() {
-            sheet.mark(self.line);
-            return;
+        if self.is_legend(names) || self.is_index() || self.is_pattern() || self.is_general() {
+            return sheet.remark(&self.raw, self.line);
         }
         if self.names_entries(names) {
-            sheet.mark(self.line);
+            sheet.remark(&self.raw, self.line);
             if self.sides.len() == 2 {
                 return;
             }
@@ -94,8 +114,22 @@ impl Statement {
             return rest.tell(names, sheet);
         }
         if self.gives_pose(names, sheet) {
-            sheet.mark(self.line);
+            return sheet.remark(&self.raw, self.line);
+        }
+        if self.sides.iter().flatten().any(|i| matches!(i.kind, ItemKind::Cases(_))) {
+            return self.cases(names, sheet);
+        }
+        if self.gives_function(names, sheet) {
             return;
+        }
+        // a number for a letter that an equation before it defines
+        if let Some(letter) = self.defined(names)
+            && self.sides.len() == 2
+            && self.words(names).is_ok_and(|_| true)
+            && sheet.waiting.iter().any(|w| w.1.name.as_ref() == Some(&letter.own()))
+            && self.sides.get(1).is_some_and(|s| formula(s, names).is_ok_and(|w| is_number(&w)))
+        {
+            return sheet.remark(&self.raw, self.line);
         }
         if let Some(unknown) = self.missing(names).filter(|_| sheet.waiting.len() < MOST_WAITING) {
             sheet.waiting.push((self.clone(), unknown));
@@ -111,7 +145,7 @@ impl Statement {
             let mut depth = 0;
             let halves = s.split(move |i| {
                 depth += i32::from(i.is('(') || i.is('[')) - i32::from(i.is(')') || i.is(']'));
-                depth == 0 && i.kind == ItemKind::PlusMinus
+                depth == 0 && matches!(i.kind, ItemKind::PlusMinus | ItemKind::MinusPlus)
             });
             halves.filter(|h| !h.is_empty())
         });
@@ -125,8 +159,8 @@ impl Statement {
         if let Some((plain, common)) = self.signed_side(names) {
             return plain.tell_in(common, names, sheet);
         }
-        if self.sides.iter().any(|s| top_level(s).any(|i| i.kind == ItemKind::PlusMinus)) {
-            return self.both_signs(names, sheet);
+        if let Some(line) = self.both_signs(names) {
+            return sheet.put(line);
         }
         match self.words(names) {
             Ok(sides) => self.claim(sides, names, sheet),
@@ -162,7 +196,7 @@ impl Statement {
         let [left, right] = self.sides.as_slice() else { return None };
         let angle = formula(left, names).ok().filter(|w| names.variable(&text(w)) == Some(true));
         let [function, open, ..] = right.as_slice() else { return None };
-        let whole = super::meaning::closing(right, 1) == Some(right.len() - 1);
+        let whole = super::brackets::closing(right, 1) == Some(right.len() - 1);
         let at = right.iter().position(|i| i.kind == ItemKind::PlusMinus)?;
         let common = match right.get(at.checked_sub(1)?) {
             Some(i) if i.is('(') && at == 2 => "cos",
@@ -188,63 +222,86 @@ impl Statement {
         }
     }
 
-    /// `theta = A ± B` and `or`: the cosine of the distance from the middle is the same for both.
-    fn both_signs(&self, names: &mut Names<'_>, sheet: &mut Sheet) {
-        let refuse = |sheet: &mut Sheet, why: &str| {
-            sheet.refuse(&self.raw, self.line, why.into());
-        };
-        let [left, right] = self.sides.as_slice() else { return refuse(sheet, "± in a chain of equations") };
+    /// `theta = A ± B`: the cosine of the distance from the middle is the same for both. `None` where ± stands elsewhere: then each sign
+    /// is looked at.
+    fn both_signs(&self, names: &Names<'_>) -> Option<Vec<Word>> {
+        let [left, right] = self.sides.as_slice() else { return None };
+        let mut signs =
+            self.sides.iter().flatten().filter(|i| matches!(i.kind, ItemKind::PlusMinus | ItemKind::MinusPlus));
+        signs.next().filter(|_| signs.next().is_none())?;
         let mut depth = 0;
-        let cut = right.iter().position(|i| {
+        let mut ends = right.iter().enumerate().filter(|(_, i)| {
             depth += i32::from(i.is('(') || i.is('[')) - i32::from(i.is(')') || i.is(']'));
-            depth == 0 && i.kind == ItemKind::PlusMinus
+            depth == 0 && (i.is('+') || i.is('-') || matches!(i.kind, ItemKind::PlusMinus | ItemKind::MinusPlus))
         });
-        let Some(cut) = cut else { return refuse(sheet, "± on the left side") };
-        let (middle, apart) = (right.get(..cut).unwrap_or_default(), right.get(cut + 1..).unwrap_or_default());
-        let angle = formula(left, names).ok().filter(|w| names.variable(&text(w)) == Some(true));
-        let middle = if middle.is_empty() { Ok(Vec::new()) } else { formula(middle, names) };
-        let (Ok(middle), Ok(apart)) = (middle, formula(apart, names)) else {
-            return match self
-                .sides
-                .iter()
-                .find_map(|s| s.split(|i| i.kind == ItemKind::PlusMinus).find_map(|p| formula(p, names).err()))
-            {
-                Some(unknown) => refuse(sheet, &unknown.why),
-                None => refuse(sheet, "this ± is not understood"),
-            };
-        };
+        let cut = ends.find(|(_, i)| matches!(i.kind, ItemKind::PlusMinus | ItemKind::MinusPlus))?.0;
+        let end = ends.next().map_or(right.len(), |e| e.0);
+        // A ± B - C is (A - C) ± B
+        let middle = [right.get(..cut)?, right.get(end..)?].concat();
+        let apart = formula(right.get(cut + 1..end)?, names).ok()?;
+        let left = formula(left, names).ok()?;
+        let middle = if middle.is_empty() { Vec::new() } else { formula(&middle, names).ok()? };
         let word = |t: &str| Word::new(t, self.line);
-        let mut line = Vec::new();
-        match (angle, formula(left, names)) {
-            (Some(angle), _) => {
-                line.extend([word("cos"), word("(")]);
-                line.extend(angle);
-                if !middle.is_empty() {
-                    line.push(word("-"));
-                    line.push(word("("));
-                    line.extend(middle);
-                    line.push(word(")"));
-                }
-                line.extend([word(")"), word("="), word("cos"), word("(")]);
-                line.extend(apart);
-                line.push(word(")"));
-            }
-            (None, Ok(value)) => {
-                // x = a ± b: (x - a)^2 = b^2
-                line.push(word("("));
-                line.extend(value);
-                if !middle.is_empty() {
-                    line.extend([word("-"), word("(")]);
-                    line.extend(middle);
-                    line.push(word(")"));
-                }
-                line.extend([word(")"), word("^"), word("2"), word("="), word("(")]);
-                line.extend(apart);
-                line.extend([word(")"), word("^"), word("2")]);
-            }
-            (None, Err(unknown)) => return refuse(sheet, &unknown.why),
+        let turns = names.variable(&text(&left)) == Some(true);
+        let (open, close) = if turns { ("cos (", ") ") } else { ("(", ") ^ 2") };
+        let words = |t: &str| t.split_whitespace().map(word).collect::<Vec<_>>();
+        let mut line = words(open);
+        line.extend(left);
+        if !middle.is_empty() {
+            line.extend([word("-"), word("(")]);
+            line.extend(middle);
+            line.push(word(")"));
         }
-        sheet.put(line);
+        line.extend(words(close));
+        line.push(word("="));
+        line.extend(words(open));
+        line.extend(apart);
+        line.extend(words(close));
+        Some(line)
+    }
+
+    /// `theta = A where ..., B where ...`: rows of possibilities.
+    fn cases(&self, names: &Names<'_>, sheet: &mut Sheet) {
+        let line = (|| {
+            let [left, right] = self.sides.as_slice() else { return Err("cases in a chain of equations".to_string()) };
+            let [Item { kind: ItemKind::Cases(rows), .. }] = right.as_slice() else {
+                return Err("cases inside of a formula".to_string());
+            };
+            let why = |u: Unknown| u.why;
+            let left = formula(left, names).map_err(why)?;
+            let word = |t: &str| Word::new(t, self.line);
+            let mut line = Vec::new();
+            for row in rows {
+                let value = row.first().filter(|v| !v.is_empty()).ok_or("an empty case")?;
+                let value: Vec<Item> = value.iter().filter(|i| !i.is(',')).cloned().collect();
+                if !line.is_empty() {
+                    line.push(word("or"));
+                }
+                line.extend(left.iter().cloned());
+                line.push(word("="));
+                line.extend(formula(&value, names).map_err(why)?);
+                let plain =
+                    |i: &&Item| !matches!(i.kind, ItemKind::Text(_) | ItemKind::Gap) && !i.is(',') && !i.is('.');
+                let condition: Vec<Item> = row.iter().skip(1).flatten().filter(plain).cloned().collect();
+                if condition.is_empty() {
+                    continue;
+                }
+                let at = condition
+                    .iter()
+                    .position(|i| matches!(i.kind, ItemKind::Relation(_)))
+                    .ok_or("a condition without a relation")?;
+                let Some(ItemKind::Relation(relation)) = condition.get(at).map(|i| &i.kind) else { continue };
+                line.push(word("if"));
+                line.extend(formula(&condition[..at], names).map_err(why)?);
+                line.extend(relation.chars().map(|c| word(&c.to_string())));
+                line.extend(formula(&condition[at + 1..], names).map_err(why)?);
+            }
+            Ok(line)
+        })();
+        match line {
+            Ok(line) => sheet.put(line),
+            Err(why) => sheet.refuse(&self.raw, self.line, why),
+        }
     }
 
     /// A value that is given, or a claim.
@@ -256,8 +313,19 @@ impl Statement {
         {
             return;
         }
+        if let [left, right] = sides.as_slice()
+            && self.relations.first() == Some(&"=")
+            && names.values.is_empty()
+            && is_instance(left, right)
+        {
+            return sheet.remark(&self.raw, self.line);
+        }
+        if sides.iter().any(|s| is_foreign(s, names)) {
+            return sheet.remark(&self.raw, self.line);
+        }
         for s in &sides {
             declare_general(s, sheet);
+            declare_velocities(s, sheet);
         }
         let measured: Vec<bool> = sides.iter().map(|s| !names.values.is_empty() && is_measured(s)).collect();
         let mut line: Vec<Word> = Vec::new();
@@ -285,9 +353,57 @@ pub(super) fn declare_general(words: &[Word], sheet: &mut Sheet) {
             Some(("a" | "d", i)) if i.starts_with(['i', 'j', 'k', 'n']) => "length",
             _ => continue,
         };
-        let known = sheet.tokens.windows(2).any(|p| matches!(p, [a, b] if a.text == "let" && b.text == t));
-        if !known {
+        if sheet.general.insert(t.to_string()) {
             sheet.put(["let", t, ":", kind].iter().map(|x| Word::new(x, w.line)).collect());
         }
     }
+}
+
+/// Velocities of joints get a name of their own before they are used.
+pub(super) fn declare_velocities(words: &[Word], sheet: &mut Sheet) {
+    for w in words {
+        let t = w.token.text.as_str();
+        if t.starts_with('q') && t.ends_with("_dot") && sheet.general.insert(t.to_string()) {
+            sheet.put(["let", t, ":", "length"].iter().map(|x| Word::new(x, w.line)).collect());
+        }
+    }
+}
+
+/// Does a formula name frames or rows that the table does not have? Then it speaks of another arm.
+pub(super) fn is_foreign(words: &[Word], names: &Names<'_>) -> bool {
+    let n = names.chain.links.len();
+    let number = |w: &Word| w.token.text.parse::<usize>().ok();
+    let frames = words.windows(5).any(|w| {
+        w[0].token.text == "T" && w[1].token.is("(") && [&w[2], &w[4]].iter().any(|k| number(k).is_some_and(|k| k > n))
+    });
+    frames
+        || words.iter().any(|w| {
+            let t = w.token.text.as_str();
+            let at = t.find(|c: char| c.is_ascii_digit()).unwrap_or(t.len());
+            let (stem, digits) = t.split_at(at);
+            let declared = names.chain.parameters.iter().any(|p| p.declared && p.name == t);
+            !declared
+                && matches!(stem, "a" | "d" | "alpha" | "theta" | "q")
+                && digits.parse::<usize>().is_ok_and(|k| k > n)
+        })
+}
+
+/// A measured number that a formula of the joints is said to have: true at one pose, and no identity.
+fn is_instance(left: &[Word], right: &[Word]) -> bool {
+    let exact = |w: &[Word]| !w.iter().any(|w| w.token.text.contains('.') || w.token.text.ends_with("deg"));
+    let measured = |w: &[Word]| (is_measured(w) || is_number(w)) && !exact(w);
+    let of_table = |w: &Word| {
+        let t = w.token.text.as_str();
+        let digits = t.trim_start_matches(|c: char| c.is_ascii_alphabetic() || c == '_');
+        let stem = &t[..t.len() - digits.len()];
+        w.token.kind != TokenKind::Name
+            || matches!(stem.trim_end_matches('_'), "a" | "d" | "alpha" | "l" | "L" | "pi" | "sqrt")
+    };
+    // a_n = 0: the convention for the last frame of any arm
+    let general = |w: &Word| w.token.text.split_once('_').is_some_and(|(_, i)| i.starts_with(['i', 'j', 'k', 'n']));
+    if matches!(left, [only] if general(only)) && is_number(right) {
+        return true;
+    }
+    let [formula, number] = if measured(right) { [left, right] } else { [right, left] };
+    measured(number) && !formula.iter().all(of_table)
 }

@@ -23,6 +23,7 @@ fn lines(table: &str, text: &str) -> Vec<String> {
     let d = &paper.derivation;
     d.lines
         .iter()
+        .filter(|l| !matches!(l.statement, Statement::Remark(_)))
         .map(|l| match &l.statement {
             Statement::Unreadable(n) => format!("? {}: {}", d.text(&l.place), n.why),
             _ => line_text(&d.tokens[l.place.clone()]).0,
@@ -66,6 +67,51 @@ fn spellings() {
         ("p_x ≠ 0", "T(0,6).px != 0"),
     ] {
         assert_eq!(lines(PUMA, text), [line], "{text}");
+    }
+}
+
+/// Spellings that are met in print and on the web.
+#[test]
+fn spellings_of_others() {
+    let branch = "q1 = atan2(T(0,6).py, T(0,6).px) - atan2(d3, a2)";
+    for (text, line) in [
+        (r"$$\theta_1 = atan2(p_y, p_x) - Atan2(d_3, a_2)$$", branch),
+        (r"$$\theta_1 = \text{Atan2}(p_y, p_x) - {\rm atan2}(d_3, a_2)$$", branch),
+        (r"$$\theta_1 = \arctan2(p_y, p_x) - \operatorname{ATAN2}\left[d_3, a_2\right]$$", branch),
+        (r"$$p_x = S_{23} + C_1$$", "T(0,6).px = s23 + c1"),
+        (r"$$p_x = \sin\theta_{23} + cos(\theta_1)$$", "T(0,6).px = sin((q2 + q3)) + cos(q1)"),
+        (r"$$\theta_1 = \tan^{-1}\frac{a_2}{a_3}$$", "q1 = atan((a2)/(a3))"),
+        (r"$$\theta_1 = \arccos\frac{a_2}{a_3}$$", "q1 = acos((a2)/(a3))"),
+        (r"$${}^0_1T(\theta_1) = {}^0_1T$$", "T(0,1) = T(0,1)"),
+        (r"$$[{}^0_1T(\theta_1)]^{-1} = [{}^0_2T(\theta_1,\theta_2)]^{-1}$$", "(T(0,1))^-1 = (T(0,2))^-1"),
+        (r"$$_{1}T^{2} = {}^1_2T$$", "T(1,2) = T(1,2)"),
+        (r"$$_3\mathbf{R}^6 = {}^3_6R$$", "T(3,6).R = T(3,6).R"),
+        (r"$${}^0_6T = {}^0_1T\,{}^1_2T\cdots{}^5_6T$$", "T(0,6) = T(0,1)*T(1,2)*T(2,5)*T(5,6)"),
+        (r"$$\frac{\partial p_x}{\partial\theta_2} = a_2$$", "diff(T(0,6).px, q2) = a2"),
+        (r"$$\theta_1 = \alpha_2 \pm \alpha_1 - \alpha_3$$", "cos(q1 - (alpha2 - alpha3)) = cos(alpha1)"),
+        (r"$$a_2\sin\theta_1 = \pm\sqrt{a_2} \mp d_3$$", "a2*sin(q1) = ± sqrt(a2) ∓ d3"),
+        (r"$$\left\{\begin{array}{l} p_x = a_2 \end{array}\right.$$", "T(0,6).px = a2"),
+        ("```math\np_x = a_2\n```", "T(0,6).px = a2"),
+        ("so $`p_x = a_2`$ holds", "T(0,6).px = a2"),
+        (
+            r"$$\theta_1 = \begin{cases} \alpha_1 & \theta_2 < 0 \\ \alpha_2 & \text{otherwise} \end{cases}$$",
+            "q1 = alpha1 if q2 < 0 or q1 = alpha2",
+        ),
+        (r"\newcommand{\pos}[1]{p_{#1}} $$\pos{x} = a_2$$", "T(0,6).px = a2"),
+        (r"\def\s{\sin\theta} $$p_x = \s_1$$", "T(0,6).px = sin(q1)"),
+    ] {
+        assert_eq!(lines(PUMA, text), [line], "{text}");
+    }
+}
+
+/// Names of another arm, conventions of the last frame and values without a pose are no claims, and are listed.
+#[test]
+fn what_claims_nothing_is_listed() {
+    for text in [r"$$a_n = 0$$", r"$$a_7 = 0.3$$", r"$${}^0_9T = {}^0_8T$$", r"$$p_x = 0.43$$", r"$$\theta_1 = 75.5$$"]
+    {
+        let paper = DocumentClaims::read(&chain(PUMA), text);
+        let remarks = paper.derivation.lines.iter().filter(|l| matches!(l.statement, Statement::Remark(_))).count();
+        assert_eq!((remarks, paper.derivation.lines.len()), (1, 1), "{text}");
     }
 }
 
@@ -172,6 +218,11 @@ fn anything_can_be_read() {
             text.push_str(pieces[(seed >> 33) as usize % pieces.len()]);
         }
         DocumentClaims::read(&chain, &text);
+    }
+    DocumentClaims::read(&chain, "- [ ] todo\n- [x] done\nx = [ ]");
+    for deep in ["\\sqrt", "\\sqrt{", "(", "√(", "\\left\\{", "_{", "\\frac", "[", "x^"] {
+        DocumentClaims::read(&chain, &format!("$$p_x = {}$$", deep.repeat(6_000)));
+        DocumentClaims::read(&chain, &format!("p_x = {}", deep.repeat(6_000)));
     }
     DocumentClaims::read(&chain, &"{".repeat(100_000));
     DocumentClaims::read(&chain, &format!("$${}$$", "\\sqrt{".repeat(2000)));

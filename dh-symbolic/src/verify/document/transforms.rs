@@ -48,6 +48,8 @@ pub(super) fn read(item: &Item, names: &Names<'_>) -> Option<Result<Found, Unkno
             (i, j, rest)
         }
         (Some(i), None, Some(j), None) => (i, j, None),
+        // _1T^2, as some write it
+        (None, Some(i), Some(j), None) => (i, j, None),
         (None, None, None, Some(j)) => match two(&j) {
             Some((i, j)) => (i, j, rest),
             None if letter == "A" => {
@@ -114,6 +116,10 @@ fn frame(label: &str, names: &Names<'_>) -> Option<Frame> {
     let (digits, primed) = match label.strip_suffix('\'') {
         Some(head) => (head, true),
         None => (label, false),
+    };
+    let digits = match digits.strip_prefix("n-").and_then(|k| k.parse::<usize>().ok()) {
+        Some(k) => &n.checked_sub(k)?.to_string(),
+        None => digits,
     };
     if let Ok(k) = digits.parse::<usize>() {
         if primed && k == 0 && names.start().is_some() {

@@ -15,6 +15,7 @@
 //! | `A != B;` | they are not the same formula |
 //! | `A ~ B;` | they agree at the values of the last `at` line, to the printed digits: half a unit of the last digit of B's decimals, plus what the rounding of the `at` values can do |
 //! | `A ~ B within t;` | they agree up to `t` (an angle where A is an angle) |
+//! | `A = B or A = C;` | at every pose one of them holds; `A = B if q2 < 0deg or A = C if q2 > 0deg` says where each does. In documents `A = B ± C`, `∓` with it |
 //! | `A < B;` `<=` `>` `>=` | holds for numbers, or at the values of the last `at` line |
 //! | `at q1 = 21.8deg, q2 = -52.2deg;` | values for the `~` lines that follow. `q4 = -20deg within 0.5deg` says how far a value may be off; otherwise one with a decimal point was rounded at its last digit and one without is exact |
 //! | `let f1 = a3*c3 + a2;` | a name for later lines |
@@ -97,8 +98,25 @@ pub enum Statement {
     Free(String, Quantity),
     /// `at q1 = 21.8deg, ...;`
     At(Vec<Setting>),
+    /// `A = B if q2 < 0deg or A = C`, `A = B ± C`: at every pose one of them holds; one with a condition, wherever this is met.
+    Either(Vec<Branch>),
+    /// Something that is said and claims nothing (only in documents): its text.
+    Remark(String),
     /// Not a line of this notation.
     Unreadable(NotUnderstood),
+}
+
+/// One of several possibilities.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Branch {
+    /// Where it stands.
+    pub place: Place,
+    /// The first formula.
+    pub first: Expr,
+    /// What it is equal to.
+    pub rest: Vec<(Relation, Expr)>,
+    /// Where it is to hold; nowhere in particular without it.
+    pub guard: Option<(Expr, Relation, Expr)>,
 }
 
 /// Why and where a line could not be read.

@@ -1,11 +1,18 @@
 //! Recursive-descent parser for the lines of a derivation, with a depth limit.
 
-use super::{Expr, ExprKind, Line, NotUnderstood, Place, Quantity, Relation, Setting, Statement, Token, TokenKind};
+use super::{
+    Branch, Expr, ExprKind, Line, NotUnderstood, Place, Quantity, Relation, Setting, Statement, Token, TokenKind,
+};
 
 /// Deepest nesting of brackets and signs.
 const DEPTH: usize = 48;
+/// Most words of a line.
+const WORDS: usize = 20_000;
 /// Greatest exponent: formulas of kinematics have small ones.
 const EXPONENT: i32 = 16;
+
+/// Most possibilities of one line.
+const BRANCHES: usize = 16;
 
 type Read<T> = Result<T, NotUnderstood>;
 
@@ -46,14 +53,41 @@ fn line(tokens: &[Token], mut place: Place, ended: bool) -> Option<Line> {
         let statement = Statement::Unreadable(NotUnderstood { place: place.clone(), why: why.into() });
         return Some(Line { place, note, statement });
     }
-    let mut p = Parser { tokens, at: place.start, end: place.end, depth: 0 };
-    let statement = p.statement().and_then(|s| p.finished().map(|()| s)).unwrap_or_else(Statement::Unreadable);
+    if place.len() > WORDS {
+        let why = format!("a line of {} words: more than {WORDS} are not read", place.len());
+        let statement = Statement::Unreadable(NotUnderstood { place: place.start..place.start + 1, why });
+        return Some(Line { place, note, statement });
+    }
+    let read = |below| {
+        let mut p = Parser { tokens, at: place.start, end: place.end, depth: 0, below };
+        p.statement().and_then(|s| p.finished().map(|()| s))
+    };
+    let signed = tokens.get(place.clone()).unwrap_or_default().iter().any(|t| t.is("±") || t.is("∓"));
+    let statement = if signed { both_signs(read(false), read(true)) } else { read(false) };
+    let statement = statement.unwrap_or_else(Statement::Unreadable);
     Some(Line { place, note, statement })
+}
+
+/// The line with the upper signs or with the lower ones.
+fn both_signs(upper: Read<Statement>, lower: Read<Statement>) -> Read<Statement> {
+    let branches = |s: Statement| match s {
+        Statement::Claim { first, rest, within: None } => {
+            let place = first.place.start..rest.last().map_or(first.place.end, |r| r.1.place.end);
+            Some(vec![Branch { place, first, rest, guard: None }])
+        }
+        Statement::Either(branches) => Some(branches),
+        _ => None,
+    };
+    let (upper, lower) = (upper?, lower?);
+    match (branches(upper.clone()), branches(lower)) {
+        (Some(a), Some(b)) => Ok(Statement::Either([a, b].concat())),
+        _ => Ok(upper),
+    }
 }
 
 /// Reads one formula that fills the tokens.
 pub(super) fn formula(tokens: &[Token]) -> Read<Expr> {
-    let mut p = Parser { tokens, at: 0, end: tokens.len(), depth: 0 };
+    let mut p = Parser { tokens, at: 0, end: tokens.len(), depth: 0, below: false };
     let e = p.sum()?;
     p.finished()?;
     Ok(e)
@@ -64,6 +98,8 @@ struct Parser<'a> {
     at: usize,
     end: usize,
     depth: usize,
+    /// Are the lower signs of ± and ∓ read?
+    below: bool,
 }
 
 impl<'a> Parser<'a> {
@@ -73,6 +109,18 @@ impl<'a> Parser<'a> {
 
     fn peek_is(&self, mark: &str) -> bool {
         self.peek().is_some_and(|t| t.is(mark))
+    }
+
+    /// A sign here: is it a minus?
+    fn sign(&self) -> Option<bool> {
+        let t = self.peek()?;
+        Some(match t.text.as_str() {
+            "+" => false,
+            "-" => true,
+            "±" => self.below,
+            "∓" => !self.below,
+            _ => return None,
+        })
     }
 
     fn ahead_is(&self, steps: usize, mark: &str) -> bool {
@@ -151,20 +199,55 @@ impl<'a> Parser<'a> {
                 }
             }
         }
+        let start = self.at;
         let first = self.sum()?;
         if self.take(":") {
             return Ok(Statement::Kind(first, self.quantity()?));
         }
-        let mut rest = Vec::new();
-        while let Some(r) = self.relation() {
-            rest.push((r, self.sum()?));
-        }
+        let rest = self.relations()?;
         if rest.is_empty() {
             self.finished()?;
             return self.fail("a line says `left = right;` (or `~`, `!=`, `<`, `>`)");
         }
-        let within = if self.take_word("within") { Some(self.sum()?) } else { None };
-        Ok(Statement::Claim { first, rest, within })
+        let branching = self.peek().is_some_and(|t| t.kind == TokenKind::Name && (t.text == "or" || t.text == "if"));
+        if !branching {
+            let within = if self.take_word("within") { Some(self.sum()?) } else { None };
+            return Ok(Statement::Claim { first, rest, within });
+        }
+        let mut branches = vec![self.branch(start, first, rest)?];
+        while self.take_word("or") {
+            let start = self.at;
+            let first = self.sum()?;
+            let rest = self.relations()?;
+            branches.push(self.branch(start, first, rest)?);
+            if branches.len() > BRANCHES {
+                return self.fail(format!("more than {BRANCHES} possibilities"));
+            }
+        }
+        Ok(Statement::Either(branches))
+    }
+
+    fn relations(&mut self) -> Read<Vec<(Relation, Expr)>> {
+        let mut rest = Vec::new();
+        while let Some(r) = self.relation() {
+            rest.push((r, self.sum()?));
+        }
+        Ok(rest)
+    }
+
+    /// A possibility whose equation has been read: its condition.
+    fn branch(&mut self, start: usize, first: Expr, rest: Vec<(Relation, Expr)>) -> Read<Branch> {
+        if rest.is_empty() || rest.iter().any(|r| r.0 != Relation::Equal) {
+            return self.fail("each possibility says `left = right`");
+        }
+        let place = start..self.at;
+        let mut guard = None;
+        if self.take_word("if") {
+            let left = self.sum()?;
+            let Some(relation) = self.relation() else { return self.fail("a condition says `left < right`") };
+            guard = Some((left, relation, self.sum()?));
+        }
+        Ok(Branch { place, first, rest, guard })
     }
 
     fn quantity(&mut self) -> Read<Quantity> {
@@ -203,10 +286,7 @@ impl<'a> Parser<'a> {
         let start = self.at;
         let mut terms = vec![(false, self.product()?)];
         loop {
-            let minus = self.peek_is("-");
-            if !minus && !self.peek_is("+") {
-                break;
-            }
+            let Some(minus) = self.sign() else { break };
             self.at += 1;
             terms.push((minus, self.product()?));
         }
@@ -239,17 +319,13 @@ impl<'a> Parser<'a> {
 
     fn signed(&mut self) -> Read<Expr> {
         let start = self.at;
-        if self.take("-") {
+        if let Some(minus) = self.sign() {
+            self.at += 1;
             self.enter()?;
             let inner = self.signed()?;
             self.depth -= 1;
-            return Ok(Expr { place: start..self.at, kind: ExprKind::Negative(Box::new(inner)) });
-        }
-        if self.take("+") {
-            self.enter()?;
-            let inner = self.signed()?;
-            self.depth -= 1;
-            return Ok(inner);
+            let negative = |inner| Expr { place: start..self.at, kind: ExprKind::Negative(Box::new(inner)) };
+            return Ok(if minus { negative(inner) } else { inner });
         }
         let base = self.postfix()?;
         if !self.take("^") {
