@@ -23,5 +23,6 @@ mod robots;
 mod single;
 mod soup;
 mod spare;
+mod special;
 mod tidy;
 mod ui;

@@ -253,6 +253,7 @@
 mod arm;
 pub mod atan2;
 mod branch;
+mod follow;
 mod free;
 mod inverse;
 mod joint;
@@ -273,6 +274,7 @@ pub use nalgebra;
 pub use arm::{Arm, SolutionView, WrongLength};
 pub use atan2::atan2_batch;
 pub use branch::{Branch, Elbow, Shoulder, Wrist};
+pub use follow::{Follow, Stop, follow};
 pub use free::{FreeJoints, FreeJointsIter};
 pub use inverse::Work;
 pub use joint::{Joint, JointKind};

@@ -53,6 +53,18 @@ pub trait InverseKinematics<const N: usize, T: Real = f64>: Robot<N, T> {
     /// Every solution, each once.
     fn inverse(&self, target: &Self::Target) -> Self::Solutions;
 
+    /// The solution that continues from `q`: on generated robots the one of least travel, and at a singular pose the nearest point of its
+    /// self-motion.
+    ///
+    /// # Errors
+    ///
+    /// The reason why there is no solution.
+    fn inverse_near(&self, target: &Self::Target, q: &[T; N]) -> Result<Solution<T, N>, Why<T>> {
+        let list = self.inverse(target);
+        let why = || if list.is_empty() { list.why() } else { Why::NotFinite };
+        list.toward(q).ok_or_else(why)
+    }
+
     /// The most solutions that there can be.
     fn max_solutions(&self) -> usize {
         Self::Solutions::MOST

@@ -153,11 +153,16 @@ impl<T: Real, const N: usize, const M: usize> Solutions<T, N, M> {
     }
 
     /// Where to go from `q`: the solution that needs the least movement, with every angle shifted by the whole turns that
-    /// bring it nearest to `q` within the joint's range. `None` only if there is no solution.
+    /// bring it nearest to `q` within the joint's range. `None` if there is no solution, or a value of `q` is not
+    /// finite.
     ///
     /// Nearest means the least sum of squared differences of the values as returned. Solutions out of range count as well;
     /// ask [`within_range`](Self::within_range) first to leave them out.
     pub fn toward(&self, q: &[T; N]) -> Option<Solution<T, N>> {
+        // From nowhere there is no way.
+        if !q.iter().all(|x| x.is_finite()) {
+            return None;
+        }
         let straight = |_: &Joint<T>, a: T, b: T| a - b;
         let mut best: Option<(T, Solution<T, N>)> = None;
         for solution in self {
@@ -177,6 +182,57 @@ impl<T: Real, const N: usize, const M: usize> Solutions<T, N, M> {
     #[inline]
     pub fn with_branch(&self, wanted: Branch) -> Option<&Solution<T, N>> {
         self.iter().find(|solution| solution.branch.agrees_with(wanted))
+    }
+
+    /// The solutions whose branch is as `wanted` says; see [`Branch::agrees_with`].
+    #[must_use]
+    pub fn in_branch(&self, wanted: Branch) -> Self {
+        let mut kept = Self { why: self.why, ..Self::new(self.joints) };
+        self.iter().filter(|s| s.branch.agrees_with(wanted)).for_each(|s| _ = kept.push(*s));
+        kept
+    }
+
+    /// The solutions within limits that are known while the program runs: the least and the greatest value of every joint, both included.
+    /// Angles are shifted by whole turns where that brings them between their limits.
+    ///
+    /// If none is left, [`why`](Self::why) is [`Why::OutOfRange`], or what it was before.
+    #[must_use]
+    pub fn within(&self, limits: &[(T, T); N]) -> Self {
+        let mut kept = Self::new(self.joints);
+        for solution in self {
+            let mut inside = *solution;
+            let mut all = true;
+            for ((joint, value), (least, greatest)) in self.joints.iter().zip(&mut inside.q).zip(limits) {
+                let limited = joint.with_range(*least, *greatest);
+                *value = limited.normalize(*value);
+                all &= limited.contains(*value);
+                *value = limited.clamp(*value);
+            }
+            if all {
+                kept.push(inside);
+            }
+        }
+        kept.why = if self.len > 0 { Why::OutOfRange { solutions: self.len } } else { self.why };
+        kept
+    }
+
+    /// The solution nearest to `q` as [`closest_to`](Self::closest_to), with a weight for the movement of every joint: its square is multiplied
+    /// by the weight. `None` only if there is no solution.
+    pub fn closest_by(&self, q: &[T; N], weights: &[T; N]) -> Option<&Solution<T, N>> {
+        let distance = |s: &Solution<T, N>| {
+            let parts = self.joints.iter().zip(&s.q).zip(q).zip(weights);
+            parts.fold(T::zero(), |sum, (((joint, a), b), weight)| {
+                let d = joint.difference(*a, *b);
+                sum + *weight * d * d
+            })
+        };
+        let mut best = self.first()?;
+        for solution in self.get(1..)? {
+            if distance(solution) < distance(best) {
+                best = solution;
+            }
+        }
+        Some(best)
     }
 
     /// The solutions that keep every joint in its range. Values beyond a limit by round-off only are put on the limit.

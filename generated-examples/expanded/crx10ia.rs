@@ -344,29 +344,7 @@ impl Crx10ia {
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
     ) -> ::dh_robot::Solutions<f64, 6, 16> {
-        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
-            ::core::result::Result::Ok(frame) => frame,
-            ::core::result::Result::Err(why) => {
-                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
-            }
-        };
-        let setting = ::dh_robot::runtime::Setting {
-            joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
-            given: [::core::option::Option::None; 6],
-        };
-        let task = ::dh_robot::runtime::Task::Pose(
-            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
-        );
-        ::dh_robot::runtime::solve_bounded(
-            self,
-            setting,
-            &task,
-            &frame,
-            Self::MAX_WORK,
-            |frame, sample, found| self.candidates(frame, sample, found),
-        )
+        self.inverse_with_work(target).0
     }
     /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
     /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
@@ -436,6 +414,33 @@ impl Crx10ia {
             &task,
             &frame,
             |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The direction in which the arm can move at a solution with free joints while its target stays reached: joint speeds, the largest of
+    /// them 1 (or the arm's size, for a length). `None` at a solution that stands alone.
+    #[must_use]
+    pub fn self_motion(
+        &self,
+        solution: &::dh_robot::Solution<f64, 6>,
+    ) -> ::core::option::Option<[f64; 6]> {
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: false,
+            given: [
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+            ],
+        };
+        ::dh_robot::runtime::self_motion(
+            self,
+            setting,
+            |t| ::dh_robot::runtime::Task::Pose(*t),
+            solution,
         )
     }
     /// The plan's unknowns at joint values.
@@ -522,6 +527,42 @@ impl Crx10ia {
             found([q1, q2, q3, q4, q5, q6], branch, path);
         }
         attempt
+    }
+    /// [`inverse`](Self::inverse) without its fast path: the plan root by root, with everything that special poses need; and how much was
+    /// computed, which is never more than [`MAX_WORK`](Self::MAX_WORK).
+    #[cold]
+    #[inline(never)]
+    #[must_use]
+    pub fn inverse_with_work(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> (::dh_robot::Solutions<f64, 6, 16>, ::dh_robot::Work) {
+        let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
+            ::core::result::Result::Ok(frame) => frame,
+            ::core::result::Result::Err(why) => {
+                return (
+                    ::dh_robot::Solutions::none(&Self::JOINTS, why),
+                    ::dh_robot::Work::NONE,
+                );
+            }
+        };
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: false,
+            given: [::core::option::Option::None; 6],
+        };
+        let task = ::dh_robot::runtime::Task::Pose(
+            ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
+        );
+        ::dh_robot::runtime::solve_bounded(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
@@ -624,6 +665,13 @@ impl ::dh_robot::InverseKinematics<6, f64> for Crx10ia {
     type Solutions = ::dh_robot::Solutions<f64, 6, 16>;
     fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         Crx10ia::inverse(self, target)
+    }
+    fn inverse_near(
+        &self,
+        target: &Self::Target,
+        q: &[f64; 6],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 6>, ::dh_robot::Why<f64>> {
+        Crx10ia::inverse_near(self, target, q)
     }
 }
 impl ::dh_robot::runtime::HasJoints<f64> for Crx10ia {

@@ -249,7 +249,7 @@ impl GantryWrist {
         let mut q = [[0.0; 2]; 6];
         let mut valid = [0.0; 2];
         if !self.all_branches(&frame, &mut q, &mut valid) {
-            return self.robust(target);
+            return self.inverse_with_work(target).0;
         }
         if valid == [1.0; 2] {
             let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
@@ -341,6 +341,33 @@ impl GantryWrist {
             &task,
             &frame,
             |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The direction in which the arm can move at a solution with free joints while its target stays reached: joint speeds, the largest of
+    /// them 1 (or the arm's size, for a length). `None` at a solution that stands alone.
+    #[must_use]
+    pub fn self_motion(
+        &self,
+        solution: &::dh_robot::Solution<f64, 6>,
+    ) -> ::core::option::Option<[f64; 6]> {
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: false,
+            given: [
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+            ],
+        };
+        ::dh_robot::runtime::self_motion(
+            self,
+            setting,
+            |t| ::dh_robot::runtime::Task::Pose(*t),
+            solution,
         )
     }
     /// The plan's unknowns at joint values.
@@ -533,17 +560,22 @@ impl GantryWrist {
         }
         attempt
     }
-    /// The plan root by root, with everything that special poses need.
+    /// [`inverse`](Self::inverse) without its fast path: the plan root by root, with everything that special poses need; and how much was
+    /// computed, which is never more than [`MAX_WORK`](Self::MAX_WORK).
     #[cold]
     #[inline(never)]
-    fn robust(
+    #[must_use]
+    pub fn inverse_with_work(
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
-    ) -> ::dh_robot::Solutions<f64, 6, 2> {
+    ) -> (::dh_robot::Solutions<f64, 6, 2>, ::dh_robot::Work) {
         let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
-                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+                return (
+                    ::dh_robot::Solutions::none(&Self::JOINTS, why),
+                    ::dh_robot::Work::NONE,
+                );
             }
         };
         let setting = ::dh_robot::runtime::Setting {
@@ -735,6 +767,13 @@ impl ::dh_robot::InverseKinematics<6, f64> for GantryWrist {
     type Solutions = ::dh_robot::Solutions<f64, 6, 2>;
     fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         GantryWrist::inverse(self, target)
+    }
+    fn inverse_near(
+        &self,
+        target: &Self::Target,
+        q: &[f64; 6],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 6>, ::dh_robot::Why<f64>> {
+        GantryWrist::inverse_near(self, target, q)
     }
 }
 impl ::dh_robot::runtime::HasJoints<f64> for GantryWrist {

@@ -450,6 +450,12 @@ impl Panda {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
         given: f64,
     ) -> ::dh_robot::Solutions<f64, 7, 8> {
+        if !given.is_finite() {
+            return ::dh_robot::Solutions::none(
+                &Self::JOINTS,
+                ::dh_robot::Why::NotFinite,
+            );
+        }
         let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
@@ -459,7 +465,7 @@ impl Panda {
         let mut q = [[0.0; 8]; 7];
         let mut valid = [0.0; 8];
         if !self.all_branches(&frame, given.into(), &mut q, &mut valid) {
-            return self.robust(target, given);
+            return self.inverse_with_work(target, given).0;
         }
         if valid == [1.0; 8] {
             let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
@@ -487,6 +493,9 @@ impl Panda {
         given: f64,
         q: &[f64; 7],
     ) -> ::core::result::Result<::dh_robot::Solution<f64, 7>, ::dh_robot::Why<f64>> {
+        if !given.is_finite() {
+            return ::core::result::Result::Err(::dh_robot::Why::NotFinite);
+        }
         let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => return ::core::result::Result::Err(why),
@@ -543,6 +552,12 @@ impl Panda {
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
         given: f64,
     ) -> ::dh_robot::Solutions<f64, 7, 8> {
+        if !given.is_finite() {
+            return ::dh_robot::Solutions::none(
+                &Self::JOINTS,
+                ::dh_robot::Why::NotFinite,
+            );
+        }
         let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
@@ -572,6 +587,34 @@ impl Panda {
             &task,
             &frame,
             |frame, sample, found| self.candidates(frame, given.into(), sample, found),
+        )
+    }
+    /// The direction in which the arm can move at a solution with free joints while its target stays reached: joint speeds, the largest of
+    /// them 1 (or the arm's size, for a length). `None` at a solution that stands alone.
+    #[must_use]
+    pub fn self_motion(
+        &self,
+        solution: &::dh_robot::Solution<f64, 7>,
+    ) -> ::core::option::Option<[f64; 7]> {
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: false,
+            given: [
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::Some(solution.q[6].into()),
+            ],
+        };
+        ::dh_robot::runtime::self_motion(
+            self,
+            setting,
+            |t| ::dh_robot::runtime::Task::Pose(*t),
+            solution,
         )
     }
     /// The plan's unknowns at joint values.
@@ -822,18 +865,29 @@ impl Panda {
         }
         attempt
     }
-    /// The plan root by root, with everything that special poses need.
+    /// [`inverse`](Self::inverse) without its fast path: the plan root by root, with everything that special poses need; and how much was
+    /// computed, which is never more than [`MAX_WORK`](Self::MAX_WORK).
     #[cold]
     #[inline(never)]
-    fn robust(
+    #[must_use]
+    pub fn inverse_with_work(
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
         given: f64,
-    ) -> ::dh_robot::Solutions<f64, 7, 8> {
+    ) -> (::dh_robot::Solutions<f64, 7, 8>, ::dh_robot::Work) {
+        if !given.is_finite() {
+            return (
+                ::dh_robot::Solutions::none(&Self::JOINTS, ::dh_robot::Why::NotFinite),
+                ::dh_robot::Work::NONE,
+            );
+        }
         let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
-                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+                return (
+                    ::dh_robot::Solutions::none(&Self::JOINTS, why),
+                    ::dh_robot::Work::NONE,
+                );
             }
         };
         let setting = ::dh_robot::runtime::Setting {
@@ -1267,6 +1321,13 @@ impl ::dh_robot::InverseKinematics<7, f64> for Panda {
     type Solutions = ::dh_robot::Solutions<f64, 7, 8>;
     fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         Panda::inverse(self, &target.0, target.1)
+    }
+    fn inverse_near(
+        &self,
+        target: &Self::Target,
+        q: &[f64; 7],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 7>, ::dh_robot::Why<f64>> {
+        Panda::inverse_near(self, &target.0, target.1, q)
     }
 }
 impl ::dh_robot::runtime::HasJoints<f64> for Panda {

@@ -176,32 +176,7 @@ impl Planar2r {
         &self,
         target: &::dh_robot::nalgebra::Point3<f64>,
     ) -> ::dh_robot::Solutions<f64, 2, 2> {
-        let p: [f64; 3] = [target.x.into(), target.y.into(), target.z.into()];
-        if !p.iter().all(|x: &f64| x.is_finite()) {
-            return ::dh_robot::Solutions::none(
-                &Self::JOINTS,
-                ::dh_robot::Why::NotFinite,
-            );
-        }
-        let frame = ::dh_robot::runtime::frame_of_axis(
-            p.map(|x| x / Self::LENGTH_SCALE),
-            [0.0, 0.0, 1.0],
-        );
-        let setting = ::dh_robot::runtime::Setting {
-            joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
-            given: [::core::option::Option::None; 2],
-        };
-        let task = ::dh_robot::runtime::Task::Position(p);
-        ::dh_robot::runtime::solve_bounded(
-            self,
-            setting,
-            &task,
-            &frame,
-            Self::MAX_WORK,
-            |frame, sample, found| self.candidates(frame, sample, found),
-        )
+        self.inverse_with_work(target).0
     }
     /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
     /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
@@ -276,6 +251,26 @@ impl Planar2r {
             &task,
             &frame,
             |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The direction in which the arm can move at a solution with free joints while its target stays reached: joint speeds, the largest of
+    /// them 1 (or the arm's size, for a length). `None` at a solution that stands alone.
+    #[must_use]
+    pub fn self_motion(
+        &self,
+        solution: &::dh_robot::Solution<f64, 2>,
+    ) -> ::core::option::Option<[f64; 2]> {
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: true,
+            given: [::core::option::Option::None, ::core::option::Option::None],
+        };
+        ::dh_robot::runtime::self_motion(
+            self,
+            setting,
+            |t| ::dh_robot::runtime::Task::Position([t[0][3], t[1][3], t[2][3]]),
+            solution,
         )
     }
     /// The plan's unknowns at joint values.
@@ -364,6 +359,42 @@ impl Planar2r {
         }
         attempt
     }
+    /// [`inverse`](Self::inverse) without its fast path: the plan root by root, with everything that special poses need; and how much was
+    /// computed, which is never more than [`MAX_WORK`](Self::MAX_WORK).
+    #[cold]
+    #[inline(never)]
+    #[must_use]
+    pub fn inverse_with_work(
+        &self,
+        target: &::dh_robot::nalgebra::Point3<f64>,
+    ) -> (::dh_robot::Solutions<f64, 2, 2>, ::dh_robot::Work) {
+        let p: [f64; 3] = [target.x.into(), target.y.into(), target.z.into()];
+        if !p.iter().all(|x: &f64| x.is_finite()) {
+            return (
+                ::dh_robot::Solutions::none(&Self::JOINTS, ::dh_robot::Why::NotFinite),
+                ::dh_robot::Work::NONE,
+            );
+        }
+        let frame = ::dh_robot::runtime::frame_of_axis(
+            p.map(|x| x / Self::LENGTH_SCALE),
+            [0.0, 0.0, 1.0],
+        );
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: true,
+            given: [::core::option::Option::None; 2],
+        };
+        let task = ::dh_robot::runtime::Task::Position(p);
+        ::dh_robot::runtime::solve_bounded(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl ::dh_robot::runtime::Kinematics<2> for Planar2r {
@@ -401,6 +432,13 @@ impl ::dh_robot::InverseKinematics<2, f64> for Planar2r {
     type Solutions = ::dh_robot::Solutions<f64, 2, 2>;
     fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         Planar2r::inverse(self, target)
+    }
+    fn inverse_near(
+        &self,
+        target: &Self::Target,
+        q: &[f64; 2],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 2>, ::dh_robot::Why<f64>> {
+        Planar2r::inverse_near(self, target, q)
     }
 }
 impl ::dh_robot::runtime::HasJoints<f64> for Planar2r {

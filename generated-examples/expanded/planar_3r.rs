@@ -207,37 +207,7 @@ impl Planar3r {
     /// 3. `q1`: sine and cosine (two equations a cos + b sin = c, one value).
     #[must_use]
     pub fn inverse(&self, target: (f64, f64, f64)) -> ::dh_robot::Solutions<f64, 3, 2> {
-        let (x, y, phi): (f64, f64, f64) = (
-            target.0.into(),
-            target.1.into(),
-            target.2.into(),
-        );
-        if ![x, y, phi].iter().all(|x: &f64| x.is_finite()) {
-            return ::dh_robot::Solutions::none(
-                &Self::JOINTS,
-                ::dh_robot::Why::NotFinite,
-            );
-        }
-        let frame = ::dh_robot::runtime::frame_of_plane(
-            [x / Self::LENGTH_SCALE, y / Self::LENGTH_SCALE],
-            phi,
-            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-        );
-        let setting = ::dh_robot::runtime::Setting {
-            joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
-            given: [::core::option::Option::None; 3],
-        };
-        let task = ::dh_robot::runtime::Task::Planar(x, y, phi);
-        ::dh_robot::runtime::solve_bounded(
-            self,
-            setting,
-            &task,
-            &frame,
-            Self::MAX_WORK,
-            |frame, sample, found| self.candidates(frame, sample, found),
-        )
+        self.inverse_with_work(target).0
     }
     /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
     /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
@@ -322,6 +292,34 @@ impl Planar3r {
             &task,
             &frame,
             |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The direction in which the arm can move at a solution with free joints while its target stays reached: joint speeds, the largest of
+    /// them 1 (or the arm's size, for a length). `None` at a solution that stands alone.
+    #[must_use]
+    pub fn self_motion(
+        &self,
+        solution: &::dh_robot::Solution<f64, 3>,
+    ) -> ::core::option::Option<[f64; 3]> {
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: false,
+            given: [
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+            ],
+        };
+        ::dh_robot::runtime::self_motion(
+            self,
+            setting,
+            |t| ::dh_robot::runtime::Task::Planar(
+                t[0][3],
+                t[1][3],
+                ::dh_robot::runtime::atan2(t[1][0], t[0][0]),
+            ),
+            solution,
         )
     }
     /// The plan's unknowns at joint values.
@@ -449,6 +447,47 @@ impl Planar3r {
         }
         attempt
     }
+    /// [`inverse`](Self::inverse) without its fast path: the plan root by root, with everything that special poses need; and how much was
+    /// computed, which is never more than [`MAX_WORK`](Self::MAX_WORK).
+    #[cold]
+    #[inline(never)]
+    #[must_use]
+    pub fn inverse_with_work(
+        &self,
+        target: (f64, f64, f64),
+    ) -> (::dh_robot::Solutions<f64, 3, 2>, ::dh_robot::Work) {
+        let (x, y, phi): (f64, f64, f64) = (
+            target.0.into(),
+            target.1.into(),
+            target.2.into(),
+        );
+        if ![x, y, phi].iter().all(|x: &f64| x.is_finite()) {
+            return (
+                ::dh_robot::Solutions::none(&Self::JOINTS, ::dh_robot::Why::NotFinite),
+                ::dh_robot::Work::NONE,
+            );
+        }
+        let frame = ::dh_robot::runtime::frame_of_plane(
+            [x / Self::LENGTH_SCALE, y / Self::LENGTH_SCALE],
+            phi,
+            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        );
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: false,
+            given: [::core::option::Option::None; 3],
+        };
+        let task = ::dh_robot::runtime::Task::Planar(x, y, phi);
+        ::dh_robot::runtime::solve_bounded(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl ::dh_robot::runtime::Kinematics<3> for Planar3r {
@@ -496,6 +535,13 @@ impl ::dh_robot::InverseKinematics<3, f64> for Planar3r {
     type Solutions = ::dh_robot::Solutions<f64, 3, 2>;
     fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         Planar3r::inverse(self, *target)
+    }
+    fn inverse_near(
+        &self,
+        target: &Self::Target,
+        q: &[f64; 3],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 3>, ::dh_robot::Why<f64>> {
+        Planar3r::inverse_near(self, *target, q)
     }
 }
 impl ::dh_robot::runtime::HasJoints<f64> for Planar3r {

@@ -180,7 +180,7 @@ impl RpParallel {
         let mut q = [[0.0; 1]; 2];
         let mut valid = [0.0; 1];
         if !self.all_branches(&frame, &mut q, &mut valid) {
-            return self.robust(target);
+            return self.inverse_with_work(target).0;
         }
         if valid == [1.0; 1] {
             let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
@@ -274,6 +274,26 @@ impl RpParallel {
             |frame, sample, found| self.candidates(frame, sample, found),
         )
     }
+    /// The direction in which the arm can move at a solution with free joints while its target stays reached: joint speeds, the largest of
+    /// them 1 (or the arm's size, for a length). `None` at a solution that stands alone.
+    #[must_use]
+    pub fn self_motion(
+        &self,
+        solution: &::dh_robot::Solution<f64, 2>,
+    ) -> ::core::option::Option<[f64; 2]> {
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: true,
+            given: [::core::option::Option::None, ::core::option::Option::None],
+        };
+        ::dh_robot::runtime::self_motion(
+            self,
+            setting,
+            |t| ::dh_robot::runtime::Task::Pose(*t),
+            solution,
+        )
+    }
     /// The plan's unknowns at joint values.
     fn unknowns(&self, q: &[f64; 2]) -> [f64; 8] {
         [(q[1]) / Self::LENGTH_SCALE, q[0], 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
@@ -338,17 +358,22 @@ impl RpParallel {
         }
         attempt
     }
-    /// The plan root by root, with everything that special poses need.
+    /// [`inverse`](Self::inverse) without its fast path: the plan root by root, with everything that special poses need; and how much was
+    /// computed, which is never more than [`MAX_WORK`](Self::MAX_WORK).
     #[cold]
     #[inline(never)]
-    fn robust(
+    #[must_use]
+    pub fn inverse_with_work(
         &self,
         target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
-    ) -> ::dh_robot::Solutions<f64, 2, 1> {
+    ) -> (::dh_robot::Solutions<f64, 2, 1>, ::dh_robot::Work) {
         let frame = match ::dh_robot::runtime::frame_of(target, Self::LENGTH_SCALE) {
             ::core::result::Result::Ok(frame) => frame,
             ::core::result::Result::Err(why) => {
-                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+                return (
+                    ::dh_robot::Solutions::none(&Self::JOINTS, why),
+                    ::dh_robot::Work::NONE,
+                );
             }
         };
         let setting = ::dh_robot::runtime::Setting {
@@ -447,6 +472,13 @@ impl ::dh_robot::InverseKinematics<2, f64> for RpParallel {
     type Solutions = ::dh_robot::Solutions<f64, 2, 1>;
     fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         RpParallel::inverse(self, target)
+    }
+    fn inverse_near(
+        &self,
+        target: &Self::Target,
+        q: &[f64; 2],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 2>, ::dh_robot::Why<f64>> {
+        RpParallel::inverse_near(self, target, q)
     }
 }
 impl ::dh_robot::runtime::HasJoints<f64> for RpParallel {

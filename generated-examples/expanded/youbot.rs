@@ -261,42 +261,7 @@ impl Youbot {
             ::dh_robot::nalgebra::UnitVector3<f64>,
         ),
     ) -> ::dh_robot::Solutions<f64, 5, 4> {
-        let p: [f64; 3] = [target.0.x.into(), target.0.y.into(), target.0.z.into()];
-        if !p.iter().all(|x: &f64| x.is_finite()) {
-            return ::dh_robot::Solutions::none(
-                &Self::JOINTS,
-                ::dh_robot::Why::NotFinite,
-            );
-        }
-        let z = match ::dh_robot::runtime::direction([
-            target.1.x.into(),
-            target.1.y.into(),
-            target.1.z.into(),
-        ]) {
-            ::core::result::Result::Ok(z) => z,
-            ::core::result::Result::Err(why) => {
-                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
-            }
-        };
-        let frame = ::dh_robot::runtime::frame_of_axis(
-            p.map(|x| x / Self::LENGTH_SCALE),
-            z,
-        );
-        let setting = ::dh_robot::runtime::Setting {
-            joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
-            given: [::core::option::Option::None; 5],
-        };
-        let task = ::dh_robot::runtime::Task::Axis(p, z);
-        ::dh_robot::runtime::solve_bounded(
-            self,
-            setting,
-            &task,
-            &frame,
-            Self::MAX_WORK,
-            |frame, sample, found| self.candidates(frame, sample, found),
-        )
+        self.inverse_with_work(target).0
     }
     /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
     /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
@@ -395,6 +360,35 @@ impl Youbot {
             &task,
             &frame,
             |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
+    /// The direction in which the arm can move at a solution with free joints while its target stays reached: joint speeds, the largest of
+    /// them 1 (or the arm's size, for a length). `None` at a solution that stands alone.
+    #[must_use]
+    pub fn self_motion(
+        &self,
+        solution: &::dh_robot::Solution<f64, 5>,
+    ) -> ::core::option::Option<[f64; 5]> {
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: true,
+            given: [
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+                ::core::option::Option::None,
+            ],
+        };
+        ::dh_robot::runtime::self_motion(
+            self,
+            setting,
+            |t| ::dh_robot::runtime::Task::Axis(
+                [t[0][3], t[1][3], t[2][3]],
+                [t[0][2], t[1][2], t[2][2]],
+            ),
+            solution,
         )
     }
     /// The plan's unknowns at joint values.
@@ -585,6 +579,58 @@ impl Youbot {
         }
         attempt
     }
+    /// [`inverse`](Self::inverse) without its fast path: the plan root by root, with everything that special poses need; and how much was
+    /// computed, which is never more than [`MAX_WORK`](Self::MAX_WORK).
+    #[cold]
+    #[inline(never)]
+    #[must_use]
+    pub fn inverse_with_work(
+        &self,
+        target: (
+            ::dh_robot::nalgebra::Point3<f64>,
+            ::dh_robot::nalgebra::UnitVector3<f64>,
+        ),
+    ) -> (::dh_robot::Solutions<f64, 5, 4>, ::dh_robot::Work) {
+        let p: [f64; 3] = [target.0.x.into(), target.0.y.into(), target.0.z.into()];
+        if !p.iter().all(|x: &f64| x.is_finite()) {
+            return (
+                ::dh_robot::Solutions::none(&Self::JOINTS, ::dh_robot::Why::NotFinite),
+                ::dh_robot::Work::NONE,
+            );
+        }
+        let z = match ::dh_robot::runtime::direction([
+            target.1.x.into(),
+            target.1.y.into(),
+            target.1.z.into(),
+        ]) {
+            ::core::result::Result::Ok(z) => z,
+            ::core::result::Result::Err(why) => {
+                return (
+                    ::dh_robot::Solutions::none(&Self::JOINTS, why),
+                    ::dh_robot::Work::NONE,
+                );
+            }
+        };
+        let frame = ::dh_robot::runtime::frame_of_axis(
+            p.map(|x| x / Self::LENGTH_SCALE),
+            z,
+        );
+        let setting = ::dh_robot::runtime::Setting {
+            joints: &Self::JOINTS,
+            reach: Self::LENGTH_SCALE,
+            few: true,
+            given: [::core::option::Option::None; 5],
+        };
+        let task = ::dh_robot::runtime::Task::Axis(p, z);
+        ::dh_robot::runtime::solve_bounded(
+            self,
+            setting,
+            &task,
+            &frame,
+            Self::MAX_WORK,
+            |frame, sample, found| self.candidates(frame, sample, found),
+        )
+    }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]
 impl ::dh_robot::runtime::Kinematics<5> for Youbot {
@@ -657,6 +703,13 @@ impl ::dh_robot::InverseKinematics<5, f64> for Youbot {
     type Solutions = ::dh_robot::Solutions<f64, 5, 4>;
     fn inverse(&self, target: &Self::Target) -> Self::Solutions {
         Youbot::inverse(self, *target)
+    }
+    fn inverse_near(
+        &self,
+        target: &Self::Target,
+        q: &[f64; 5],
+    ) -> ::core::result::Result<::dh_robot::Solution<f64, 5>, ::dh_robot::Why<f64>> {
+        Youbot::inverse_near(self, *target, q)
     }
 }
 impl ::dh_robot::runtime::HasJoints<f64> for Youbot {

@@ -8,10 +8,10 @@ use super::check;
 /// A robot in a module of its own, and a test of it.
 macro_rules! arm {
     ($(#[$doc:meta])* $name:ident given $joint:literal: $($table:tt)*) => {
-        arm!(@ $(#[$doc])* $name, |arm, target, q| [arm.inverse(target, q[$joint]), arm.robust(target, q[$joint])], $($table)*);
+        arm!(@ $(#[$doc])* $name, |arm, target, q| [arm.inverse(target, q[$joint]), arm.inverse_with_work(target, q[$joint]).0], $($table)*);
     };
     ($(#[$doc:meta])* $name:ident $($table:tt)*) => {
-        arm!(@ $(#[$doc])* $name, |arm, target, _q| [arm.inverse(target), arm.robust(target)], $($table)*);
+        arm!(@ $(#[$doc])* $name, |arm, target, _q| [arm.inverse(target), arm.inverse_with_work(target).0], $($table)*);
     };
     (@ $(#[$doc:meta])* $name:ident, |$arm:ident, $target:ident, $q:ident| $both:expr, $($table:tt)*) => {
         mod $name {

@@ -19,7 +19,9 @@ mod off;
 mod path;
 mod range;
 mod rescue;
+mod self_motion;
 mod sheets;
+mod tangent;
 mod verifier;
 mod work;
 
@@ -28,6 +30,7 @@ pub use fallback::solve as solve_bounded;
 pub use frame::{direction, frame_of, frame_of_axis, frame_of_plane, in_units, to_pose};
 pub use near::{nearest, solve_near};
 pub use path::Path;
+pub use tangent::self_motion;
 pub use work::Work;
 
 use crate::{Branch, Joint, Real, Solutions, Why};

@@ -21,11 +21,30 @@ impl Work {
     /// The bounds of an arm whose plan is in closed form.
     pub const CLOSED_FORM: Self = Self { runs: 20, steps: 96, evaluations: 400, most: [0; 3] };
     /// The bounds of an arm whose plan eliminates (six joints, or six after some were chosen).
-    pub const ELIMINATION: Self = Self { runs: 8, steps: 160, evaluations: 600, most: [0; 3] };
+    pub const ELIMINATION: Self = Self { runs: 3, steps: 160, evaluations: 600, most: [0; 3] };
+
+    /// Nothing.
+    pub const NONE: Self = Self { runs: 0, steps: 0, evaluations: 0, most: [0; 3] };
+
+    /// Of two calls the more of everything.
+    #[must_use]
+    pub fn or_more(self, other: Self) -> Self {
+        Self {
+            runs: self.runs.max(other.runs),
+            steps: self.steps.max(other.steps),
+            evaluations: self.evaluations.max(other.evaluations),
+            most: self.most,
+        }
+    }
 
     /// Nothing yet, of at most this.
     pub(super) fn new(most: Self) -> Self {
         Self { runs: 0, steps: 0, evaluations: 0, most: [most.runs, most.steps, most.evaluations] }
+    }
+
+    /// Are these the bounds of an elimination?
+    pub(super) fn is_elimination(&self) -> bool {
+        self.most[0] <= Self::ELIMINATION.runs
     }
 
     /// Is any of the bounds reached?

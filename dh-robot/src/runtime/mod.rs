@@ -6,8 +6,8 @@ mod slices;
 pub use slices::{HasJoints, Joints, OverSlices};
 
 pub use crate::inverse::{
-    Attempt, Path, Sample, Setting, direction, frame_of, frame_of_axis, frame_of_plane, in_units, nearest, solve,
-    solve_bounded, solve_near, to_pose,
+    Attempt, Path, Sample, Setting, direction, frame_of, frame_of_axis, frame_of_plane, in_units, nearest, self_motion,
+    solve, solve_bounded, solve_near, to_pose,
 };
 pub use crate::math::{atan2, sin_cos};
 pub use crate::sincos::sincos_batch;

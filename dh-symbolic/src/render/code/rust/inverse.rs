@@ -15,7 +15,8 @@ use crate::render::code::steps::{LENGTH_SCALE, combination, length_scale};
 pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) -> String {
     let (n, f) = (chain.dof(), scalar_name(chain.scalar));
     let m = inverse.plan.max_solutions;
-    let Target { parameter: target, frame, task, kind } = Target::of(chain, &refuse_list);
+    let Target { parameter: target, task, kind, .. } = Target::of(chain, &refuse_list);
+    let frame = frame(chain, &refuse_list);
     let (given, pass) = match chain.redundant.len() {
         0 => (String::new(), ""),
         1 => (format!(", given: {f}"), ", given.into()"),
@@ -31,10 +32,12 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
         )
     };
     let prepare = prepared(&frame);
+    let frame_one = self::frame(chain, &refuse_one);
     let run = format!("|frame, sample, found| self.candidates(frame{pass}, sample, found)");
     let solve = format!("::dh_robot::runtime::solve_bounded(self, setting, &task, &frame, Self::MAX_WORK, {run})\n");
-    let fallback = format!("{prepare}{solve}");
-    let rest = fast.as_ref().map_or(fallback.clone(), |fast| format!("{frame}\n{}", fast.call(chain, inverse)));
+    let same = if !chain.redundant.is_empty() { ", given" } else { "" };
+    let fallback = format!("self.inverse_with_work(target{same}).0\n");
+    let rest = fast.as_ref().map_or(fallback, |fast| format!("{frame}\n{}", fast.call(chain, inverse)));
     let work = if inverse.plan.steps.iter().any(Step::is_elimination) { "ELIMINATION" } else { "CLOSED_FORM" };
     let mut out = format!(
         "#[allow(unused, clippy::all, clippy::pedantic)]\nimpl {name} {{\n\
@@ -59,15 +62,18 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
          /// neighbouring poses and along self-motions. To compare with.\n\
          #[must_use]\npub fn inverse_exhaustive(&self, {target}{given}) -> ::dh_robot::Solutions<{f}, {n}, {m}> {{\n\
          {prepare}::dh_robot::runtime::solve(self, setting, &task, &frame, {run})\n}}\n\n",
-        near(chain, inverse, fast.as_ref(), &prepared(&Target::of(chain, &refuse_one).frame), &run),
+        near(chain, inverse, fast.as_ref(), &prepared(&frame_one), &run),
     ));
+    out.push_str(&tangent(chain, few));
     out.push_str(&unknowns(chain, inverse));
     out.push_str(&candidates(chain, inverse));
+    out.push_str(&format!(
+        "/// [`inverse`](Self::inverse) without its fast path: the plan root by root, with everything that special poses need; and how much was\n\
+         /// computed, which is never more than [`MAX_WORK`](Self::MAX_WORK).\n#[cold]\n#[inline(never)]\n#[must_use]\n\
+         pub fn inverse_with_work(&self, {target}{given}) -> (::dh_robot::Solutions<{f}, {n}, {m}>, ::dh_robot::Work) {{\n{}{solve}}}\n",
+        prepared(&self::frame(chain, &refuse_counted))
+    ));
     if let Some(fast) = fast {
-        out.push_str(&format!(
-            "/// The plan root by root, with everything that special poses need.\n#[cold]\n#[inline(never)]\n\
-             fn robust(&self, {target}{given}) -> ::dh_robot::Solutions<{f}, {n}, {m}> {{\n{fallback}}}\n"
-        ));
         out.push_str(&fast.items(chain, inverse));
     }
     out.push_str("}\n");
@@ -76,9 +82,25 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
     out
 }
 
+/// The statements that make `frame`, or give back a reason; a joint value that is not finite is one.
+fn frame(chain: &Chain, refuse: &dyn Fn(&str) -> String) -> String {
+    let frame = Target::of(chain, refuse).frame;
+    let finite = match chain.redundant.len() {
+        0 => return frame,
+        1 => "given.is_finite()",
+        _ => "given.iter().all(|x| x.is_finite())",
+    };
+    format!("if !{finite} {{ {}; }}\n{frame}", refuse("::dh_robot::Why::NotFinite"))
+}
+
 /// How a function that gives back a list refuses its target.
 fn refuse_list(why: &str) -> String {
     format!("return ::dh_robot::Solutions::none(&Self::JOINTS, {why})")
+}
+
+/// How one that gives back a list and its work does.
+fn refuse_counted(why: &str) -> String {
+    format!("return (::dh_robot::Solutions::none(&Self::JOINTS, {why}), ::dh_robot::Work::NONE)")
 }
 
 /// How one that gives back a single solution does.
@@ -105,6 +127,30 @@ fn near(chain: &Chain, inverse: &Inverse, fast: Option<&FastPath>, prepare: &str
          ::dh_robot::runtime::solve_near::<_, {n}, {m}>(self, setting, &task, &frame, Self::MAX_WORK, q, unknowns, {run})\n"
     ));
     out
+}
+
+/// The function that gives the direction of a solution's self-motion.
+fn tangent(chain: &Chain, few: bool) -> String {
+    let (n, f) = (chain.dof(), scalar_name(chain.scalar));
+    let one = |k: usize| match chain.redundant.contains(&k) {
+        false => "::core::option::Option::None".to_string(),
+        true => format!("::core::option::Option::Some(solution.q[{k}].into())"),
+    };
+    let fixed = format!("[{}]", (0..n).map(one).collect::<Vec<_>>().join(", "));
+    let position = "[t[0][3], t[1][3], t[2][3]]";
+    let task = match chain.task {
+        Task::Pose => "Pose(*t)".to_string(),
+        Task::Position => format!("Position({position})"),
+        Task::Axis => format!("Axis({position}, [t[0][2], t[1][2], t[2][2]])"),
+        Task::Planar => "Planar(t[0][3], t[1][3], ::dh_robot::runtime::atan2(t[1][0], t[0][0]))".into(),
+    };
+    format!(
+        "/// The direction in which the arm can move at a solution with free joints while its target stays reached: joint speeds, the largest of\n\
+         /// them 1 (or the arm's size, for a length). `None` at a solution that stands alone.\n#[must_use]\n\
+         pub fn self_motion(&self, solution: &::dh_robot::Solution<{f}, {n}>) -> ::core::option::Option<[{f}; {n}]> {{\n\
+         let setting = ::dh_robot::runtime::Setting {{ joints: &Self::JOINTS, reach: {LENGTH_SCALE}, few: {few}, given: {fixed} }};\n\
+         ::dh_robot::runtime::self_motion(self, setting, |t| ::dh_robot::runtime::Task::{task}, solution)\n}}\n\n"
+    )
 }
 
 /// The function that gives the values of the plan's unknowns (radians, lengths over the reach) at joint values.
@@ -158,7 +204,8 @@ fn as_trait(chain: &Chain, name: &str, m: usize, kind: &str) -> String {
     format!(
         "impl ::dh_robot::InverseKinematics<{n}, {f}> for {name} {{\ntype Target = {kind};\n\
          type Solutions = ::dh_robot::Solutions<{f}, {n}, {m}>;\n\
-         fn inverse(&self, target: &Self::Target) -> Self::Solutions {{ {name}::inverse(self, {target}{given}) }}\n}}\n\
+         fn inverse(&self, target: &Self::Target) -> Self::Solutions {{ {name}::inverse(self, {target}{given}) }}\n\
+         fn inverse_near(&self, target: &Self::Target, q: &[{f}; {n}]) -> ::core::result::Result<::dh_robot::Solution<{f}, {n}>, ::dh_robot::Why<{f}>> {{ {name}::inverse_near(self, {target}{given}, q) }}\n}}\n\
          impl ::dh_robot::runtime::HasJoints<{f}> for {name} {{\ntype Joints = ::dh_robot::runtime::Joints<{n}>;\n}}\n"
     )
 }

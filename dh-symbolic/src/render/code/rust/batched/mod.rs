@@ -40,7 +40,7 @@ impl FastPath {
         let [number, same] = if !chain.redundant.is_empty() { [", given.into()", ", given"] } else { [""; 2] };
         let mut out = format!(
             "let mut q = [[0.0; {total}]; {n}];\nlet mut valid = [0.0; {total}];\n\
-             if !self.all_branches(&frame{number}, &mut q, &mut valid) {{\nreturn self.robust(target{same});\n}}\n"
+             if !self.all_branches(&frame{number}, &mut q, &mut valid) {{\nreturn self.inverse_with_work(target{same}).0;\n}}\n"
         );
         if inverse.plan.max_solutions == total {
             // Written out, so that the list is made where the caller wants it: nothing is copied.
