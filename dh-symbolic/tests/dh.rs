@@ -115,7 +115,7 @@ fn every_command_refuses_what_the_macro_refuses() {
         (table("task = planar;", &planar.replace("| 0 | 0.3", "| 90deg | 0.3")), "`q2` tilts the tool"),
         (table("task = planar; tool = ry(90deg);", planar), "points along z"),
         (table("", &rows(7)), "say which one the caller chooses"),
-        (table("redundant = q3;", &rows(8)), "write numbers instead"),
+        (table("redundant = q3;", &rows(8)), "say which 2 joints"),
     ] {
         let expanded = dh(&["expand"], &table);
         assert!(expanded.0 == 2 && expanded.2.contains(what), "{}", expanded.2);
@@ -201,6 +201,25 @@ fn choices_of_notes() {
         assert!(err.contains(part), "{options:?}: {err}");
     }
     assert_eq!(dh(&["plan", "--sines", "long"], PLANAR).0, 2);
+}
+
+/// A pose out of reach, and one that an arm of two joints cannot take, are said to be so.
+#[test]
+fn why_a_pose_has_no_solution() {
+    let point = PLANAR.replace("convention", "task = position; convention");
+    let note = |table: &str, pose: &str| dh(&["notes", "--parts", "example", "--pose", pose], table).1;
+    let far = note(&point, "tx(0.9)");
+    assert!(
+        far.contains("too far away: step 1") && far.contains("distance of 0.90000") && far.contains("0.70000."),
+        "{far}"
+    );
+    let near = note(&point, "tx(0.05)");
+    assert!(
+        near.contains("too near: step 1") && near.contains("distance of 0.05000") && near.contains("0.10000."),
+        "{near}"
+    );
+    let tilted = note(PLANAR, "tx(0.5) * rx(20deg)");
+    assert!(tilted.contains("this pose is none of those"), "{tilted}");
 }
 
 #[test]

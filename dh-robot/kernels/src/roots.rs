@@ -2,6 +2,7 @@
 
 use core::ops::Deref;
 
+use super::elementary::sqrt;
 use super::list::{Blank, List};
 
 /// How far (relative) a double root in one step may put the next one out of reach: a root of multiplicity four is good to 1e-4.
@@ -38,6 +39,25 @@ impl Outcome {
             Self::NoRealRoot => true,
             Self::Regular | Self::Touching | Self::Free => false,
         }
+    }
+
+    /// For a law of cosines that is out of reach: the distance that is asked for, and the limit that it passes.
+    ///
+    /// With `[base, rest]` the squared distance is `base + rest`, and `rest = a cos u + b sin u`. Where `grows`, the amplitude of the right
+    /// side is proportional to the distance, else it is constant.
+    pub fn distances(&self, [base, rest]: [f64; 2], grows: bool) -> Option<[f64; 2]> {
+        let Self::OutOfReach { available, .. } = *self else { return None };
+        let distance = sqrt((base + rest).max(0.0));
+        let available = if rest > 0.0 { available } else { -available };
+        let limit = if grows {
+            // distance^2 = base + slope distance; of two limits the near one where the target is too near.
+            let half = 0.5 * available / distance;
+            let root = sqrt((base + half * half).max(0.0));
+            if distance < half { half - root } else { half + root }
+        } else {
+            sqrt((base + available).max(0.0))
+        };
+        Some([distance, limit.max(0.0)])
     }
 
     /// Is what is asked for beyond what is available by so little that the error of a double root in a step before may be the reason?

@@ -177,8 +177,7 @@ impl Attempt {
         }
     }
 
-    /// The same for a law of cosines: with `[base, rest]` the squared distance is `base + rest`, and `rest = a cos u + b sin u`, in units of the
-    /// reach. Where `grows`, the amplitude of the right side is proportional to the distance, else it is constant. Reports distances.
+    /// The same for a law of cosines, with the parts of [`Outcome::distances`] in units of the reach. Reports distances.
     #[cold]
     #[allow(clippy::too_many_arguments)] // one call per step of generated code
     pub fn note_law(
@@ -191,19 +190,11 @@ impl Attempt {
         reach: f64,
         unit: &'static str,
     ) {
-        let Outcome::OutOfReach { available, .. } = outcome else { return self.note(outcome, path, step, 1.0, unit) };
-        self.status.note(outcome, path.is_chosen());
-        let distance = crate::math::sqrt((base + rest).max(0.0));
-        let available = if rest > 0.0 { available } else { -available };
-        let limit = if grows {
-            // distance^2 = base + slope distance; of two limits the near one where the target is too near.
-            let half = 0.5 * available / distance;
-            let root = crate::math::sqrt((base + half * half).max(0.0));
-            if distance < half { half - root } else { half + root }
-        } else {
-            crate::math::sqrt((base + available).max(0.0))
+        let Some([distance, limit]) = outcome.distances([base, rest], grows) else {
+            return self.note(outcome, path, step, 1.0, unit);
         };
-        let (needs, has) = (distance * reach, limit.max(0.0) * reach);
+        self.status.note(outcome, path.is_chosen());
+        let (needs, has) = (distance * reach, limit * reach);
         self.why = self.why.or_nearer(Why::OutOfReach { step, needs, has, unit });
     }
 

@@ -1,7 +1,7 @@
 //! Runs the program of an inverse with the kernels that generated code calls: for the self-check while the macro runs, and for worked
 //! examples.
 
-use super::{Instruction, Inverse, Loop, Sequence, Solve};
+use super::{Instruction, Inverse, Loop, Report, Sequence, Solve};
 use crate::algebra::{AngleVar, Point, Symbol};
 use crate::chain::{Chain, Handle};
 use crate::planner::{Argument, Roots, Unknown};
@@ -28,6 +28,32 @@ pub struct Attempt {
     pub candidates: Vec<Candidate>,
     /// What may be missing.
     pub status: Status,
+    /// The step that came nearest to a root and had none.
+    pub shortfall: Option<Shortfall>,
+}
+
+/// A step without a root: its equation asks for more (or less) than the arm has.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shortfall {
+    /// Which step of the plan.
+    pub step: usize,
+    /// Its unknowns, as people write them.
+    pub unknowns: String,
+    /// What is asked for, and the limit that it passes: distances over the length scale, or the two sides of the equation.
+    pub needs: f64,
+    /// The limit.
+    pub has: f64,
+    /// Are these distances?
+    pub is_distance: bool,
+}
+
+impl Shortfall {
+    /// The one of two that is the smaller; distances and other numbers are not compared.
+    fn or_nearer(self, other: Shortfall) -> Shortfall {
+        let nearer =
+            self.is_distance == other.is_distance && (other.needs - other.has).abs() < (self.needs - self.has).abs();
+        if nearer { other } else { self }
+    }
 }
 
 /// The value that a step takes for a free unknown: as an angle, and as a length.
@@ -160,9 +186,15 @@ impl Machine<'_> {
                 }
                 Instruction::Compute { nodes, .. } => self.compute(nodes, &state.known, &mut state.values),
                 Instruction::Solve(solve) => last = Some(self.solve(solve, &state)),
-                Instruction::Reject(_) => {
+                Instruction::Reject(report) => {
                     if let Some(found) = &last {
                         attempt.status.note(found.outcome, !state.free.is_empty());
+                        if let Some(new) = shortfall(report, found.outcome, &state.values) {
+                            attempt.shortfall = Some(match attempt.shortfall.take() {
+                                Some(known) => known.or_nearer(new),
+                                None => new,
+                            });
+                        }
                     }
                 }
                 Instruction::ForEachRoot(over) => {
@@ -234,6 +266,17 @@ impl Machine<'_> {
         let x = joints.iter().map(joint).collect();
         Candidate { x, branch: state.branch.clone(), free: state.free.clone() }
     }
+}
+
+/// What a step without a root says of the target.
+fn shortfall(report: &Report, outcome: ik::Outcome, values: &[f64]) -> Option<Shortfall> {
+    let ik::Outcome::OutOfReach { needed, available } = outcome else { return None };
+    let squares = report.distance.map(|d| outcome.distances([number(d.base, values), number(d.rest, values)], d.grows));
+    let ([needs, has], is_distance) = match squares.flatten() {
+        Some(distances) => (distances, true),
+        None => ([needed, available], report.is_length),
+    };
+    Some(Shortfall { step: report.step, unknowns: report.unknowns.clone(), needs, has, is_distance })
 }
 
 /// The number of a value.

@@ -4,7 +4,7 @@ use super::given;
 use crate::algebra::{Point, Poly, Rational, Transform};
 use crate::chain::{AngleCell, Chain, Coordinate, Handle, Quantity, Role, Task, Value};
 use crate::kinematics::Kinematics;
-use crate::program::Inverse;
+use crate::program::{Inverse, Shortfall};
 use dh_kernels::pose::Pose;
 use std::f64::consts::TAU;
 
@@ -28,6 +28,16 @@ pub(super) struct Found {
     pub(super) q: Vec<f64>,
     pub(super) in_range: bool,
     pub(super) free: bool,
+}
+
+/// Why a pose has no solution.
+pub(super) enum Missed {
+    /// Joint values were found, but they lead elsewhere: the arm has too few joints for poses of all kinds.
+    NotOnTask,
+    /// A step asks for more than the arm has.
+    Short(Shortfall),
+    /// The equations do not say.
+    Unknown,
 }
 
 impl Arm {
@@ -166,7 +176,7 @@ impl Arm {
     }
 
     /// All solutions, greatest first value first, and the greatest error.
-    pub(super) fn solve(&self, goal: &Pose, q: &[f64]) -> (Vec<Found>, f64) {
+    pub(super) fn solve(&self, goal: &Pose, q: &[f64]) -> (Vec<Found>, f64, Missed) {
         let reach = self.inverse.plan.axes.reach;
         let mut target = *goal;
         for row in &mut target {
@@ -182,7 +192,14 @@ impl Arm {
             })
             .collect();
         let (mut found, mut worst): (Vec<Found>, f64) = (Vec::new(), 0.0);
-        for candidate in self.inverse.solve(&self.chain, &target, &given) {
+        let attempt = self.inverse.attempt(&self.chain, &target, &given, &|_| ([1.0, 0.0], 0.0));
+        let missed = match attempt.shortfall {
+            Some(s) if s.is_distance && attempt.candidates.is_empty() => Missed::Short(s),
+            _ if self.inverse.plan.few => Missed::NotOnTask,
+            Some(s) if s.needs > s.has => Missed::Short(s),
+            _ => Missed::Unknown,
+        };
+        for candidate in attempt.candidates {
             let y: Vec<f64> = (0..self.dof())
                 .map(|k| {
                     let x = candidate.x.get(k).copied().unwrap_or(f64::NAN);
@@ -202,7 +219,7 @@ impl Arm {
             let order = a.q.iter().zip(&b.q).map(|(a, b)| b.total_cmp(a)).find(|o| o.is_ne());
             order.unwrap_or(std::cmp::Ordering::Equal)
         });
-        (found, worst)
+        (found, worst, missed)
     }
 
     /// Sum of squared differences, whole turns taken off.

@@ -1,7 +1,7 @@
 //! A worked example: joint values or a pose, the pose in numbers, all joint vectors that the plan finds for it, which of them
 //! are in range, and the closest one to where the arm is.
 
-use super::arm::{Arm, Found};
+use super::arm::{Arm, Found, Missed};
 use super::given;
 use super::{Block, Math, Phrase, Sign, Span, Text, Writer};
 use crate::algebra::Transform;
@@ -60,7 +60,7 @@ impl Writer<'_> {
             Some(list) => list.iter().map(given::matrix).fold(pose::IDENTITY, |a, b| pose::compose(&a, &b)),
             None => arm.forward(&q),
         };
-        let (found, worst) = arm.solve(&goal, &q);
+        let (found, worst, missed) = arm.solve(&goal, &q);
         if found.is_empty() && start.pose.is_none() {
             return;
         }
@@ -83,7 +83,7 @@ impl Writer<'_> {
             }
         }
         self.without_constants(&arm, &goal);
-        self.solutions(&arm, &found, worst);
+        self.solutions(&arm, &found, worst, &missed);
         let list: Vec<Vec<f64>> = found.iter().map(|f| arm.coordinates(&f.q)).collect();
         self.postures(&Kinematics::new(self.chain), &list);
         self.tree(&arm, &found);
@@ -226,9 +226,9 @@ impl Writer<'_> {
         );
     }
 
-    fn solutions(&mut self, arm: &Arm, found: &[Found], worst: f64) {
+    fn solutions(&mut self, arm: &Arm, found: &[Found], worst: f64, missed: &Missed) {
         if found.is_empty() {
-            self.say(Phrase::ExampleNone, vec![]);
+            self.missed(arm, missed);
             return;
         }
         let exponent = worst.max(1e-12).log10().ceil() as i32;
@@ -258,6 +258,28 @@ impl Writer<'_> {
         if !free.is_empty() {
             let pieces = vec![Span::Plain(free.join(", "))];
             self.blocks.push(Block::Paragraph(Text::fill(self.words(Phrase::ExampleFree), pieces)));
+        }
+    }
+
+    /// Why there is no solution.
+    fn missed(&mut self, arm: &Arm, missed: &Missed) {
+        self.say(Phrase::ExampleNone, vec![]);
+        match missed {
+            Missed::Unknown => {}
+            Missed::NotOnTask => self.say(Phrase::ExampleNotOnTask, vec![]),
+            Missed::Short(s) => {
+                let phrase = match (s.is_distance, s.needs > s.has) {
+                    (true, true) => Phrase::ExampleTooFar,
+                    (true, false) => Phrase::ExampleTooNear,
+                    (false, _) => Phrase::ExampleBeyond,
+                };
+                let size = |x: f64| match s.is_distance {
+                    true => decimal(x * arm.inverse.plan.axes.reach, self.places(arm)),
+                    false => decimal(x, 4),
+                };
+                let pieces = vec![Math::number(s.step + 1), Math::word(&s.unknowns), size(s.needs), size(s.has)];
+                self.say(phrase, pieces);
+            }
         }
     }
 

@@ -108,6 +108,14 @@ phrases! {
     ExamplePlanar: "Of this the task asks only for the place in the plane and the angle about z:", "任务只要求平面内的位置和绕 z 轴的角度：";
     ExampleInner: "Without base and tool this is", "去掉基座和工具，得";
     ExampleNone: "No joint vector reaches it.", "没有关节变量能到达该位姿。";
+    ExampleNotOnTask: "The arm has fewer joints than a pose has coordinates, and this pose is none of those that it can take.",
+        "机械臂的关节少于位姿的坐标数，该位姿不在其可达的位姿之中。";
+    ExampleTooFar: "It is too far away: step {}, which finds {}, would need a distance of {}, and the arm reaches {}.",
+        "距离太远：第 {} 步（求 {}）需要距离 {}，而机械臂最远为 {}。";
+    ExampleTooNear: "It is too near: step {}, which finds {}, would need a distance of {}, and the arm reaches no nearer than {}.",
+        "距离太近：第 {} 步（求 {}）需要距离 {}，而机械臂最近为 {}。";
+    ExampleBeyond: "Step {}, which finds {}, has no root: its equation asks for {}, and the other side is at most {}.",
+        "第 {} 步（求 {}）无解：方程要求 {}，而另一边最大为 {}。";
     ExampleFree: "In solutions {} a joint is free: one value of a continuum is shown.", "解 {} 中有关节可任取：这里只给出其中一个值。";
     ExampleClosest: "Closest to {} is solution {}.", "距 {} 最近的是第 {} 组解。";
     ExampleClosestInRange: " Of those in range it is solution {}.", "在范围内的解中，最近的是第 {} 组。";
