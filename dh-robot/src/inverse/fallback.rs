@@ -18,6 +18,9 @@ const EXACT: f64 = 1e-12;
 /// Newton steps for a candidate that misses by rounding, and for one that only leads to a solution.
 pub(super) const FEW: usize = 4;
 pub(super) const MANY: usize = 14;
+/// Starts from which an arm of few joints looks for the pose nearest to a target, and the miss at which it has found one.
+const STARTS: usize = 4;
+const NEAR: f64 = 0.02;
 /// What counts as zero behind a double root, which is good to the square root of rounding.
 pub(super) const BLUNT: f64 = 1e-6;
 /// The same for targets in `f32`.
@@ -210,11 +213,23 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'a, A
 
     /// Why there is no solution.
     pub(super) fn reason(&mut self, why: Why<f64>) -> Why<f64> {
-        if self.verifier.setting.few && !matches!(why, Why::OutOfReach { unit, .. } if !unit.is_empty()) {
-            if !self.verifier.nearest.is_finite() {
-                let mut q = self.verifier.start(1);
+        // What a step lacks, over the reach: the reason unless some joint vector comes nearer to the target.
+        let gap = match why {
+            Why::OutOfReach { needs, has, unit, .. } if !unit.is_empty() => {
+                (needs - has).abs() / self.verifier.setting.reach
+            }
+            _ => f64::INFINITY,
+        };
+        if self.verifier.setting.few && (gap.is_infinite() || self.verifier.nearest < gap) {
+            for start in 1..=STARTS {
+                if self.verifier.nearest <= NEAR || self.work.is_used_up() {
+                    break;
+                }
+                let mut q = self.verifier.start(start);
                 let miss = self.newton(&mut q, MANY);
-                (self.verifier.nearest, self.verifier.best) = (miss, q);
+                if miss < self.verifier.nearest {
+                    (self.verifier.nearest, self.verifier.best) = (miss, q);
+                }
             }
             if let Some(why) = self.verifier.miss_of_best() {
                 return why;
