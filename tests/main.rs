@@ -12,6 +12,7 @@ mod determinism;
 mod digits;
 mod fixtures;
 mod fresh;
+mod handwork;
 mod javascript;
 mod lanes;
 mod library;

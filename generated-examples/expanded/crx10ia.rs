@@ -25,12 +25,12 @@
 /// r₁₃ = −c₁(s₂₃c₄s₅ − c₂₃c₅) − s₁s₄s₅
 /// r₂₃ = −s₁(s₂₃c₄s₅ − c₂₃c₅) + c₁s₄s₅
 /// r₃₃ = −c₂₃c₄s₅ − s₂₃c₅
-/// px  = c₁[a₂s₂ − s₂₃(d₅s₄ + d₆c₄s₅) + c₂₃(d₄ + d₆c₅)] + s₁(d₅c₄ − d₆s₄s₅)
-/// py  = s₁[a₂s₂ − s₂₃(d₅s₄ + d₆c₄s₅) + c₂₃(d₄ + d₆c₅)] − c₁(d₅c₄ − d₆s₄s₅)
-/// pz  = a₂c₂ − c₂₃(d₅s₄ + d₆c₄s₅) − s₂₃(d₄ + d₆c₅)
+/// px  = c₁[a₂s₂ + s₂₃(d₅s₄ − d₆c₄s₅) + c₂₃(d₄ + d₆c₅)] − s₁(d₅c₄ + d₆s₄s₅)
+/// py  = s₁[a₂s₂ + s₂₃(d₅s₄ − d₆c₄s₅) + c₂₃(d₄ + d₆c₅)] + c₁(d₅c₄ + d₆s₄s₅)
+/// pz  = a₂c₂ + c₂₃(d₅s₄ − d₆c₄s₅) − s₂₃(d₄ + d₆c₅)
 ///
 /// where cᵢ = cos qᵢ, sᵢ = sin qᵢ, i = 1, 2, 4, 5, 6; c₂₃ = cos(q₂ + q₃), s₂₃ = sin(q₂ + q₃),
-///      a₂ = 0.54, d₄ = 0.54, d₅ = 0.15, d₆ = 0.16
+///      a₂ = 0.54, d₄ = 0.54, d₅ = −0.15, d₆ = 0.16
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crx10ia;

@@ -29,12 +29,12 @@
 /// r₁₃ = c₁[c₂₃(c₄c₅c₆ − s₄s₆) − s₂₃s₅c₆] + s₁(s₄c₅c₆ + c₄s₆)
 /// r₂₃ = s₁[c₂₃(c₄c₅c₆ − s₄s₆) − s₂₃s₅c₆] − c₁(s₄c₅c₆ + c₄s₆)
 /// r₃₃ = −s₂₃(c₄c₅c₆ − s₄s₆) − c₂₃s₅c₆
-/// px  = −c₁[a₁ − a₂c₂ + c₂₃(a₃ + tz·c₄s₅) + s₂₃(d₄ + tz·c₅)] − tz·s₁s₄s₅
-/// py  = −s₁[a₁ − a₂c₂ + c₂₃(a₃ + tz·c₄s₅) + s₂₃(d₄ + tz·c₅)] + tz·c₁s₄s₅
-/// pz  = bz − a₂s₂ + s₂₃(a₃ + tz·c₄s₅) − c₂₃(d₄ + tz·c₅)
+/// px  = c₁[a₁ + a₂c₂ + c₂₃(a₃ − tz·c₄s₅) − s₂₃(d₄ + tz·c₅)] − tz·s₁s₄s₅
+/// py  = s₁[a₁ + a₂c₂ + c₂₃(a₃ − tz·c₄s₅) − s₂₃(d₄ + tz·c₅)] + tz·c₁s₄s₅
+/// pz  = bz − a₂s₂ − s₂₃(a₃ − tz·c₄s₅) − c₂₃(d₄ + tz·c₅)
 ///
 /// where cᵢ = cos qᵢ, sᵢ = sin qᵢ, i = 1, 2, 4, 5, 6; c₂₃ = cos(q₂ + q₃), s₂₃ = sin(q₂ + q₃),
-///      a₁ = 30, a₂ = 340, a₃ = 40, d₄ = 338, bz = 373, tz = 206
+///      a₁ = −30, a₂ = 340, a₃ = −40, d₄ = 338, bz = 373, tz = 206
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CupArm;

@@ -25,13 +25,13 @@
 /// r₁₃ = s₁c₅ − c₁c₂₃₄s₅
 /// r₂₃ = −s₁c₂₃₄s₅ − c₁c₅
 /// r₃₃ = −s₂₃₄s₅
-/// px  = −c₁(a₂c₂ + a₃c₂₃ − d₅s₂₃₄ + d₆c₂₃₄s₅) + s₁(d₄ + d₆c₅)
-/// py  = −s₁(a₂c₂ + a₃c₂₃ − d₅s₂₃₄ + d₆c₂₃₄s₅) − c₁(d₄ + d₆c₅)
-/// pz  = d₁ − a₂s₂ − a₃s₂₃ − d₅c₂₃₄ − d₆s₂₃₄s₅
+/// px  = c₁(a₂c₂ + a₃c₂₃ + d₅s₂₃₄ − d₆c₂₃₄s₅) + s₁(d₄ + d₆c₅)
+/// py  = s₁(a₂c₂ + a₃c₂₃ + d₅s₂₃₄ − d₆c₂₃₄s₅) − c₁(d₄ + d₆c₅)
+/// pz  = d₁ + a₂s₂ + a₃s₂₃ − d₅c₂₃₄ − d₆s₂₃₄s₅
 ///
 /// where cᵢ = cos qᵢ, sᵢ = sin qᵢ, i = 1, 2, 5, 6; c₂₃ = cos(q₂ + q₃), s₂₃ = sin(q₂ + q₃),
-///      c₂₃₄ = cos(q₂ + q₃ + q₄), s₂₃₄ = sin(q₂ + q₃ + q₄), d₁ = 0.089459, a₂ = 0.425,
-///      a₃ = 0.39225, d₄ = 0.10915, d₅ = 0.09465, d₆ = 0.0823
+///      c₂₃₄ = cos(q₂ + q₃ + q₄), s₂₃₄ = sin(q₂ + q₃ + q₄), d₁ = 0.089459, a₂ = −0.425,
+///      a₃ = −0.39225, d₄ = 0.10915, d₅ = 0.09465, d₆ = 0.0823
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ur5;

@@ -62,7 +62,8 @@ pub(super) fn build(spec: ChainSpec) -> Chain {
                 }
                 Coordinate::Length(s) => {
                     link.theta = b.constant_angle(&row.theta, &format!("theta{}", i + 1));
-                    link.d = &Poly::symbol(s) + &b.length(&row.d, &format!("d{}", i + 1));
+                    // d is the whole cell; what is added to the variable has another name.
+                    link.d = &Poly::symbol(s) + &b.length(&row.d, &format!("b{}", i + 1));
                 }
             }
             link.joint = Some(number);

@@ -35,6 +35,10 @@ pub struct Axes {
     pub start: Transform,
     /// Constant transform after the last frame.
     pub end: Transform,
+    /// All motions from the base to the tip in order, with the places of the table's frames among them.
+    pub items: Vec<Item>,
+    /// For each frame of the hops, frame 0 first, the item before which it stands.
+    pub places: Vec<usize>,
     /// Names: the chain's, the virtual joints' and those that plans introduce.
     pub ring: Ring,
     /// Sum of the lengths of all constant shifts (table units), 1 if there are none.
@@ -77,10 +81,19 @@ pub(crate) fn numeric(chain: &Chain, t: &Transform, reach: f64) -> Pose {
     })
 }
 
-/// Elementary motions and joints in one list.
-enum Item {
+/// A motion on the way from the base to the tip, or a frame that stands there.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Item {
+    /// A constant motion.
     Constant(Elementary),
+    /// The motion of a coordinate.
     Joint(usize),
+    /// The base; where there is none, frame 0.
+    Base,
+    /// A frame of the table.
+    Frame(usize),
+    /// The tool; where there is none, the last frame.
+    Tool,
 }
 
 impl Axes {
@@ -99,13 +112,17 @@ impl Axes {
             }
             _ => {}
         }
+        items.push(Item::Base);
         items.extend(chain.base.iter().cloned().map(Item::Constant));
+        items.push(Item::Frame(0));
         for (row, link) in chain.links.iter().enumerate() {
             for e in chain.link_factors(row) {
                 push_factor(&mut items, chain, link.joint, e);
             }
+            items.push(Item::Frame(row + 1));
         }
         items.extend(chain.tool.iter().cloned().map(Item::Constant));
+        items.push(Item::Tool);
         let mut virtual_turn = |items: &mut Vec<Item>, name: &str| {
             items.push(Item::Joint(coordinates.len()));
             coordinates.push(Coordinate::Angle(ring.angle(name)));
@@ -130,15 +147,19 @@ impl Axes {
         let mut pending = Transform::identity();
         let mut along = true; // only shifts along and turns about the last axis so far
         let mut hops: Vec<(Transform, Option<usize>)> = Vec::new();
+        let mut places = vec![0];
         let mut first = true;
-        for item in items {
+        for (place, item) in items.iter().enumerate() {
             match item {
+                Item::Base | Item::Frame(_) | Item::Tool => {}
                 Item::Joint(j) => {
                     if first {
                         start = std::mem::replace(&mut pending, Transform::identity());
+                        places = vec![place];
                         first = false;
                     }
-                    hops.push((std::mem::replace(&mut pending, Transform::identity()), Some(j)));
+                    hops.push((std::mem::replace(&mut pending, Transform::identity()), Some(*j)));
+                    places.push(place + 1);
                     along = true;
                 }
                 Item::Constant(e) => {
@@ -147,6 +168,7 @@ impl Axes {
                         along = false;
                         if !pending.p[2].is_zero() {
                             hops.push((std::mem::replace(&mut pending, Transform::identity()), None));
+                            places.push(place);
                         }
                     }
                     pending = pending.times(&e.transform());
@@ -167,7 +189,7 @@ impl Axes {
         let products = vec![OnceLock::new(); (hops.len() + 1).pow(2)];
         let inverses = products.clone();
         let squares = vec![OnceLock::new(); products.len()];
-        Axes { hops, coordinates, real, start, end: pending, ring, reach, products, inverses, squares }
+        Axes { hops, coordinates, real, start, end: pending, items, places, ring, reach, products, inverses, squares }
     }
 
     /// Does coordinate `k` turn?

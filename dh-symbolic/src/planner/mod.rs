@@ -27,12 +27,10 @@ mod steps;
 mod structure;
 mod subspace;
 
-pub use axes::{Axes, Hop};
+pub use axes::{Axes, Hop, Item};
 pub(crate) use axes::{generic_parameter, numeric};
 pub use known::{Collected, Knowledge, Known, KnownPose, Part};
 pub use mobility::Mobility;
-#[cfg(feature = "documents")]
-pub(crate) use plane::constant_height;
 pub use refusal::{MOST_OPEN_JOINTS, Refusal};
 pub(crate) use sample::joint_vectors;
 pub use scalar::{Equation, Scalar};

@@ -12,14 +12,30 @@ pub(in crate::render) enum Frame {
     Base,
     /// A frame of the table.
     Row(usize),
-    /// The same before or after its shift along the axis.
-    Primed(usize),
+    /// A frame that a constant motion joins to this one: number of primes.
+    Primed(usize, u8),
     /// The tool, where it is not the last frame.
     Tool,
+    /// A frame that a constant motion joins to the base.
+    PrimedBase(u8),
+    /// A frame that a constant motion, or what the task leaves open, joins to the tool.
+    PrimedTool(u8),
     /// i - 1.
     Before,
     /// i.
     General,
+}
+
+impl Frame {
+    /// Another frame beside this one, with so many primes.
+    pub(super) fn primed(self, primes: u8) -> Frame {
+        match self {
+            Frame::Row(n) | Frame::Primed(n, _) => Frame::Primed(n, primes),
+            Frame::Base | Frame::PrimedBase(_) => Frame::PrimedBase(primes),
+            Frame::Tool | Frame::PrimedTool(_) => Frame::PrimedTool(primes),
+            Frame::Before | Frame::General => self,
+        }
+    }
 }
 
 impl Notation {
@@ -30,11 +46,17 @@ impl Notation {
             found.map(|(_, name)| Name::of(name).math())
         };
         let row = |n: usize| own(&n.to_string()).unwrap_or_else(|| Math::number(n));
+        let primed = |m: Math, primes: u8| {
+            let prime = Math::Sign(Sign::Prime);
+            m.above(if primes == 1 { prime } else { Math::Row(vec![prime; usize::from(primes)]) })
+        };
         match frame {
             Frame::Base => own("b").unwrap_or(Math::Letter('b')),
             Frame::Tool => own("e").unwrap_or(Math::Letter('e')),
             Frame::Row(n) => row(n),
-            Frame::Primed(n) => row(n).above(Math::Sign(Sign::Prime)),
+            Frame::Primed(n, primes) => primed(row(n), primes),
+            Frame::PrimedBase(primes) => primed(self.frame(Frame::Base), primes),
+            Frame::PrimedTool(primes) => primed(self.frame(Frame::Tool), primes),
             Frame::Before => Math::Row(vec![Math::Letter('i'), Math::Sign(Sign::Minus), Math::number(1)]),
             Frame::General => Math::Letter('i'),
         }

@@ -4,28 +4,92 @@ use super::grouping::Order;
 use super::math::{Math, Sign};
 use super::notation::Notation;
 use super::typeset::{decimal, number};
-use crate::algebra::{Angle, Poly, Rational, Transform};
-use crate::chain::{AngleCell, Chain, Coordinate, Handle, Parameter, Role, Value};
+use crate::algebra::{Angle, LinearAngle, Poly, Rational, Transform};
+use crate::chain::{AngleCell, Chain, Convention, Coordinate, Elementary, Handle, Parameter, Role, Value};
 
-/// The same robot with every joint angle that is not a quarter turn away from its variable under a name of its own: c1 is
-/// then the cosine of theta1 = q1 + 30 degrees, and no formula is full of square roots. `None` where there is no such joint.
+/// The same robot with the names that stand in documents. `None` where they are the same.
+///
+/// * A joint angle that is not a quarter turn away from its variable, or that a drive moves, has a name of its own: c1 is then the cosine
+///   of theta1 = q1 + 30 degrees, the table's angle, and no formula is full of square roots.
+/// * A number of the table that stands there with a minus sign is the cell with its sign: a2 = -0.425, where the code has -a2.
 pub(in crate::render) fn named_offsets(chain: &Chain) -> Option<Chain> {
-    let odd = |row: usize| {
-        let link = chain.links.get(row)?;
+    let odd = |k: usize, joint: &crate::chain::Joint| {
+        let link = chain.links.get(joint.row)?;
         let quarter = link.theta.constant.steps_of_15_degrees().is_some_and(|n| n % 6 == 0);
-        (!quarter).then(|| link.theta.constant.clone())
+        let line = chain.drive.get(k)?;
+        let direct = line.iter().enumerate().all(|(j, p)| if j == k { p.is_one() } else { p.is_zero() });
+        (!quarter || !direct && !link.theta.constant.is_zero()).then(|| link.theta.constant.clone())
     };
     let mut out: Option<Chain> = None;
     for (k, joint) in chain.joints.iter().enumerate() {
         let turns = matches!(joint.coordinate, Coordinate::Angle(_));
-        let Some(offset) = odd(joint.row).filter(|_| turns && joint.shift.is_zero()) else { continue };
+        let Some(offset) = odd(k, joint).filter(|_| turns && joint.shift.is_zero()) else { continue };
         let copy = out.get_or_insert_with(|| chain.clone());
         if let (Some(joint), Some(link)) = (copy.joints.get_mut(k), copy.links.get_mut(joint.row)) {
             joint.shift.half_turns = Some(offset.factor().clone());
             link.theta.constant = Angle::ZERO;
         }
     }
+    for i in 0..chain.parameters.len() {
+        if out.as_ref().unwrap_or(chain).own_cell_is_negative(i) {
+            out.get_or_insert_with(|| chain.clone()).turn_sign(i);
+        }
+    }
     out
+}
+
+impl Chain {
+    /// Does the cell that gave a number its name hold it with a minus sign?
+    fn own_cell_is_negative(&self, parameter: usize) -> bool {
+        let Some(p) = self.parameters.get(parameter).filter(|p| !p.declared) else { return false };
+        let stem = p.name.trim_end_matches(|c: char| c.is_ascii_digit());
+        let ahead = usize::from(self.convention == Convention::Modified && matches!(stem, "a" | "alpha"));
+        let row =
+            p.name.get(stem.len()..).and_then(|n| n.parse::<usize>().ok()).and_then(|n| (n + ahead).checked_sub(1));
+        let Some(link) = row.and_then(|r| self.links.get(r)) else { return false };
+        match (p.handle, stem) {
+            (Handle::Length(s), "a") => link.a == -&Poly::symbol(s),
+            (Handle::Length(s), "d") => link.d == -&Poly::symbol(s),
+            (Handle::Angle(v), "alpha") => link.alpha.terms == [(v, -1)] && link.alpha.constant.is_zero(),
+            (Handle::Angle(v), "theta") => link.theta.terms == [(v, -1)] && link.theta.constant.is_zero(),
+            _ => false,
+        }
+    }
+
+    /// A number of the table with the other sign, in its value and wherever it stands.
+    fn turn_sign(&mut self, parameter: usize) {
+        let Some(p) = self.parameters.get_mut(parameter) else { return };
+        let minus = |x: &mut Rational| *x = &*x * &Rational::int(-1);
+        match &mut p.role {
+            Role::Constant(Value::Length(x)) => minus(x),
+            Role::Constant(Value::Angle(cell)) => cell.half_turns.iter_mut().chain(&mut cell.approx).for_each(minus),
+            Role::Field(_) => return,
+        }
+        let handle = p.handle;
+        let length = |p: &mut Poly| {
+            if let Handle::Length(s) = handle
+                && p.has_symbol(s)
+            {
+                *p = p.substitute_symbols(|t| (t == s).then(|| -&Poly::symbol(s)));
+            }
+        };
+        let angle = |a: &mut LinearAngle| {
+            a.terms.iter_mut().filter(|(v, _)| Handle::Angle(*v) == handle).for_each(|(_, k)| *k = -*k);
+        };
+        for link in &mut self.links {
+            [&mut link.a, &mut link.d].into_iter().for_each(length);
+            [&mut link.alpha, &mut link.theta].into_iter().for_each(angle);
+        }
+        for e in self.base.iter_mut().chain(&mut self.tool) {
+            match e {
+                Elementary::Translate(_, p) => length(p),
+                Elementary::Rotate(_, a) => angle(a),
+            }
+        }
+        self.drive.iter_mut().flatten().for_each(length);
+        let shifts = self.joints.iter_mut().flat_map(|j| &mut j.shift.symbols);
+        shifts.filter(|(i, _)| *i == parameter).for_each(|(_, k)| *k = -*k);
+    }
 }
 
 /// A parameter's name as typeset.

@@ -9,7 +9,7 @@ use super::Evaluator;
 use super::functions::{axis, axis_argument, joints_of};
 use super::number::Written;
 use super::point::{Numbers, wrapped};
-use super::scope::numbered;
+use super::scope::{is_number_without_cell, numbered};
 use super::value::Value;
 use crate::chain::{Chain, Convention, Coordinate, Elementary, Handle};
 use crate::verify::language::{Expr, ExprKind};
@@ -247,11 +247,10 @@ impl Spot {
             "I4" => return Some(Direct::Matrix(identity(4))),
             _ => {}
         }
-        let split = numbered(name);
-        if let Some(p) = chain.parameters.iter().find(|p| !p.declared && p.name == name && split.is_none()) {
+        if let Some(p) = chain.parameters.iter().find(|p| is_number_without_cell(p, name)) {
             return Some(handle(p.handle));
         }
-        let (prefix, number) = split?;
+        let (prefix, number) = numbered(name)?;
         let own = number.checked_sub(1);
         let ahead = usize::from(chain.convention == Convention::Modified);
         let row = |k: Option<usize>| chain.links.get(k?);

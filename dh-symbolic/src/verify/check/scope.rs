@@ -15,6 +15,12 @@ pub(super) fn numbered(name: &str) -> Option<(&str, usize)> {
     if fine { Some((prefix, digits.parse().ok()?)) } else { None }
 }
 
+/// Is it a number of the table that has this name, and no cell has?
+pub(super) fn is_number_without_cell(p: &Parameter, name: &str) -> bool {
+    let cell = numbered(name).is_some_and(|s| matches!(s.0, "q" | "theta" | "d" | "a" | "alpha"));
+    !p.declared && p.name == name && !cell
+}
+
 impl Evaluator<'_> {
     /// The value of a name; otherwise the reason why it has none.
     pub(super) fn name(&mut self, name: &str) -> Result<Value, String> {
@@ -81,11 +87,10 @@ impl Evaluator<'_> {
         if name == "pi" {
             return Some(Value::Angle(Turn::constant(Angle::half_turns(Rational::ONE))));
         }
-        let split = numbered(name);
-        if let Some(p) = parameters.iter().find(|p| !p.declared && p.name == name && split.is_none()) {
+        if let Some(p) = parameters.iter().find(|p| is_number_without_cell(p, name)) {
             return Some(handle(p.handle));
         }
-        let (prefix, number) = split?;
+        let (prefix, number) = numbered(name)?;
         // rows count theta_i and d_i from 1; the modified convention keeps alpha and a of the link before
         let ahead = usize::from(self.chain.convention == Convention::Modified);
         let own = number.checked_sub(1);

@@ -10,43 +10,34 @@ use super::transforms;
 use super::{Sheet, Word};
 
 impl Statement {
-    /// `{}^0_6T = B^{-1} G E^{-1}` with a letter G without a meaning: the left side is the pose that is given from here on, and
-    /// G is that of the whole arm.
-    pub(super) fn gives_pose(&self, names: &mut Names<'_>, sheet: &mut Sheet) -> bool {
+    /// `{}^0_6T = G` with a letter G without a meaning: G is that transform, and r_{11} and p_x are its entries from here on.
+    pub(super) fn gives_pose(&self, names: &mut Names<'_>) -> bool {
         let [left, right] = self.sides.as_slice() else { return false };
-        let [only] = left.as_slice() else { return false };
-        let Some((frame, from_start)) = transforms::last_frame(only) else { return false };
-        let letters: Vec<Letter> = right.iter().filter_map(Letter::of).collect();
-        let capital = |l: &Letter| l.index.is_empty() && l.stem.len() == 1 && l.stem.chars().all(char::is_uppercase);
-        let product = letters.len() == right.len() && !letters.is_empty() && letters.iter().all(capital);
-        let Some(given) = letters.iter().find(|l| l.stem == "G").filter(|g| product && names.meaning(g).is_err())
-        else {
+        let ([transform], [given]) = (left.as_slice(), right.as_slice()) else { return false };
+        let Some(letter) = Letter::of(given).filter(|l| l.stem == "G" && l.index.is_empty()) else { return false };
+        let Some((from, to)) = transforms::ends(transform).filter(|_| names.meaning(&letter).is_err()) else {
             return false;
         };
-        let pose = names.pose();
-        names.bind(given.clone(), pose);
-        names.say_pose(frame, None);
-        names.from_start = from_start;
-        // more frames than the table has: some joints are the document's own
-        if letters.len() > 1 || frame > names.chain.links.len() || names.on_axes {
-            names.waiting_pose = Some((frame, right.clone()));
-            self.stated_pose(names, sheet);
-        }
+        let Ok(pose) = transforms::between(&from, &to, names) else { return false };
+        names.bind(letter, pose.clone());
+        names.say_pose(pose);
         true
     }
 
-    /// The given pose gets a name as soon as all its factors are known.
-    fn stated_pose(&self, names: &mut Names<'_>, sheet: &mut Sheet) {
-        let Some((frame, factors)) = names.waiting_pose.take() else { return };
-        let Ok(words) = formula(&factors, names) else {
-            names.waiting_pose = Some((frame, factors));
-            return;
+    /// `{}^{4'}_4T = D_z(d_4)`: a frame beside those of the table.
+    pub(super) fn defines_frame(&self, names: &mut Names<'_>) -> bool {
+        let ([transform], [right]) =
+            (self.sides.first().map_or(&[][..], Vec::as_slice), self.sides.get(1..).unwrap_or(&[]))
+        else {
+            return false;
         };
-        let name = if frame == transforms::TIP { "T_0_e".to_string() } else { format!("T_0_{}", frame % 1000) };
-        let mut line: Vec<Word> = ["let", name.as_str(), "="].iter().map(|w| Word::new(w, self.line)).collect();
-        line.extend(words.into_iter().map(|w| Word { line: self.line, ..w }));
-        sheet.put(line);
-        names.say_pose(frame, Some(name));
+        if transforms::ends(transform).is_none_or(|(i, j)| !i.ends_with('\'') && !j.ends_with('\'')) {
+            return false;
+        }
+        let Ok(words) = formula(right, names) else { return false };
+        let Some((label, seen)) = transforms::defined(transform, &text(&words), names) else { return false };
+        names.say_frame(label, seen);
+        true
     }
 
     /// `cos psi = E` with an angle psi without a meaning: psi is the angle with this cosine.
@@ -142,6 +133,18 @@ impl Statement {
         let [left, right] = self.sides.as_slice() else { return false };
         let ([short], [function, angle, ..]) = (left.as_slice(), right.as_slice()) else { return false };
         let (Some(short), Some(f)) = (Letter::of(short), function.name()) else { return false };
+        if let (ItemKind::Mark('('), "c" | "s", "cos" | "sin") = (&angle.kind, short.stem.as_str(), f) {
+            // c_{23} = cos(q_2 + theta_3): each of these angles is meant by its index
+            let list: Vec<Letter> = right.iter().skip(2).filter_map(Letter::of).collect();
+            let joined: String = list.iter().map(|l| l.index.as_str()).collect();
+            if list.len() > 1
+                && joined == short.index
+                && list.iter().all(|l| matches!(l.stem.as_str(), "q" | "theta" | "t"))
+            {
+                list.iter().for_each(|l| names.say_angle(&l.index, l.stem != "q"));
+                return false;
+            }
+        }
         let angle = match angle.kind {
             ItemKind::Mark('(') if right.len() == 4 => right.get(2),
             _ if right.len() == 2 => Some(angle),
@@ -248,7 +251,6 @@ impl Statement {
         let mut line = vec![Word::new("let", self.line), Word::new(&name, self.line), Word::new("=", self.line)];
         line.extend(first.iter().cloned());
         sheet.put(line);
-        self.stated_pose(names, sheet);
         self.release(letter, names, sheet);
         if words.len() > 1 {
             self.rest_claim(words, &rest.relations, names, sheet);

@@ -17,6 +17,7 @@
 //! | `r_{11}` `p_x` `{}^1r_{11}` `{}^0_6T r_{11}` | entries: of the transform whose matrix named them last, otherwise of the whole arm |
 //! | `c_1` `s_{23}` `c_{2-3}` `c₂₃` `c23` `c\theta_1` `\cos(\theta_2+\theta_3)` `\cos[t1]` | cosines and sines |
 //! | `c_i = \cos q_i` | says whether c1 is the cosine of q1 (so without it) or of the table's angle theta1 |
+//! | `{}^{4'}_4T = D_z(d_4)` | defines a frame 4' beside those of the table; `{}^0_6T = G` calls the pose G and its entries r and p |
 //! | `J` `J_2` `J_{12}` | the geometric Jacobian, its columns and entries |
 //! | `[ ]` `\{ \}` `\left( \right)` | brackets; with `,` or `;` inside a matrix |
 //! | `U = {}^0_1T^{-1} {}^0_6T`, `K = ...` | names for later lines; `u_{11}`, `u_x` and `u` are the entries and the position of a matrix U |
@@ -75,11 +76,9 @@ impl DocumentClaims {
             sheet.refuse("the document", 1, format!("longer than {} MB: not read", LARGEST / 1_000_000));
             return (sheet.finish(text), false);
         }
-        let turn = text.lines().position(|l| ON_AXES.iter().any(|words| l.contains(words)));
         for region in regions::split(text, &names) {
-            let line = region.text.first().map_or(0, |t| t.1);
-            names.on_axes |= turn.is_some_and(|k| line > k + 1);
             if sheet.count >= MOST {
+                let line = region.text.first().map_or(0, |t| t.1);
                 sheet.refuse("the rest of the document", line, format!("more than {MOST} formulas: not read"));
                 break;
             }
@@ -101,9 +100,6 @@ const MOST: usize = 4_000;
 
 /// Letters that are shown of a line that is not understood.
 const LONGEST: usize = 100;
-
-/// The sentence by which our notes say that their frames are other ones from there on.
-const ON_AXES: [&str; 2] = ["Frames of the inverse stand on the joint axes", "逆解中的坐标系位于关节轴上"];
 
 /// A word and its line in the document.
 #[derive(Clone, Debug, PartialEq)]

@@ -25,13 +25,9 @@ pub(super) struct Names<'a> {
     /// Joints whose c1 and s1 are those of the table's angle and not of the variable.
     of_table: Vec<usize>,
     /// The transform whose entries r_{11} and p_x are, where the document says so.
-    given_pose: Option<(usize, String)>,
-    /// A pose that is given by letters of which not all are known yet: frame, what it is.
-    pub(super) waiting_pose: Option<(usize, Vec<Item>)>,
-    /// Do frames stand on the joint axes, each after the motion of its joint?
-    pub(super) on_axes: bool,
-    /// Does the given pose begin at frame 0'?
-    pub(super) from_start: bool,
+    given_pose: Option<String>,
+    /// Frames that the document defines: the label, how the frame is seen from frame 0.
+    frames: Vec<(String, String)>,
     /// Values given so far: settings of an `at` line.
     pub(super) values: Vec<(String, String)>,
     /// The last side of the statement before.
@@ -50,9 +46,7 @@ impl<'a> Names<'a> {
             given: Vec::new(),
             of_table: Vec::new(),
             given_pose: None,
-            waiting_pose: None,
-            on_axes: false,
-            from_start: false,
+            frames: Vec::new(),
             values: Vec::new(),
             last_side: Vec::new(),
             theta_is_variable: false,
@@ -320,9 +314,7 @@ impl<'a> Names<'a> {
         if matches!(stem, "r" | "p" | "px" | "py" | "pz") {
             let field = field?;
             return match letter.frame.as_str() {
-                "" => {
-                    Some(format!("{} . {field}", self.given_pose.as_ref().map_or_else(|| self.pose(), |g| g.1.clone())))
-                }
+                "" => Some(format!("{} . {field}", self.given_pose.clone().unwrap_or_else(|| self.pose()))),
                 k if k.bytes().all(|b| b.is_ascii_digit()) => Some(format!("T ( {k} , {n} ) . {field}")),
                 _ => None,
             };
@@ -367,28 +359,20 @@ impl<'a> Names<'a> {
         turned && same
     }
 
-    /// From here on the transform from frame 0 to this frame is the given pose, a matrix with this name; `None`: what the table says.
-    pub(super) fn say_pose(&mut self, frame: usize, matrix: Option<String>) {
+    /// From here on r_{11} and p_x are entries of this transform, where they have no other name.
+    pub(super) fn say_pose(&mut self, transform: String) {
         self.bound.retain(|b| !(matches!(b.0.stem.as_str(), "r" | "p") && b.0.frame.is_empty()));
-        self.given_pose = Some((frame, matrix.unwrap_or_else(|| format!("T ( 0 , {frame} )"))));
+        self.given_pose = Some(transform);
     }
 
-    /// The given pose of this frame, where it is not that of the table.
-    pub(super) fn given_pose(&self, frame: usize) -> Option<&str> {
-        self.given_pose.as_ref().filter(|g| g.0 == frame && !g.1.starts_with("T (")).map(|g| g.1.as_str())
+    /// A frame that the document defines, as seen from frame 0.
+    pub(super) fn frame(&self, label: &str) -> Option<&str> {
+        self.frames.iter().find(|f| f.0 == label).map(|f| f.1.as_str())
     }
 
-    /// Frame 0' seen from frame 0, where the document has such a frame: moved by B from where the pose of the arm begins.
-    pub(super) fn start(&self) -> Option<String> {
-        let letter = Letter { stem: "B".into(), ..Letter::default() };
-        let moved = self.meaning(&letter).ok().filter(|_| self.from_start)?;
-        Some(if self.chain.base.is_empty() { moved } else { format!("( inv ( base ) * {moved} )") })
-    }
-
-    /// The given pose of this frame as seen from frame 0.
-    pub(super) fn placed_pose(&self, frame: usize) -> Option<String> {
-        let pose = self.given_pose(frame)?;
-        Some(self.start().map_or_else(|| pose.to_string(), |start| format!("( {start} * {pose} )")))
+    /// Takes a frame that the document defines.
+    pub(super) fn say_frame(&mut self, label: String, seen: String) {
+        self.frames.push((label, seen));
     }
 
     /// Is this the name of an angle?

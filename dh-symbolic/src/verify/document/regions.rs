@@ -157,10 +157,18 @@ fn plain(lines: &[(usize, String)], names: &Names<'_>) -> Vec<Region> {
     let mut open = false;
     // indentation of the sentence before, where there is no gap
     let mut sentence: Option<usize> = None;
+    // indentation of the item of a list that is open
+    let mut item: Option<usize> = None;
     for (number, line) in lines {
         let trimmed = without_number(line.trim());
         let indent = line.chars().take_while(|c| c.is_whitespace()).count();
         let chars = |text: &str| text.chars().map(|c| (c, *number)).collect::<Vec<_>>();
+        if item.is_some_and(|i| indent > i) && !trimmed.is_empty() {
+            // a sentence that goes on
+            (open, sentence) = (false, Some(indent));
+            continue;
+        }
+        item = line.trim_start().starts_with('•').then_some(indent);
         let signed = trimmed.starts_with(['+', '-', '−', '=', '≈', '·', '*', '±']);
         let continues =
             open && out.last().is_some_and(|r| !r.loose && r.text.len() < LONGEST && (signed || unbalanced(r)));

@@ -113,7 +113,7 @@ impl Statement {
             rest.relations.pop();
             return rest.tell(names, sheet);
         }
-        if self.gives_pose(names, sheet) {
+        if self.gives_pose(names) || self.defines_frame(names) {
             return sheet.remark(&self.raw, self.line);
         }
         if self.sides.iter().flatten().any(|i| matches!(i.kind, ItemKind::Cases(_))) {

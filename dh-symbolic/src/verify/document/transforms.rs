@@ -3,17 +3,17 @@
 use super::layout::{Item, ItemKind};
 use super::letter::{general, index_text};
 use super::names::{Names, Unknown};
-use crate::chain::{Convention, Coordinate};
+use crate::chain::Convention;
 
 /// A frame by its label.
 #[derive(Clone, Debug, PartialEq)]
 enum Frame {
-    /// A frame of the table; `true`: primed.
-    Number(usize, bool),
+    /// A frame of the table.
+    Number(usize),
+    /// A frame that the document defines, as seen from frame 0.
+    Defined(String),
     /// Before the constant transform at the base.
     Base,
-    /// On the axis of joint 1, where the document says by which B it is moved there.
-    Start,
     /// After the one at the tip.
     Tool,
     /// Any frame: `i`, `i-1`.
@@ -74,28 +74,26 @@ pub(super) fn read(item: &Item, names: &Names<'_>) -> Option<Result<Found, Unkno
     Some(between(&from, &to, names).map(|meaning| Found { meaning: format!("{meaning}{part}"), power }))
 }
 
-/// The number of the frame at the tip, where the document gives its pose.
-pub(super) const TIP: usize = usize::MAX;
-
-/// The numbers of primed frames begin here, where the document gives their pose.
-const PRIMED: usize = 1000;
-
-/// The last frame of a transform from frame 0, as written, and whether that is 0'.
-pub(super) fn last_frame(item: &Item) -> Option<(usize, bool)> {
+/// The two frames of a transform T, as written.
+pub(super) fn ends(item: &Item) -> Option<(String, String)> {
     let text = |part: &Option<Vec<Item>>| part.as_ref().and_then(|p| index_text(p));
-    let (from, to) = match (text(&item.before_sup), text(&item.before_sub), text(&item.sup), text(&item.sub)) {
+    let ends = match (text(&item.before_sup), text(&item.before_sub), text(&item.sup), text(&item.sub)) {
         (Some(i), Some(j), None, None) | (Some(i), None, None, Some(j)) | (None, None, Some(i), Some(j)) => (i, j),
         _ => return None,
     };
-    if item.name() != Some("T") || !matches!(from.as_str(), "0" | "0'") {
-        return None;
+    (item.name() == Some("T")).then_some(ends)
+}
+
+/// The frame that `{}^{4'}_4T = ...` defines: one with a prime that has no meaning yet; and how it is seen from frame 0.
+pub(super) fn defined(item: &Item, right: &str, names: &Names<'_>) -> Option<(String, String)> {
+    let (from, to) = ends(item)?;
+    let free = |label: &str| label.ends_with('\'') && frame(label, names).is_none();
+    let known = |label: &str| frame(label, names).and_then(|f| seen(&f, names));
+    match (free(&from), free(&to)) {
+        (true, false) => Some((from, format!("( {} * inv ( {right} ) )", known(&to)?))),
+        (false, true) => Some((to, format!("( {} * {right} )", known(&from)?))),
+        _ => None,
     }
-    let frame = match (to.as_str(), to.strip_suffix('\'')) {
-        ("e" | "E" | "H" | "h" | "tool", _) => TIP,
-        (_, Some(number)) => number.parse::<usize>().ok()?.checked_add(PRIMED)?,
-        (_, None) => to.parse().ok()?,
-    };
-    Some((frame, from != "0"))
 }
 
 /// `06`, `0,6`.
@@ -113,33 +111,37 @@ fn two(index: &str) -> Option<(String, String)> {
 
 fn frame(label: &str, names: &Names<'_>) -> Option<Frame> {
     let n = names.chain.links.len();
-    let (digits, primed) = match label.strip_suffix('\'') {
-        Some(head) => (head, true),
-        None => (label, false),
+    if let Some(words) = names.frame(label) {
+        return Some(Frame::Defined(words.into()));
+    }
+    let number = match label.strip_prefix("n-").and_then(|k| k.parse::<usize>().ok()) {
+        Some(k) => n.checked_sub(k),
+        None => label.parse::<usize>().ok(),
     };
-    let digits = match digits.strip_prefix("n-").and_then(|k| k.parse::<usize>().ok()) {
-        Some(k) => &n.checked_sub(k)?.to_string(),
-        None => digits,
-    };
-    if let Ok(k) = digits.parse::<usize>() {
-        if primed && k == 0 && names.start().is_some() {
-            return Some(Frame::Start);
-        }
-        if primed && names.given_pose(k.saturating_add(PRIMED)).is_some() {
-            return Some(Frame::Number(k + PRIMED, false));
-        }
-        return Some(Frame::Number(k, primed));
+    if let Some(k) = number {
+        return Some(Frame::Number(k));
     }
     match label {
-        "b" | "B" | "W" | "w" if names.chain.base.is_empty() => Some(Frame::Number(0, false)),
+        "b" | "B" | "W" | "w" if names.chain.base.is_empty() => Some(Frame::Number(0)),
         "b" | "B" | "W" | "w" => Some(Frame::Base),
-        "e" | "E" | "H" | "h" | "tool" if names.given_pose(TIP).is_some() => Some(Frame::Number(TIP, false)),
-        "e" | "E" | "H" | "h" | "tool" | "n" if names.chain.tool.is_empty() => Some(Frame::Number(n, false)),
-        "n" => Some(Frame::Number(n, false)),
+        "e" | "E" | "H" | "h" | "tool" | "n" if names.chain.tool.is_empty() => Some(Frame::Number(n)),
+        "n" => Some(Frame::Number(n)),
         "e" | "E" | "H" | "h" | "tool" => Some(Frame::Tool),
         "i" | "i-1" | "i+1" | "j" | "j-1" => Some(Frame::Any(label.into())),
         _ => None,
     }
+}
+
+/// A frame as seen from frame 0.
+fn seen(frame: &Frame, names: &Names<'_>) -> Option<String> {
+    let n = names.chain.links.len();
+    Some(match frame {
+        Frame::Number(k) => format!("T ( 0 , {k} )"),
+        Frame::Defined(words) => words.clone(),
+        Frame::Base => "inv ( base )".into(),
+        Frame::Tool => format!("( T ( 0 , {n} ) * tool )"),
+        Frame::Any(_) => return None,
+    })
 }
 
 /// The transform from one frame to another, as words of a claim.
@@ -147,97 +149,28 @@ pub(super) fn between(from: &str, to: &str, names: &Names<'_>) -> Result<String,
     let read = |label: &str| frame(label, names).ok_or_else(|| unknown(format!("there is no frame `{label}`")));
     let (i, j) = (read(from)?, read(to)?);
     let n = names.chain.links.len();
-    // frames of the inverse are seen from 0'; what is seen from 0 are those of the table
-    if let (true, Frame::Number(0, false), Frame::Number(k @ 1.., false)) = (names.from_start, &i, &j)
-        && *k <= n
-    {
-        return Ok(format!("T ( 0 , {k} )"));
-    }
-    if names.on_axes
-        && let (Frame::Number(i, p), Frame::Number(j, q)) = (&i, &j)
-    {
-        return Ok(between_axes((*i, *p), (*j, *q), names));
-    }
     let text = match (&i, &j) {
-        (Frame::Start, Frame::Start) => "I4".into(),
-        (Frame::Start, Frame::Number(k, false)) if names.given_pose(*k).is_some() => {
-            names.given_pose(*k).unwrap_or_default().to_string()
-        }
-        (Frame::Start, Frame::Number(k, p)) if names.on_axes => {
-            let to = between_axes((0, false), (*k, *p), names);
-            format!("( inv ( {} ) * {to} )", names.start().unwrap_or_default())
-        }
-        (Frame::Start, _) => {
-            format!("( inv ( {} ) * {} )", names.start().unwrap_or_default(), between("0", to, names)?)
-        }
-        (_, Frame::Start) => format!("inv ( {} )", between(to, from, names)?),
         (Frame::Any(i), Frame::Any(j)) if (i == "i-1" && j == "i") || (i == "j-1" && j == "j") => any_link(names, j),
         (Frame::Any(_), _) | (_, Frame::Any(_)) => {
             return Err(unknown(format!("T from frame {from} to {to} is general")));
         }
-        (Frame::Base, Frame::Number(0, false)) => "base".into(),
-        (Frame::Number(k, false), Frame::Tool) if *k == n => "tool".into(),
+        (Frame::Number(0), Frame::Defined(words)) => words.clone(),
+        (Frame::Defined(words), Frame::Number(0)) => format!("inv ( {words} )"),
+        (Frame::Defined(_), other) | (other, Frame::Defined(_)) => {
+            let none = || unknown(format!("there is no frame `{from}` or `{to}`"));
+            let (a, b) = (seen(&i, names).ok_or_else(none)?, seen(&j, names).ok_or_else(none)?);
+            if i == j && i == *other { "I4".into() } else { format!("( inv ( {a} ) * {b} )") }
+        }
+        (Frame::Base, Frame::Number(0)) => "base".into(),
+        (Frame::Number(k), Frame::Tool) if *k == n => "tool".into(),
         (Frame::Base, Frame::Tool) => names.pose(),
         (Frame::Base, Frame::Number(..)) => format!("( base * {} )", between("0", to, names)?),
         (Frame::Number(..), Frame::Tool) => format!("( {} * tool )", between(from, &n.to_string(), names)?),
         (Frame::Base, Frame::Base) | (Frame::Tool, Frame::Tool) => "I4".into(),
         (Frame::Tool, _) | (_, Frame::Base) => format!("inv ( {} )", between(to, from, names)?),
-        (Frame::Number(i, false), Frame::Number(j, false)) if names.given_pose(*j).is_some() && i != j => {
-            let pose = names.placed_pose(*j).unwrap_or_default();
-            if *i == 0 { pose } else { format!("( T ( {i} , 0 ) * {pose} )") }
-        }
-        (Frame::Number(i, true), Frame::Number(j, false)) if names.given_pose(*j).is_some() => {
-            let pose = names.placed_pose(*j).unwrap_or_default();
-            format!("( {} * T ( {i} , 0 ) * {pose} )", shift(names, *i, false))
-        }
-        (Frame::Number(i, false), Frame::Number(..)) if names.given_pose(*i).is_some() => {
-            format!("inv ( {} )", between(to, from, names)?)
-        }
-        (Frame::Number(i, false), Frame::Number(j, false)) => format!("T ( {i} , {j} )"),
-        (Frame::Number(i, p), Frame::Number(j, q)) => {
-            let mut factors = vec![format!("T ( {i} , {j} )")];
-            if *p {
-                factors.insert(0, shift(names, *i, false));
-            }
-            if *q {
-                factors.push(shift(names, *j, true));
-            }
-            format!("( {} )", factors.join(" * "))
-        }
+        (Frame::Number(i), Frame::Number(j)) => format!("T ( {i} , {j} )"),
     };
     Ok(text)
-}
-
-/// The same between frames on the joint axes: frame i is frame i-1 of the table after the motion of joint i; the primed one after
-/// the shift along the axis as well.
-fn between_axes(from: (usize, bool), to: (usize, bool), names: &Names<'_>) -> String {
-    let place = |(k, primed): (usize, bool)| {
-        if let Some(pose) = names.placed_pose(k) {
-            return Some(pose);
-        }
-        let joint = names.chain.joints.get(k.checked_sub(1)?)?;
-        let (row, number) = (joint.row, joint.row + 1);
-        let both = primed || matches!(joint.coordinate, Coordinate::Length(_));
-        let shift = if both { format!(" * Tz ( d{number} )") } else { String::new() };
-        Some(format!("( T ( 0 , {row} ) * Rz ( theta{number} ){shift} )"))
-    };
-    match (place(from), place(to)) {
-        (None, None) => "I4".into(),
-        (None, Some(to)) => to,
-        (Some(from), None) => format!("inv ( {from} )"),
-        (Some(from), Some(to)) => format!("( inv ( {from} ) * {to} )"),
-    }
-}
-
-/// From the primed frame to its frame; `back`: the other way round. The primed frame is the frame of the table before its shift along
-/// the axis (modified convention), or after the shift of the next row (standard).
-fn shift(names: &Names<'_>, k: usize, back: bool) -> String {
-    match (names.chain.convention == Convention::Modified, back) {
-        (true, false) => format!("Tz ( d{k} )"),
-        (true, true) => format!("Tz ( - d{k} )"),
-        (false, false) => format!("Tz ( - d{} )", k + 1),
-        (false, true) => format!("Tz ( d{} )", k + 1),
-    }
 }
 
 /// The transform of any row, from the convention.

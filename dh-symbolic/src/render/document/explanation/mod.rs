@@ -4,6 +4,7 @@
 //! `plan` as a summary and a flow chart.
 
 mod names;
+mod places;
 mod rows;
 mod solution;
 #[cfg(test)]
@@ -18,6 +19,7 @@ use crate::render::formula::grouping::Order;
 use crate::render::formula::math::Math;
 use crate::render::formula::notation::Notation;
 pub(crate) use names::{PoseName, Source};
+use places::Written;
 pub(crate) use solution::Solution;
 
 /// A plan with names for everything in it.
@@ -25,12 +27,14 @@ pub(crate) struct Explanation<'a> {
     pub(crate) plan: &'a Plan,
     notation: Notation,
     order: Order,
-    /// Does the table follow the modified convention?
-    modified: bool,
-    /// What the last frame is called, where it is no frame of the table.
-    pub(crate) end: Option<Frame>,
-    /// Is the first frame another one than frame 0 of the table? It is called 0' then.
-    pub(crate) moved: bool,
+    /// Where the planner's frames stand among those of the table.
+    places: Vec<places::Place>,
+    /// Frames between which the given pose leads: the base or frame 0, the tool or the last frame.
+    ends: [Frame; 2],
+    /// Number of rows of the table.
+    rows: usize,
+    /// Letters for intermediate results that no name of the chain has.
+    letters: Vec<char>,
     /// Parameters: what a formula may be divided by.
     lengths: Vec<Symbol>,
     /// Known poses in order of first use.
@@ -41,6 +45,10 @@ pub(crate) struct Explanation<'a> {
 
 /// One step.
 pub(crate) struct StepExplanation {
+    /// Its number in the plan, from 0: steps that find nothing but what the task leaves open are not told.
+    pub(crate) index: usize,
+    /// Entries of known poses in its equations, in order.
+    pub(crate) symbols: Vec<Symbol>,
     /// What people call it.
     pub(crate) words: Words,
     /// The unknowns: angles, sums of angles, lengths.
@@ -63,18 +71,26 @@ pub(crate) struct StepExplanation {
     pub(crate) needs: Vec<usize>,
     /// Sines and cosines in the equations, for the legend.
     pub(crate) expressions: Vec<Expression>,
+    /// Frames that the sources name.
+    frames: Vec<Frame>,
 }
 
 impl<'a> Explanation<'a> {
     /// Names everything in a plan. `notation` has the names of the chain.
     pub(crate) fn new(chain: &Chain, plan: &'a Plan, notation: &Notation) -> Explanation<'a> {
+        let rows = chain.links.len();
+        let ends = [
+            if chain.base.is_empty() { Frame::Row(0) } else { Frame::Base },
+            if chain.tool.is_empty() { Frame::Row(rows) } else { Frame::Tool },
+        ];
         let mut explanation = Explanation {
             plan,
             notation: names::notation(chain, plan, notation),
             order: Order::of(chain),
-            modified: false,
-            end: None,
-            moved: false,
+            places: places::places(chain, &plan.axes),
+            ends,
+            rows,
+            letters: solution::LETTERS.into_iter().filter(|c| names::is_free(chain, &c.to_string())).collect(),
             lengths: chain
                 .parameters
                 .iter()
@@ -86,22 +102,78 @@ impl<'a> Explanation<'a> {
             poses: Vec::new(),
             steps: Vec::new(),
         };
-        explanation.name_poses(chain);
-        for (i, step) in plan.steps.iter().enumerate() {
-            let explained = explanation.step(i, step);
+        let mut steps = plan.steps.clone();
+        let told = told(plan);
+        let mut number = 0;
+        steps.retain(|_| {
+            number += 1;
+            told.contains(&(number - 1))
+        });
+        let written = explanation.written(&mut steps);
+        explanation.name_poses(chain, &written);
+        for (i, step) in steps.iter().enumerate() {
+            let explained = explanation.step(i, step, &steps, &told);
             explanation.steps.push(explained);
         }
         explanation
     }
 
-    fn step(&self, number: usize, step: &Step) -> StepExplanation {
+    /// Rewrites the equations in poses between frames of the table, as far as they are no longer there; which poses occur then, in
+    /// order of first use: index in the plan's list, frames.
+    fn written(&self, steps: &mut [Step]) -> Vec<(usize, Frame, Frame)> {
+        let mut out: Vec<(usize, Frame, Frame)> = Vec::new();
+        for index in used_poses(self.plan, steps) {
+            let Some(pose) = self.plan.knowledge.poses.get(index) else { continue };
+            let own: Vec<Symbol> = pose.symbols().collect();
+            let Some((left, right)) = self.places.get(pose.left).zip(self.places.get(pose.right)) else { continue };
+            let formulas: Vec<&Poly> = steps
+                .iter()
+                .flat_map(|s| &s.collected)
+                .flat_map(|c| c.values())
+                .filter(|p| own.iter().any(|s| p.has_symbol(*s)))
+                .collect();
+            let mut best: Option<(usize, Written)> = None;
+            for (l, r) in left.views.iter().flat_map(|l| right.views.iter().map(move |r| (l, r))) {
+                let written = Written::new(pose, l, r);
+                let terms: Option<usize> = formulas.iter().map(|p| Some(written.translate(p)?.terms().len())).sum();
+                if let Some(terms) = terms.filter(|n| best.as_ref().is_none_or(|b| *n < b.0)) {
+                    best = Some((terms, written));
+                }
+            }
+            let Some((_, written)) = best else { continue };
+            // A pose between the same frames that has a letter already.
+            let known = out.iter().find(|x| (x.1, x.2) == (written.left, written.right)).copied();
+            let twin = known.and_then(|x| self.plan.knowledge.poses.get(x.0));
+            for p in steps.iter_mut().flat_map(|s| &mut s.collected).flat_map(|c| c.values_mut()) {
+                if !own.iter().any(|s| p.has_symbol(*s)) {
+                    continue;
+                }
+                let mut value = written.translate(p).unwrap_or_else(|| p.clone());
+                if let Some(twin) = twin {
+                    let list: Vec<Symbol> = twin.symbols().collect();
+                    let other = |s: Symbol| own.iter().position(|x| *x == s).and_then(|i| list.get(i)).copied();
+                    value = value.substitute_symbols(|s| other(s).map(Poly::symbol));
+                }
+                *p = value;
+            }
+            if twin.is_none() {
+                out.push((index, written.left, written.right));
+            }
+        }
+        for s in steps.iter_mut() {
+            for c in &mut s.collected {
+                c.retain(|_, p| !p.is_zero());
+            }
+        }
+        out
+    }
+
+    fn step(&self, number: usize, step: &Step, steps: &[Step], told: &[usize]) -> StepExplanation {
         let step = &rows::without_repeats(step);
         let rows = rows::rows(self, step);
         let solution = solution::solution(self, number + 1, step, &rows);
         let symbols: Vec<Symbol> = step.collected.iter().flat_map(|c| c.values().flat_map(Poly::symbols)).collect();
-        let earlier: Vec<Symbol> = self
-            .plan
-            .steps
+        let earlier: Vec<Symbol> = steps
             .iter()
             .take(number)
             .flat_map(|s| &s.collected)
@@ -120,23 +192,31 @@ impl<'a> Explanation<'a> {
             let right = std::mem::replace(&mut first.1, name.clone());
             equations.push((name.clone(), right));
         }
+        let (sources, frames) = self.sources(&step.equations);
+        let entry = |s: &Symbol| self.plan.knowledge.poses.iter().any(|k| k.symbols().any(|x| x == *s));
+        let mut entries: Vec<Symbol> = symbols.iter().copied().filter(entry).collect();
+        entries.sort_unstable();
+        entries.dedup();
         StepExplanation {
+            index: told.get(number).copied().unwrap_or(number),
+            symbols: entries,
             words: step.words(),
             unknown: step.unknown.iter().map(|f| self.unknown(f)).collect(),
             sums: step.unknown.iter().filter_map(|f| self.sum(f)).collect(),
-            sources: self.sources(&step.equations),
+            sources,
+            frames,
             equations,
             solution,
             roots: step.roots,
             new_poses,
             new_extras,
-            needs: self.needs(step, &symbols),
+            needs: self.needs(step, &symbols, told),
             expressions: rows.iter().flat_map(rows::Row::expressions).collect(),
         }
     }
 
     /// Earlier steps that this one builds on: through sines and cosines in its coefficients, or through known poses.
-    fn needs(&self, step: &Step, symbols: &[Symbol]) -> Vec<usize> {
+    fn needs(&self, step: &Step, symbols: &[Symbol], told: &[usize]) -> Vec<usize> {
         let mut joints: Vec<usize> = Vec::new();
         let used = self.plan.knowledge.poses.iter().filter(|k| k.symbols().any(|s| symbols.contains(&s)));
         for pose in used {
@@ -145,9 +225,10 @@ impl<'a> Explanation<'a> {
             joints.extend(outside.filter_map(|h| h.joint));
         }
         let known = |k: usize| self.plan.knowledge.known.get(k);
-        (0..self.plan.steps.len())
+        (0..told.len())
             .filter(|i| {
-                let Some(s) = self.plan.steps.get(*i).filter(|s| s.before < step.before) else { return false };
+                let plan = told.get(*i).and_then(|k| self.plan.steps.get(*k));
+                let Some(s) = plan.filter(|s| s.before < step.before) else { return false };
                 (s.before..s.before + s.unknown.len()).filter_map(known).any(|k| {
                     k.symbols.iter().any(|x| symbols.contains(x))
                         || joints.iter().any(|j| k.form.get(*j).is_some_and(|c| *c != 0))
@@ -201,4 +282,32 @@ impl<'a> Explanation<'a> {
     pub(crate) fn notation(&self) -> &Notation {
         &self.notation
     }
+}
+
+/// The steps that a reader needs: those that find joints, and those whose results occur in their equations.
+fn told(plan: &Plan) -> Vec<usize> {
+    let real = |s: &Step| s.unknown.iter().any(|f| f.iter().take(plan.axes.real).any(|k| *k != 0));
+    let mut needed: Vec<bool> = plan.steps.iter().map(real).collect();
+    for i in (0..plan.steps.len()).rev() {
+        if !needed[i] {
+            continue;
+        }
+        let symbols: Vec<Symbol> =
+            plan.steps[i].collected.iter().flat_map(|c| c.values().flat_map(Poly::symbols)).collect();
+        for (k, s) in plan.steps.iter().enumerate().take(i) {
+            let finds = plan.knowledge.known.get(s.before..s.before + s.unknown.len()).unwrap_or_default();
+            needed[k] |= finds.iter().any(|f| f.symbols.iter().any(|x| symbols.contains(x)));
+        }
+    }
+    (0..needed.len()).filter(|i| needed[*i]).collect()
+}
+
+/// Known poses that occur in the equations, in order of first use: indices in the plan's list.
+fn used_poses(plan: &Plan, steps: &[Step]) -> Vec<usize> {
+    let mut used: Vec<usize> = Vec::new();
+    for s in steps.iter().flat_map(|s| &s.collected).flat_map(|c| c.values()).flat_map(Poly::symbols) {
+        let pose = plan.knowledge.poses.iter().position(|k| k.symbols().any(|x| x == s));
+        used.extend(pose.filter(|i| !used.contains(i)));
+    }
+    used
 }

@@ -1,21 +1,25 @@
 //! Names in an explanation: frames on the axes, poses that are known, unknowns, where an equation comes from.
 
 use super::Explanation;
-use crate::algebra::{AngleVar, Symbol, Transform};
-use crate::chain::{Chain, Convention, Coordinate, Elementary, Task};
-use crate::planner::{Equation, KnownPose, Plan, Scalar, constant_height};
+use super::places::{self, Definition, View};
+use crate::algebra::{AngleVar, Symbol};
+use crate::chain::{Chain, Coordinate};
+use crate::planner::{Equation, KnownPose, Plan, Scalar};
 use crate::render::document::frames::Frame;
 use crate::render::formula::expression::Trig;
 use crate::render::formula::math::{Math, Sign};
 use crate::render::formula::notation::{Name, Notation};
 
 /// Letters for known poses after the target's, which is r and p. M is the matrix of the singular configurations.
-const LETTERS: [&str; 8] = ["u", "v", "w", "h", "f", "n", "o", "l"];
+const LETTERS: [&str; 8] = ["u", "v", "w", "h", "f", "n", "o", "e"];
 
 /// A known pose that some step uses.
 pub(crate) struct PoseName {
     /// Index in the plan's list.
-    index: usize,
+    pub(super) index: usize,
+    /// The frames that it leads from and to.
+    pub(crate) left: Frame,
+    pub(crate) right: Frame,
     /// The matrix, a capital letter.
     pub(crate) matrix: Math,
     /// What it is: the target with known motions taken off on the left and on the right; `None` for the target itself.
@@ -55,11 +59,22 @@ pub(super) fn notation(chain: &Chain, plan: &Plan, base: &Notation) -> Notation 
     notation
 }
 
-/// The motions before frame 0 of the table: the base; where the task is in a plane, the target's height is 0.
-fn to_frame_0(chain: &Chain) -> Transform {
-    let height = constant_height(chain).filter(|_| chain.task == Task::Planar);
-    let down = height.map(|h| Elementary::Translate(2, -&h));
-    down.iter().chain(&chain.base).fold(Transform::identity(), |t, e| t.times(&e.transform()))
+/// Does no name of the chain begin with this letter, in either case?
+pub(super) fn is_free(chain: &Chain, letter: &str) -> bool {
+    let names = chain.parameters.iter().map(|p| &p.name).chain(chain.joints.iter().map(|j| &j.name));
+    !names.map(|n| Name::of(n).stem).any(|stem| stem.eq_ignore_ascii_case(letter))
+}
+
+/// A product of matrices.
+fn side_by_side(factors: Vec<Math>) -> Math {
+    let mut row = Vec::new();
+    for f in factors {
+        if !row.is_empty() {
+            row.push(Math::Sign(Sign::Thin));
+        }
+        row.push(f);
+    }
+    Math::Row(row)
 }
 
 /// A weighted sum of names.
@@ -130,101 +145,100 @@ impl Explanation<'_> {
         self.plan.knowledge.poses.get(self.poses.get(i)?.index)
     }
 
-    /// A frame of the axes: the number of the joint before it; with a prime where it is not the frame of the table but before the
-    /// shift along the axis (modified convention), or after it (standard).
-    fn frame(&self, hop: usize) -> (usize, bool) {
-        let hops = &self.plan.axes.hops;
-        let before = hops.get(..hop).unwrap_or(hops);
-        let joints = before.iter().filter(|h| h.joint.is_some()).count();
-        let shifted = before.last().is_some_and(|h| h.joint.is_none());
-        // A tool translation isn't part of the frame's own shift.
-        let own = !(self.end.is_some() && hop + 1 == hops.len());
-        let will_shift = own && !before.is_empty() && hops.get(hop).is_some_and(|h| h.joint.is_none());
-        (joints, if self.modified { will_shift && !shifted } else { shifted })
-    }
-
-    fn frame_at(&self, hop: usize) -> Frame {
-        if let Some(end) = self.end.filter(|_| hop == self.plan.axes.hops.len()) {
-            return end;
-        }
-        match self.frame(hop) {
-            (0, false) if self.moved => Frame::Primed(0),
-            (joint, true) => Frame::Primed(joint),
-            (joint, false) => Frame::Row(joint),
-        }
-    }
-
-    pub(super) fn frame_name(&self, hop: usize) -> Math {
-        self.notation.frame(self.frame_at(hop))
-    }
-
-    /// The transform between two frames of the axes.
-    pub(crate) fn between(&self, a: usize, b: usize) -> Math {
-        self.notation.transform(self.frame_at(a), self.frame_at(b))
-    }
-
-    /// Numbers of the joints for which a primed frame occurs in the plan's equations or poses.
-    pub(crate) fn primed(&self) -> Vec<usize> {
-        let equations = self.plan.steps.iter().flat_map(|s| &s.equations).flat_map(|e| [e.a, e.b]);
-        let poses = (0..self.poses.len()).filter_map(|i| self.plan_pose(i)).flat_map(|k| [k.left, k.right]);
-        let inside = |hop: &usize| self.end.is_none() || *hop < self.plan.axes.hops.len();
-        let mut list: Vec<usize> =
-            equations.chain(poses).filter(inside).map(|hop| self.frame(hop)).filter(|f| f.1).map(|f| f.0).collect();
-        list.sort_unstable();
-        list.dedup();
-        list
-    }
-
-    /// The last frame, where a virtual joint or the tool's own shift leads to it.
-    fn end_of(&self, chain: &Chain) -> Option<Frame> {
-        let axes = &self.plan.axes;
-        let last = axes.hops.last()?;
-        if last.joint.is_some_and(|j| j >= axes.real) {
-            return Some(Frame::Tool);
-        }
-        let link = chain.links.last()?;
-        let own = match link.joint.and_then(|j| chain.joints.get(j)).map(|j| j.coordinate) {
-            Some(Coordinate::Length(s)) => link.d != crate::algebra::Poly::symbol(s),
-            _ => !link.d.is_zero(),
+    /// Views of a frame of the planner, those first in which poses are written.
+    fn views(&self, hop: usize, left: bool) -> Vec<View> {
+        let Some(place) = self.places.get(hop) else { return Vec::new() };
+        let used = |v: &View| {
+            self.poses.iter().any(|p| match left {
+                true => p.left == v.frame,
+                false => p.right == v.frame,
+            })
         };
-        if last.joint.is_some() || own || !self.modified || chain.tool.is_empty() {
-            return None;
+        let (mut first, rest): (Vec<View>, Vec<View>) = place.views.iter().cloned().partition(used);
+        first.extend(rest);
+        first
+    }
+
+    /// What the frames with primes are that occur in poses or equations, in order.
+    pub(crate) fn definitions(&self) -> Vec<&Definition> {
+        let mut used: Vec<Frame> = self.poses.iter().flat_map(|p| [p.left, p.right]).collect();
+        for step in &self.steps {
+            used.extend(step.frames.iter().copied());
         }
-        let whole = axes.end == crate::algebra::Transform::identity();
-        Some(if whole { Frame::Tool } else { Frame::Primed(chain.links.len()) })
+        let own = |p: &&places::Place| used.contains(&p.own());
+        self.places.iter().filter(own).filter_map(|p| p.definition.as_ref()).collect()
+    }
+
+    /// What a frame with primes is.
+    pub(crate) fn definition(&self, frame: Frame) -> Option<&Definition> {
+        self.places.iter().filter(|p| p.own() == frame).find_map(|p| p.definition.as_ref())
+    }
+
+    /// Is one of these symbols an entry of the pose, or made of its entries?
+    pub(crate) fn has_entry(&self, pose: &PoseName, list: &[Symbol]) -> bool {
+        self.plan.knowledge.poses.get(pose.index).is_some_and(|k| k.symbols().any(|s| list.contains(&s)))
+    }
+
+    /// The entries of a known pose and what is made of them, from its value.
+    pub(crate) fn values(&self, pose: &PoseName, t: &[[f64; 4]; 3]) -> Vec<(Symbol, f64)> {
+        let Some(k) = self.plan.knowledge.poses.get(pose.index) else { return Vec::new() };
+        let column = |j: usize| t.iter().filter_map(move |row| row.get(j)).copied();
+        let dot = |a: usize, b: usize| -> f64 { column(a).zip(column(b)).map(|(x, y)| x * y).sum() };
+        let mut out: Vec<(Symbol, f64)> = Vec::new();
+        for (symbols, row) in k.r.iter().zip(t) {
+            out.extend(symbols.iter().copied().zip(row.iter().copied()));
+        }
+        out.extend(k.p.iter().copied().zip(column(3)));
+        out.extend(k.back.iter().enumerate().map(|(j, s)| (*s, -dot(j, 3))));
+        out.push((k.square, dot(3, 3)));
+        out
+    }
+
+    /// The frames between which the given pose leads.
+    pub(crate) fn whole(&self) -> [Frame; 2] {
+        self.ends
     }
 
     /// Gives letters to the known poses that steps use, in order of first use.
-    pub(super) fn name_poses(&mut self, chain: &Chain) {
-        self.modified = chain.convention == Convention::Modified;
-        self.end = self.end_of(chain);
-        self.moved = self.plan.axes.start != to_frame_0(chain);
-        let mut used: Vec<usize> = Vec::new();
-        for step in &self.plan.steps {
-            for c in &step.collected {
-                for s in c.values().flat_map(crate::algebra::Poly::symbols) {
-                    let pose = self.plan.knowledge.poses.iter().position(|k| k.symbols().any(|x| x == s));
-                    if let Some(i) = pose.filter(|i| !used.contains(i)) {
-                        used.push(i);
-                    }
-                }
-            }
-        }
-        let hops = self.plan.axes.hops.len();
-        let taken = |letter: &str| {
-            let names = chain.parameters.iter().map(|p| Name::of(&p.name).stem);
-            names.chain(chain.joints.iter().map(|j| Name::of(&j.name).stem)).any(|stem| stem == letter)
-        };
-        let mut letters = LETTERS.iter().filter(|l| !taken(l)).copied();
-        for index in used {
-            let Some(pose) = self.plan.knowledge.poses.get(index).cloned() else { continue };
-            let whole = pose.left == 0 && pose.right == hops;
-            let (r, p) = if whole { ("r", "p") } else { letters.next().map_or(("y", "y"), |l| (l, l)) };
-            self.rename(&pose, r, p, index, whole);
+    pub(super) fn name_poses(&mut self, chain: &Chain, written: &[(usize, Frame, Frame)]) {
+        let mut letters = LETTERS.iter().filter(|l| is_free(chain, l)).copied();
+        for (index, left, right) in written {
+            let Some(pose) = self.plan.knowledge.poses.get(*index).cloned() else { continue };
+            let whole = [*left, *right] == self.ends;
+            let letter = if whole { None } else { letters.next().or(Some("y")) };
+            self.rename(&pose, letter, *index, [*left, *right]);
         }
     }
 
-    fn rename(&mut self, pose: &KnownPose, r: &str, p: &str, index: usize, whole: bool) {
+    /// The product of known transforms that a pose between two frames is.
+    fn product(&self, [left, right]: [Frame; 2]) -> Math {
+        let n = Frame::Row(self.rows);
+        let inverse = |m: Math| m.above(Math::Row(vec![Math::Sign(Sign::Negative), Math::number(1)]));
+        let mut factors = Vec::new();
+        if left != Frame::Row(0) {
+            factors.push(inverse(self.notation.transform(Frame::Row(0), left)));
+        }
+        // A pose with the same end that begins at frame 0 has a letter perhaps.
+        let known = self.poses.iter().find(|p| p.left == Frame::Row(0) && p.right == right && left != p.left);
+        if let Some(known) = known.filter(|p| p.product.is_some()) {
+            factors.push(known.matrix.clone());
+            return side_by_side(factors);
+        }
+        factors.push(self.notation.transform(Frame::Row(0), n));
+        match right {
+            Frame::Tool => factors.push(self.notation.transform(n, Frame::Tool)),
+            Frame::PrimedTool(_) if self.ends[1] == Frame::Tool => {
+                factors.push(self.notation.transform(n, Frame::Tool));
+                factors.push(inverse(self.notation.transform(right, Frame::Tool)));
+            }
+            right if right == n => {}
+            right => factors.push(inverse(self.notation.transform(right, n))),
+        }
+        side_by_side(factors)
+    }
+
+    fn rename(&mut self, pose: &KnownPose, own: Option<&str>, index: usize, [left, right]: [Frame; 2]) {
+        let (r, p) = (own.unwrap_or("r"), own.unwrap_or("p"));
         let name = |stem: &str, index: String| Name { stem: stem.into(), index };
         for (i, row) in pose.r.iter().enumerate() {
             for (j, s) in row.iter().enumerate() {
@@ -254,29 +268,11 @@ impl Explanation<'_> {
             }
             extras.push((s, back, Math::Row(row)));
         }
-        let matrix = if whole {
-            self.between(0, self.plan.axes.hops.len())
-        } else {
-            Math::Letter(r.chars().next().map_or('U', |c| c.to_ascii_uppercase()))
-        };
-        let product = (!whole).then(|| {
-            let hops = self.plan.axes.hops.len();
-            let mut row = Vec::new();
-            let inverse = |m: Math| {
-                let minus_one = Math::Row(vec![Math::Sign(Sign::Negative), Math::number(1)]);
-                m.above(minus_one)
-            };
-            if pose.left > 0 {
-                row.extend([inverse(self.between(0, pose.left)), Math::Sign(Sign::Thin)]);
-            }
-            row.push(self.between(0, hops));
-            if pose.right < hops {
-                row.extend([Math::Sign(Sign::Thin), inverse(self.between(pose.right, hops))]);
-            }
-            Math::Row(row)
-        });
+        let capital = own.and_then(|l| l.chars().next()).map(|c| c.to_ascii_uppercase());
+        let matrix = Math::Letter(capital.unwrap_or('G'));
+        let product = own.map(|_| self.product([left, right]));
         let entries = [letter(r).below(Math::Row(vec![Math::Letter('i'), Math::Letter('j')])), letter(p)];
-        self.poses.push(PoseName { index, matrix, product, extras, entries });
+        self.poses.push(PoseName { index, left, right, matrix, product, extras, entries });
     }
 
     /// The coordinate of a hop's joint.
@@ -285,30 +281,41 @@ impl Explanation<'_> {
         joint.map_or(Math::number(0), |k| self.coordinate(k))
     }
 
-    /// Where equations come from, those of one transform together.
-    pub(super) fn sources(&self, equations: &[Equation]) -> Vec<Source> {
-        let mut out: Vec<(usize, usize, Source)> = Vec::new();
+    /// Where equations come from, those of one transform together; and the frames that this names.
+    pub(super) fn sources(&self, equations: &[Equation]) -> (Vec<Source>, Vec<Frame>) {
+        let mut out: Vec<([Frame; 2], Source)> = Vec::new();
         for e in equations {
-            let (element, inverse) = match e.scalar {
-                Scalar::Rotation(i, j) => ((usize::from(i) + 1, usize::from(j) + 1), false),
-                Scalar::Position(i) => ((usize::from(i) + 1, 4), false),
-                Scalar::Back(i) => ((usize::from(i) + 1, 4), true),
+            let joints = |hops: [usize; 2]| hops.map(|h| self.joint_of(h));
+            let other = match e.scalar {
                 Scalar::Distance => {
-                    let source = Source::Distance(self.frame_name(e.a), self.frame_name(e.b));
-                    out.push((e.a, e.b, source));
+                    let used: Vec<Frame> = self.poses.iter().flat_map(|p| [p.left, p.right]).collect();
+                    let ends = [e.a, e.b].map(|k| self.places.get(k).map_or(Frame::Row(0), |p| p.origin(&used)));
+                    let [a, b] = ends.map(|f| self.notation.frame(f));
+                    out.push((ends, Source::Distance(a, b)));
                     continue;
                 }
-                Scalar::Across(j) => {
-                    out.push((e.a, e.b, Source::Across([e.a - 1, usize::from(j)].map(|h| self.joint_of(h)))));
-                    continue;
-                }
+                Scalar::Across(j) => Some(Source::Across(joints([e.a - 1, usize::from(j)]))),
                 Scalar::Bridge(i, j) => {
-                    let slides = [i, j].map(|h| self.joint_of(usize::from(h)));
-                    out.push((e.a, e.b, Source::Bridge(slides, [e.a, e.b - 1].map(|h| self.joint_of(h)))));
-                    continue;
+                    let slides = joints([i, j].map(usize::from));
+                    Some(Source::Bridge(slides, joints([e.a, e.b - 1])))
                 }
+                _ => None,
             };
-            let same = out.iter_mut().filter(|x| x.0 == e.a && x.1 == e.b).find_map(|x| match &mut x.2 {
+            if let Some(source) = other {
+                out.push((self.ends, source));
+                continue;
+            }
+            let own = [e.a, e.b].map(|k| self.places.get(k).map_or(Frame::Row(0), places::Place::own));
+            let ring = &self.plan.knowledge.ring;
+            let found = places::source(ring, &self.views(e.a, true), &self.views(e.b, false), e);
+            let (a, b, scalar) = found.unwrap_or((own[0], own[1], e.scalar));
+            let (element, inverse) = match scalar {
+                Scalar::Rotation(i, j) => ((usize::from(i) + 1, usize::from(j) + 1), false),
+                Scalar::Back(i) => ((usize::from(i) + 1, 4), true),
+                Scalar::Position(i) => ((usize::from(i) + 1, 4), false),
+                _ => continue,
+            };
+            let same = out.iter_mut().filter(|x| x.0 == [a, b]).find_map(|x| match &mut x.1 {
                 Source::Elements(list, _) if !inverse => Some(list),
                 Source::InverseElements(list, _) if inverse => Some(list),
                 _ => None,
@@ -316,14 +323,14 @@ impl Explanation<'_> {
             match same {
                 Some(list) => list.push(element),
                 None => {
-                    let of = self.between(e.a, e.b);
-                    let list = vec![element];
+                    let (of, list) = (self.notation.transform(a, b), vec![element]);
                     let source = if inverse { Source::InverseElements(list, of) } else { Source::Elements(list, of) };
-                    out.push((e.a, e.b, source));
+                    out.push(([a, b], source));
                 }
             }
         }
-        out.into_iter().map(|x| x.2).collect()
+        let frames = out.iter().flat_map(|x| x.0).collect();
+        (out.into_iter().map(|x| x.1).collect(), frames)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::Explanation;
 use crate::algebra::{Monomial, Poly, Rational, Symbol};
-use crate::planner::{Collected, Part, Step};
+use crate::planner::{Collected, Part, Scalar, Step, StepKind};
 use crate::render::formula::expression::{Expression, Summand, Trig};
 use crate::render::formula::math::{Math, Sign};
 
@@ -24,8 +24,35 @@ pub(super) fn rows(explanation: &Explanation<'_>, step: &Step) -> Vec<Row> {
     step.collected.iter().map(|c| row(explanation, step, c)).collect()
 }
 
-/// The step without equations whose left sides are those of others: of two the one stays that needs fewer known poses.
+/// The step without equations that a reader does not need: those whose left sides are those of others (of two the one stays that needs
+/// fewer known poses), and where directions alone give the angle, or positions alone, the others.
 pub(super) fn without_repeats(step: &Step) -> Step {
+    let mut out = without_twins(step);
+    let kinds = [true, false].map(|direction| -> Vec<usize> {
+        let fits = |i: &usize| matches!(out.equations[*i].scalar, Scalar::Rotation(..)) == direction;
+        (0..out.equations.len().min(out.collected.len())).filter(fits).collect()
+    });
+    let pair = step.kind == StepKind::AtanPair && kinds.iter().all(|k| !k.is_empty());
+    if let Some(list) = kinds.into_iter().find(|k| pair && decides(&out, k)) {
+        out.equations = list.iter().map(|i| out.equations[*i]).collect();
+        out.collected = list.iter().map(|i| out.collected[*i].clone()).collect();
+    }
+    out
+}
+
+/// Do these equations give both sine and cosine?
+fn decides(step: &Step, list: &[usize]) -> bool {
+    let coefficient = |i: usize, part: Part| step.collected[i].get(&vec![part]).cloned().unwrap_or_default();
+    list.iter().any(|i| {
+        list.iter().any(|j| {
+            let [a, b] = [Part::Cos(1), Part::Sin(1)].map(|p| coefficient(*i, p));
+            let [c, d] = [Part::Cos(1), Part::Sin(1)].map(|p| coefficient(*j, p));
+            &a * &d != &b * &c
+        })
+    })
+}
+
+fn without_twins(step: &Step) -> Step {
     let left = |c: &Collected| -> Collected {
         let mut c = c.clone();
         c.retain(|k, _| k.iter().any(|x| *x != Part::One));

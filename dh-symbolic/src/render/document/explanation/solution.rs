@@ -12,8 +12,68 @@ use crate::render::formula::notation::Notation;
 const SHORT: usize = 14;
 /// A sum in a product gets a name sooner.
 const SHORT_SUM: usize = 5;
-/// Without M, the matrix of the singular configurations, and P, a position.
-const LETTERS: [char; 6] = ['K', 'L', 'N', 'Q', 'S', 'C'];
+/// Without M, the matrix of the singular configurations, P, a position, the letters of poses, and C and S, cosine and sine.
+pub(super) const LETTERS: [char; 7] = ['K', 'L', 'Q', 'X', 'Y', 'Z', 'D'];
+
+/// A formula over another one.
+#[derive(Clone)]
+pub(crate) struct Quotient {
+    /// Above the bar.
+    pub(crate) top: Poly,
+    /// Below it.
+    pub(crate) below: Poly,
+}
+
+impl Quotient {
+    fn new(top: &Poly, below: &Poly) -> Quotient {
+        Quotient { top: top.clone(), below: below.clone() }
+    }
+}
+
+/// The values of the unknown, as formulas of what is known.
+#[derive(Clone, Default)]
+pub(crate) enum Roots {
+    /// No formula is printed.
+    #[default]
+    Unprinted,
+    /// A length.
+    Linear(Quotient),
+    /// a d^2 + b d = k.
+    Quadratic(Poly, Poly, Quotient),
+    /// a cos u + b sin u = k.
+    SinCos(Poly, Poly, Quotient),
+    /// a cos u + b sin u = 0.
+    HalfTurn(Poly, Poly),
+    /// The angle of (cosine, sine).
+    Pair(Quotient, Quotient),
+}
+
+impl Roots {
+    /// The values, smallest sign first as they are printed; `at` evaluates a formula.
+    pub(crate) fn values(&self, at: &dyn Fn(&Poly) -> f64) -> Vec<f64> {
+        let over = |q: &Quotient| at(&q.top) / at(&q.below);
+        let list = match self {
+            Roots::Unprinted => Vec::new(),
+            Roots::Linear(q) => vec![over(q)],
+            Roots::Quadratic(a, b, k) => {
+                let (a, b, k) = (at(a), at(b), over(k));
+                let root = (b * b + 4.0 * a * k).sqrt();
+                vec![(root - b) / (2.0 * a), (-root - b) / (2.0 * a)]
+            }
+            Roots::SinCos(a, b, k) => {
+                let (a, b, k) = (at(a), at(b), over(k));
+                let (middle, apart) = (b.atan2(a), (a * a + b * b - k * k).sqrt().atan2(k));
+                vec![middle + apart, middle - apart]
+            }
+            Roots::HalfTurn(a, b) => {
+                let (a, b) = (at(a), at(b));
+                vec![(-a).atan2(b), a.atan2(-b)]
+            }
+            Roots::Pair(c, s) => vec![over(s).atan2(over(c))],
+        };
+        list.into_iter().filter(|x| x.is_finite()).collect()
+    }
+}
 
 /// How a step is solved.
 #[derive(Default)]
@@ -22,6 +82,10 @@ pub(crate) struct Solution {
     pub(crate) right: Option<Math>,
     /// Names for long coefficients.
     pub(crate) abbreviations: Vec<(Math, Math)>,
+    /// The same and the name of the right side, as formulas.
+    pub(crate) letters: Vec<(Math, Quotient)>,
+    /// The values of the unknown.
+    pub(crate) roots: Roots,
     /// The unknown.
     pub(crate) formulas: Vec<(Math, Math)>,
     /// Does another equation give the unknown in the same way where this one vanishes?
@@ -30,6 +94,8 @@ pub(crate) struct Solution {
     pub(crate) radicand: Option<Math>,
     /// What must not vanish all at once: where it does, the unknown is free.
     pub(crate) degenerate: Vec<Math>,
+    /// The same as formulas.
+    pub(crate) coefficients: Vec<Poly>,
 }
 
 pub(super) fn solution(explanation: &Explanation<'_>, number: usize, step: &Step, rows: &[Row]) -> Solution {
@@ -85,11 +151,24 @@ impl Writer<'_, '_> {
         self.notation.typeset(&self.explanation.order.group(p))
     }
 
+    /// The letter of the k-th intermediate result, with the step's number.
+    fn name(&self, k: usize) -> Math {
+        let letters = &self.explanation.letters;
+        let letter = letters.get(k % letters.len().max(1)).copied().unwrap_or('K');
+        let round = k / letters.len().max(1);
+        let index = Math::number(self.number);
+        Math::Letter(letter).below(match round {
+            0 => index,
+            n => Math::Row(vec![index, Math::Sign(Sign::Comma), Math::number(n)]),
+        })
+    }
+
     /// The next letter, with the step's number.
-    fn letter(&mut self, right: &Math) -> Math {
+    fn letter(&mut self, right: &Math, value: Quotient) -> Math {
         let used = self.out.abbreviations.len() + usize::from(self.out.right.is_some());
-        let name = Math::Letter(LETTERS[used % LETTERS.len()]).below(Math::number(self.number));
+        let name = self.name(used);
         self.out.abbreviations.push((name.clone(), right.clone()));
+        self.out.letters.push((name.clone(), value));
         name
     }
 
@@ -99,8 +178,9 @@ impl Writer<'_, '_> {
         if m.glyphs() <= SHORT {
             return m;
         }
-        let name = Math::Letter(LETTERS[0]).below(Math::number(self.number));
+        let name = self.name(0);
         self.out.right = Some(name.clone());
+        self.out.letters.push((name.clone(), Quotient::new(&row.right, &row.divisor)));
         name
     }
 
@@ -120,7 +200,7 @@ impl Writer<'_, '_> {
         );
         let positive = if leading_minus { negative } else { p.clone() };
         let right = self.typeset(&positive);
-        let name = self.letter(&right);
+        let name = self.letter(&right, Quotient::new(&positive, &Poly::one()));
         let symbol = self.ring.symbol(&format!("letter {}", self.names.len()));
         self.notation.set_symbol(symbol, name);
         let letter = Poly::symbol(symbol);
@@ -141,10 +221,12 @@ impl Writer<'_, '_> {
             if negative { self.explanation.typeset(&-*p) } else { self.explanation.notation.typeset(&group) }
         });
         self.out.degenerate = shown.collect();
+        self.out.coefficients = list.iter().filter(|p| !p.is_zero()).map(|p| (*p).clone()).collect();
     }
 
     fn linear(&mut self, unknown: Math, row: &Row) {
         let a = row.coefficient(Part::Power(1));
+        self.out.roots = Roots::Linear(Quotient::new(&row.right, &(&a * &row.divisor)));
         let value = match a.as_rational() {
             Some(x) if x.is_one() => row.known_side(self.explanation),
             Some(x) if (-&x).is_one() && row.divisor.is_one() => self.typeset(&-&row.right),
@@ -157,6 +239,7 @@ impl Writer<'_, '_> {
     /// a d^2 + b d = k.
     fn quadratic(&mut self, unknown: Math, row: &Row) {
         let (a, b) = (row.coefficient(Part::Power(2)), row.coefficient(Part::Power(1)));
+        self.out.roots = Roots::Quadratic(a.clone(), b.clone(), Quotient::new(&row.right, &row.divisor));
         let k = self.right(row);
         let (a, b) = (self.named(&a), self.named(&b));
         let monic = a.is_one();
@@ -181,6 +264,7 @@ impl Writer<'_, '_> {
     /// a cos + b sin = 0.
     fn half_turn(&mut self, unknown: Math, row: &Row, more: &[Row]) {
         let (a, b) = (row.coefficient(Part::Cos(1)), row.coefficient(Part::Sin(1)));
+        self.out.roots = Roots::HalfTurn(a.clone(), b.clone());
         let (x, y) = (self.short(&a), self.short(&b));
         let right = Math::Row(vec![
             atan2(self.typeset(&-&x), self.typeset(&y)),
@@ -203,6 +287,7 @@ impl Writer<'_, '_> {
     /// a cos + b sin = k.
     fn sin_cos(&mut self, unknown: Math, row: &Row) {
         let (a, b) = (row.coefficient(Part::Cos(1)), row.coefficient(Part::Sin(1)));
+        self.out.roots = Roots::SinCos(a.clone(), b.clone(), Quotient::new(&row.right, &row.divisor));
         let k = self.right(row);
         if b.is_zero() || a.is_zero() {
             // one of them alone: the unit circle gives the other
@@ -212,7 +297,7 @@ impl Writer<'_, '_> {
                 Some(x) if (-&x).is_one() => Math::Row(vec![sign(Sign::Negative), wrapped(k)]),
                 _ => {
                     let quotient = over(k, self.typeset(p));
-                    self.letter(&quotient)
+                    self.letter(&quotient, Quotient::new(&row.right, &(&row.divisor * p)))
                 }
             };
             let other = Math::Row(vec![Math::number(1), sign(Sign::Minus), square(k.clone())]);
@@ -245,8 +330,10 @@ impl Writer<'_, '_> {
         let dot = |list: &[[Poly; 3]], i: usize, j: usize| -> Poly { list.iter().map(|p| &p[i] * &p[j]).sum() };
         let (cc, cs, ss) = (dot(&parts, 0, 0), dot(&parts, 0, 1), dot(&parts, 1, 1));
         let orthogonal = cs.is_zero() && !cc.is_zero() && !ss.is_zero() && !divided;
-        let mut letters = |p: &[Poly; 3]| -> [Poly; 3] { std::array::from_fn(|i| self.named(&p[i])) };
         if orthogonal {
+            self.out.roots =
+                Roots::Pair(Quotient::new(&dot(&parts, 0, 2), &cc), Quotient::new(&dot(&parts, 1, 2), &ss));
+            let mut letters = |p: &[Poly; 3]| -> [Poly; 3] { std::array::from_fn(|i| self.named(&p[i])) };
             let single = |p: &[Poly; 3]| p[0].as_rational().is_some() && p[1].as_rational().is_some();
             let named: Vec<[Poly; 3]> = parts.iter().map(|p| if single(p) { p.clone() } else { letters(p) }).collect();
             let (s, c) = (dot(&named, 1, 2), dot(&named, 0, 2));
@@ -272,6 +359,19 @@ impl Writer<'_, '_> {
             return;
         }
         // Cramer's rule on the first two.
+        let cramer = |p: [&Poly; 4]| &(p[0] * p[1]) - &(p[2] * p[3]);
+        if let [[a, b, k], [e, f, l], ..] = parts.as_slice() {
+            let (dk, dl) = (&first.divisor, &second.divisor);
+            let (k, l) = (&(k * dl), &(l * dk));
+            let determinant = cramer([a, f, b, e]);
+            let below = &determinant * &(dk * dl);
+            if determinant.as_rational().is_none() {
+                self.out.coefficients = vec![determinant];
+            }
+            let (c, s) = (cramer([f, k, b, l]), cramer([a, l, e, k]));
+            self.out.roots = Roots::Pair(Quotient::new(&c, &below), Quotient::new(&s, &below));
+        }
+        let mut letters = |p: &[Poly; 3]| -> [Poly; 3] { std::array::from_fn(|i| self.named(&p[i])) };
         let [a, b, k] =
             letters(&[first.coefficient(Part::Cos(1)), first.coefficient(Part::Sin(1)), first.right.clone()]);
         let [e, f, l] =

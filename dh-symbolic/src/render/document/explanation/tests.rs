@@ -3,8 +3,10 @@
 use super::Explanation;
 use crate::algebra::{Point, Poly, Transform};
 use crate::chain::samples::*;
-use crate::chain::{Chain, Coordinate, Handle};
+use crate::chain::{Chain, Coordinate, Elementary, Handle};
+use crate::kinematics::Kinematics;
 use crate::planner::{Plan, search};
+use crate::render::document::frames::Frame;
 use crate::render::formula::expression::Expression;
 use crate::render::formula::math::{Math, Sign};
 use crate::render::formula::notation::{Notation, trigs};
@@ -137,9 +139,26 @@ impl World<'_> {
         })
     }
 
-    /// M(a, b) in numbers.
-    fn between(&self, a: usize, b: usize) -> Transform {
-        self.plan.axes.between(a, b).clone()
+    /// A frame seen from frame 0: a product of rows of the table, and what the document says of frames with primes.
+    fn seen(&self, explanation: &Explanation<'_>, frame: Frame) -> Transform {
+        let rows = Kinematics::new(self.chain);
+        let product = |list: &[Elementary]| list.iter().fold(Transform::identity(), |t, e| t.times(&e.transform()));
+        let row = |i: usize| if i == 0 { Transform::identity() } else { rows.transform(0, i).unwrap() };
+        match frame {
+            Frame::Row(i) => row(i),
+            Frame::Base => product(&self.chain.base).inverse(),
+            Frame::Tool => row(self.chain.links.len()).times(&product(&self.chain.tool)),
+            primed => {
+                let all = explanation.definitions();
+                let d = all.iter().find(|d| d.from == primed || d.to == primed).expect("a definition");
+                let motion = product(&d.factors);
+                if d.to == primed {
+                    self.seen(explanation, d.from).times(&motion)
+                } else {
+                    self.seen(explanation, d.to).times(&motion.inverse())
+                }
+            }
+        }
     }
 
     fn values(&self, explanation: &Explanation<'_>) -> Values {
@@ -161,8 +180,10 @@ impl World<'_> {
         for w in trigs(&all) {
             v.insert(text::math(&n.trig(&w)), self.number(&Poly::harmonic(&w.angles, w.sine)));
         }
-        for pose in &self.plan.knowledge.poses {
-            let t = self.between(pose.left, pose.right);
+        for pose in &explanation.poses {
+            // The frames as the document names them, by products of rows of the table alone.
+            let t = self.seen(explanation, pose.left).inverse().times(&self.seen(explanation, pose.right));
+            let pose = &self.plan.knowledge.poses[pose.index];
             for i in 0..3 {
                 for j in 0..3 {
                     v.insert(text::math(&n.symbol(pose.r[i][j])), self.number(&t.r[i][j]));
@@ -183,7 +204,8 @@ fn check(name: &str, table: &str) {
         let x = (0..plan.axes.count()).map(|k| ((1 + k) as f64 * 1.7 * f64::from(seed)).sin() * 1.4).collect();
         let world = World { chain: &chain, plan: &plan, x };
         let mut v = world.values(&explanation);
-        for (step, explained) in plan.steps.iter().zip(&explanation.steps) {
+        for explained in &explanation.steps {
+            let step = &plan.steps[explained.index];
             let close = |a: f64, b: f64| (a - b).abs() < 1e-9 * (1.0 + a.abs());
             for (left, right) in explained.new_extras.iter() {
                 let value = evaluate(right, &v);

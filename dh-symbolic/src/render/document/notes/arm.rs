@@ -1,12 +1,13 @@
 //! The arm of an example in numbers: its pose, its solutions, ranges and distances.
 
 use super::given;
-use crate::algebra::{Point, Poly, Rational, Transform};
-use crate::chain::{AngleCell, Chain, Coordinate, Handle, Quantity, Role, Task, Value};
+use crate::algebra::{Point, Poly, Rational, Symbol, Transform};
+use crate::chain::{AngleCell, Chain, Coordinate, Elementary, Handle, Quantity, Role, Task, Value};
 use crate::kinematics::Kinematics;
-use crate::program::{Inverse, Shortfall};
-use dh_kernels::pose::Pose;
+use crate::program::{Inverse, Naming, Shortfall};
+use dh_kernels::pose::{self, Pose};
 use std::f64::consts::TAU;
+use std::rc::Rc;
 
 /// Degrees of the example's joints, one after the other; awkward enough to be in general position.
 const DEGREES: [i64; 8] = [20, -35, 50, 40, -60, 75, 30, -25];
@@ -19,7 +20,7 @@ pub(super) fn generic_degrees(k: usize) -> f64 {
 /// The arm in numbers.
 pub(super) struct Arm {
     pub(super) chain: Chain,
-    pub(super) inverse: Inverse,
+    pub(super) inverse: Rc<Inverse>,
     pose: Transform,
 }
 
@@ -28,6 +29,8 @@ pub(super) struct Found {
     pub(super) q: Vec<f64>,
     pub(super) in_range: bool,
     pub(super) free: bool,
+    /// Which root each step took.
+    pub(super) branch: Vec<usize>,
 }
 
 /// Why a pose has no solution.
@@ -41,11 +44,24 @@ pub(super) enum Missed {
 }
 
 impl Arm {
-    pub(super) fn new(chain: &Chain) -> Option<Arm> {
+    /// The arm with its nominal values, solved along the plan that the steps tell.
+    pub(super) fn new(chain: &Chain, inverse: Rc<Inverse>) -> Arm {
         let chain = concrete(chain);
-        let inverse = Inverse::of(&chain).ok()?;
         let pose = Kinematics::new(&chain).pose();
-        Some(Arm { chain, inverse, pose })
+        Arm { chain, inverse, pose }
+    }
+
+    /// What the roots of a step are called, and the step.
+    pub(super) fn naming(&self, step: usize) -> Option<(usize, Naming)> {
+        self.namings().into_iter().find(|n| n.0 == step)
+    }
+
+    /// The steps whose roots have names, in the order of shoulder, elbow, wrist.
+    pub(super) fn namings(&self) -> Vec<(usize, Naming)> {
+        let choices = self.inverse.body.result().map_or(&[][..], |r| &r.branch);
+        let mut list: Vec<(usize, Naming)> = choices.iter().filter_map(|c| Some((c.step, c.name?))).collect();
+        list.sort_by_key(|(_, n)| n.indicator as u8);
+        list
     }
 
     pub(super) fn dof(&self) -> usize {
@@ -101,11 +117,37 @@ impl Arm {
 
     /// A formula at joint coordinates.
     fn evaluate(&self, p: &Poly, x: &[f64]) -> f64 {
-        let joint = |c: Coordinate| self.chain.joints.iter().position(|j| j.coordinate == c).and_then(|k| x.get(k));
+        self.evaluate_with(p, x, &|_| None)
+    }
+
+    /// The same, where some symbols have values of their own.
+    pub(super) fn evaluate_with(&self, p: &Poly, x: &[f64], known: &dyn Fn(Symbol) -> Option<f64>) -> f64 {
         p.evaluate(&Point {
-            symbol: &|s| joint(Coordinate::Length(s)).copied().unwrap_or_else(|| self.chain.nominal(Handle::Length(s))),
-            angle: &|v| joint(Coordinate::Angle(v)).copied().unwrap_or_else(|| self.chain.nominal(Handle::Angle(v))),
+            symbol: &|s| known(s).unwrap_or_else(|| self.value(Handle::Length(s), Coordinate::Length(s), x)),
+            angle: &|v| self.value(Handle::Angle(v), Coordinate::Angle(v), x),
         })
+    }
+
+    /// A joint coordinate or a parameter.
+    fn value(&self, handle: Handle, coordinate: Coordinate, x: &[f64]) -> f64 {
+        let joint = self.chain.joints.iter().position(|j| j.coordinate == coordinate).and_then(|k| x.get(k));
+        joint.copied().unwrap_or_else(|| self.chain.nominal(handle))
+    }
+
+    /// An elementary motion at joint coordinates.
+    pub(super) fn motion(&self, motion: &Elementary, x: &[f64]) -> Pose {
+        match motion {
+            Elementary::Translate(axis, length) => {
+                let mut t = pose::IDENTITY;
+                t[axis % 3][3] = self.evaluate(length, x);
+                t
+            }
+            Elementary::Rotate(axis, angle) => {
+                let value = |v| self.value(Handle::Angle(v), Coordinate::Angle(v), x);
+                let moving: f64 = angle.terms.iter().map(|(v, k)| f64::from(*k) * value(*v)).sum();
+                given::turn(*axis, moving + angle.constant.radians())
+            }
+        }
     }
 
     pub(super) fn numbers(&self, t: &Transform, x: &[f64]) -> Pose {
@@ -212,7 +254,7 @@ impl Arm {
             if error < 1e-6 * (1.0 + reach) && !known {
                 worst = worst.max(error);
                 let in_range = (0..self.dof()).all(|k| self.contains(k, q[k]));
-                found.push(Found { q, in_range, free: !candidate.free.is_empty() });
+                found.push(Found { q, in_range, free: !candidate.free.is_empty(), branch: candidate.branch });
             }
         }
         found.sort_by(|a, b| {

@@ -50,7 +50,8 @@ impl Writer<'_> {
         if !self.chain.ik || self.chain.dof() == 0 {
             return;
         }
-        let Some(arm) = Arm::new(self.chain) else { return };
+        let Ok(inverse) = &*self.solved() else { return };
+        let arm = Arm::new(self.chain, inverse.clone());
         let fill = |given: &[Option<f64>], other: Vec<f64>| -> Vec<f64> {
             other.into_iter().enumerate().map(|(k, x)| given.get(k).copied().flatten().unwrap_or(x)).collect()
         };
@@ -82,11 +83,17 @@ impl Writer<'_> {
                 self.goal(&arm, &goal, None);
             }
         }
-        self.without_constants(&arm, &goal);
+        self.inner(&arm, &goal);
         self.solutions(&arm, &found, worst, &missed);
         let list: Vec<Vec<f64>> = found.iter().map(|f| arm.coordinates(&f.q)).collect();
         self.postures(&Kinematics::new(self.chain), &list);
         self.tree(&arm, &found);
+        let goal = if start.pose.is_some() { &near } else { &q };
+        let distance = |f: &Found| arm.distance(&f.q, goal);
+        let chosen = (0..found.len()).min_by(|a, b| distance(&found[*a]).total_cmp(&distance(&found[*b])));
+        let chosen = chosen.unwrap_or(0);
+        let apart = found.get(chosen).map_or(0.0, |f| if start.pose.is_some() { 1.0 } else { arm.distance(&f.q, &q) });
+        self.in_numbers(&arm, &found, (chosen, apart));
         self.choice(&arm, &found, &near);
     }
 
@@ -118,23 +125,29 @@ impl Writer<'_> {
 
     /// A value of a step.
     pub(super) fn plain_value(&self, arm: &Arm, x: f64, turns: bool) -> Math {
-        if turns { self.notation.decimal_angle(x, 2) } else { decimal(x, self.places(arm)) }
+        if turns { self.notation.decimal_angle(x, self.angle_places()) } else { decimal(x, self.places(arm)) }
     }
 
     fn number_of(&self, arm: &Arm, k: usize, x: f64, places: usize) -> Math {
         if arm.turns(k) { self.notation.decimal_angle(x, places) } else { entry(x, self.places(arm)) }
     }
 
-    fn value_of(&self, arm: &Arm, k: usize, x: f64, places: usize) -> Math {
+    pub(super) fn value_of(&self, arm: &Arm, k: usize, x: f64, places: usize) -> Math {
         // Whole degrees without decimals.
         let whole = (x.to_degrees() - x.to_degrees().round()).abs() < 1e-9;
-        let places = if whole { places } else { places.max(2) };
+        let places = if whole { places } else { places.max(self.angle_places()) };
         Math::equation(self.variable(arm, k), self.number_of(arm, k, x, places))
+    }
+
+    /// Places of angles in degrees.
+    fn angle_places(&self) -> usize {
+        self.options.digits.saturating_sub(2)
     }
 
     /// Places of lengths, from the size of the arm.
     fn places(&self, arm: &Arm) -> usize {
-        (4.0 - arm.inverse.plan.axes.reach.log10().floor()).clamp(0.0, 6.0) as usize
+        let digits = self.options.digits as f64;
+        (digits - arm.inverse.plan.axes.reach.log10().floor()).clamp(0.0, digits + 2.0) as usize
     }
 
     /// The pose, as far as the task asks for it.
@@ -149,11 +162,11 @@ impl Writer<'_> {
             Task::Pose => return,
             Task::Position => (Phrase::ExamplePosition, vec![named('p', vector(p))]),
             Task::Axis => {
-                let z = goal.iter().map(|r| decimal(r[2], 4)).collect();
+                let z = goal.iter().map(|r| decimal(r[2], self.options.digits)).collect();
                 (Phrase::ExampleAxis, vec![named('p', vector(p)), named('z', vector(z))])
             }
             Task::Planar => {
-                let phi = self.notation.decimal_angle(goal[1][0].atan2(goal[0][0]), 2);
+                let phi = self.notation.decimal_angle(goal[1][0].atan2(goal[0][0]), self.angle_places());
                 let names = ['x', 'y'].into_iter().zip(p).map(|(n, v)| named(n, v));
                 (Phrase::ExamplePlanar, names.chain([named('φ', phi)]).collect())
             }
@@ -165,7 +178,10 @@ impl Writer<'_> {
 
     fn numbers(&self, t: &Pose, length: usize) -> Math {
         let row = |r: &[f64; 4]| {
-            r.iter().enumerate().map(|(j, x)| entry(*x, if j == 3 { length } else { 4 })).collect::<Vec<Math>>()
+            r.iter()
+                .enumerate()
+                .map(|(j, x)| entry(*x, if j == 3 { length } else { self.options.digits }))
+                .collect::<Vec<Math>>()
         };
         let mut rows: Vec<Vec<Math>> = t.iter().map(row).collect();
         rows.push(["0", "0", "0", "1"].map(Math::number).to_vec());
@@ -199,31 +215,18 @@ impl Writer<'_> {
     }
 
     /// The pose between the first and the last frame, where base or tool is more than that.
-    fn without_constants(&mut self, arm: &Arm, goal: &Pose) {
-        let (base, tool) = (!self.chain.base.is_empty(), !self.chain.tool.is_empty());
-        if self.chain.task != Task::Pose || !(base || tool) {
+    fn inner(&mut self, arm: &Arm, goal: &Pose) {
+        if self.chain.task != Task::Pose || (self.chain.base.is_empty() && self.chain.tool.is_empty()) {
             return;
         }
         let k = Kinematics::new(&arm.chain);
         let constant = |t: &Transform| arm.numbers(t, &[]);
         let inner = pose::compose(&pose::inverse(&constant(k.base())), goal);
         let inner = pose::compose(&inner, &pose::inverse(&constant(k.tool())));
-        let n = self.chain.links.len();
-        let inverse = |m: Math| m.above(Math::Row(vec![Math::Sign(Sign::Negative), Math::number(1)]));
-        let mut product = vec![Math::Letter('G')];
-        if base {
-            product.insert(0, inverse(self.notation.transform(Frame::Base, Frame::Row(0))));
-        }
-        if tool {
-            product.push(inverse(self.notation.transform(Frame::Row(n), Frame::Tool)));
-        }
-        self.say(Phrase::ExampleInner, vec![]);
+        self.say(Phrase::WithoutBaseAndTool, vec![]);
         let matrix = self.numbers(&inner, self.places(arm));
-        self.display_product(
-            self.notation.transform(Frame::Row(0), Frame::Row(n)),
-            Some(super::side_by_side(product)),
-            matrix,
-        );
+        let n = self.chain.links.len();
+        self.display_product(self.notation.transform(Frame::Row(0), Frame::Row(n)), None, matrix);
     }
 
     fn solutions(&mut self, arm: &Arm, found: &[Found], worst: f64, missed: &Missed) {
@@ -240,12 +243,21 @@ impl Writer<'_> {
         let ranges = (0..arm.dof()).any(|k| arm.range(k).is_some());
         let mut header = vec![Text::default()];
         header.extend((0..arm.dof()).map(|k| Text::from(self.variable(arm, k))));
+        let branches = found.len() > 1 && !arm.namings().is_empty();
+        if branches {
+            header.push(self.words(Phrase::Configuration).into());
+        }
         if ranges {
             header.push(self.words(Phrase::InRange).into());
         }
         let row = |(i, f): (usize, &Found)| {
             let mut row = vec![Text(vec![Span::Plain((i + 1).to_string())])];
-            row.extend(f.q.iter().enumerate().map(|(k, x)| Text::from(self.number_of(arm, k, *x, 2))));
+            row.extend(
+                f.q.iter().enumerate().map(|(k, x)| Text::from(self.number_of(arm, k, *x, self.angle_places()))),
+            );
+            if branches {
+                row.push(self.branch(arm, &f.branch).into());
+            }
             if ranges {
                 row.push(self.words(if f.in_range { Phrase::Yes } else { Phrase::No }).into());
             }

@@ -75,6 +75,7 @@ impl Writer<'_> {
 
     pub(super) fn forward(&mut self, kinematics: &Kinematics) {
         let n = kinematics.len();
+        let (base, tool) = (!self.chain.base.is_empty(), !self.chain.tool.is_empty());
         self.heading(1, Phrase::Forward);
         let list = if self.options.products.is_empty() { steps(self.chain) } else { asked(n, &self.options.products) };
         if list.len() > 1 && self.options.products.is_empty() {
@@ -91,10 +92,11 @@ impl Writer<'_> {
             let Some(t) = kinematics.transform(s.from, s.to) else { continue };
             let ends: Vec<usize> = std::iter::once(s.from).chain(s.middle).chain([s.to]).collect();
             let product = ends.windows(2).map(|w| self.link_name(w[0], w[1])).collect();
-            let prefix = (s.from > 0 || s.to < n).then_some((s.from, (s.to < n).then_some(s.to)));
+            // r and p without indices are those of the pose that the task is about.
+            let inner = base || tool;
+            let prefix = (s.from > 0 || s.to < n || inner).then_some((s.from, (s.to < n).then_some(s.to)));
             last = self.product(self.link_name(s.from, s.to), side_by_side(product), &t, prefix);
         }
-        let (base, tool) = (!self.chain.base.is_empty(), !self.chain.tool.is_empty());
         if base || tool {
             self.say(Phrase::BaseAndTool, vec![]);
             let mut product = Vec::new();

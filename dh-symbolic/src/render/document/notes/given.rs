@@ -61,12 +61,17 @@ pub(super) fn matrix(motion: &MotionSpec) -> [[f64; 4]; 3] {
     let mut t = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
     match motion {
         MotionSpec::Translate(axis, x) => t[axis % 3][3] = length(x),
-        MotionSpec::Rotate(axis, angle) => {
-            let (s, c) = angle.radians().sin_cos();
-            let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
-            (t[j][j], t[k][k], t[j][k], t[k][j]) = (c, c, -s, s);
-        }
+        MotionSpec::Rotate(axis, angle) => t = turn(*axis, angle.radians()),
     }
+    t
+}
+
+/// A rotation about a coordinate axis.
+pub(super) fn turn(axis: usize, angle: f64) -> [[f64; 4]; 3] {
+    let mut t = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+    let (s, c) = angle.sin_cos();
+    let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+    (t[j][j], t[k][k], t[j][k], t[k][j]) = (c, c, -s, s);
     t
 }
 

@@ -1,10 +1,10 @@
 //! The derivation of the inverse kinematics, step by step along the plan that the code follows.
 
-use super::{Block, Equation, Math, Phrase, Sign, Span, Text, Writer};
-use crate::algebra::Transform;
-use crate::chain::Task;
+use super::arm::Arm;
+use super::degenerate;
+use super::{Block, Equation, Math, Phrase, Sign, Span, Text, Writer, side_by_side};
+use crate::chain::{Elementary, Task};
 use crate::planner::Slot;
-use crate::program::Inverse;
 use crate::render::document::explanation::{Explanation, Source, StepExplanation};
 use crate::render::document::frames::Frame;
 use crate::render::{Language, refusal};
@@ -15,16 +15,28 @@ impl Writer<'_> {
             return;
         }
         self.heading(1, Phrase::Inverse);
-        let plan = match Inverse::of(self.chain) {
-            Ok(inverse) => inverse.plan,
+        let solved = self.solved();
+        let inverse = match &*solved {
+            Ok(inverse) => inverse,
             Err(refusal) => {
                 self.say(Phrase::NoInverse, vec![]);
-                let reasons = refusal::remarks(self.chain, &refusal, self.options.language);
+                let reasons = refusal::remarks(self.chain, refusal, self.options.language);
                 self.blocks.push(Block::List(reasons.iter().map(|r| Text::with_code(&r.sentences())).collect()));
                 return;
             }
         };
-        let explanation = Explanation::new(self.chain, &plan, &self.notation);
+        let plan = &inverse.plan;
+        let arm = Arm::new(self.chain, inverse.clone());
+        let mut explanation = Explanation::new(self.chain, plan, &self.notation);
+        // A remark about poses where an unknown is free needs such a pose.
+        let true_remarks: Vec<bool> = explanation
+            .steps
+            .iter()
+            .map(|s| !s.solution.degenerate.is_empty() && degenerate::is_free(&arm, &explanation, s))
+            .collect();
+        for (step, stays) in explanation.steps.iter_mut().zip(true_remarks) {
+            step.solution.degenerate.retain(|_| stays);
+        }
         self.wanted(&explanation);
         for (i, step) in explanation.steps.iter().enumerate() {
             self.step(&explanation, i + 1, step);
@@ -44,33 +56,12 @@ impl Writer<'_> {
     /// What is given, and in which frames.
     fn wanted(&mut self, explanation: &Explanation<'_>) {
         let axes = &explanation.plan.axes;
-        let (start, end) = (&axes.start, &axes.end);
-        let whole = explanation.between(0, axes.hops.len());
-        let mut product = Vec::new();
-        let minus_one = || Math::Row(vec![Math::Sign(Sign::Negative), Math::number(1)]);
         let goal = Math::Letter('G');
-        let mut shown: Vec<(Math, &Transform)> = Vec::new();
-        if *start != Transform::identity() {
-            let name = Math::Letter('B');
-            product.extend([name.clone().above(minus_one()), Math::Sign(Sign::Thin)]);
-            shown.push((name, start));
-        }
-        product.push(goal);
-        if *end != Transform::identity() {
-            let name = Math::Letter('E');
-            product.extend([Math::Sign(Sign::Thin), name.clone().above(minus_one())]);
-            shown.push((name, end));
-        }
         let r = Math::Letter('r').below(Math::Row(vec![Math::Letter('i'), Math::Letter('j')]));
-        self.say(Phrase::Wanted, vec![Math::equation(whole, Math::Row(product)), r, Math::Letter('p')]);
-        for (name, t) in shown {
-            self.transform(name, None, t, None);
-        }
-        if explanation.moved {
-            let from = if self.chain.base.is_empty() { Frame::Row(0) } else { Frame::Base };
-            let frames = [Frame::Primed(0), from].map(|f| self.notation.frame(f)).to_vec();
-            self.say(Phrase::StartIsMoved, [frames, vec![Math::Letter('B')]].concat());
-        }
+        let [from, to] = explanation.whole();
+        let given = Math::equation(self.notation.transform(from, to), goal.clone());
+        self.say(Phrase::Wanted, vec![given, r, Math::Letter('p')]);
+        self.without_constants(explanation.whole());
         let open = |k| vec![explanation.coordinate(k)];
         match self.chain.task {
             Task::Pose => {}
@@ -81,31 +72,63 @@ impl Writer<'_> {
             }
             Task::Planar => self.say(Phrase::TaskInPlane, vec![]),
         }
-        let i = || Math::Letter('i');
-        if self.chain.convention == crate::chain::Convention::Standard {
-            let before = Math::Row(vec![i(), Math::Sign(Sign::Minus), Math::number(1)]);
-            self.say(Phrase::FramesStandard, vec![i(), before, i()]);
-        }
-        let primed = explanation.primed();
-        if !primed.is_empty() {
-            let phrase = match self.chain.convention {
-                crate::chain::Convention::Standard => Phrase::PrimedStandard,
-                crate::chain::Convention::Modified => Phrase::PrimedModified,
-            };
-            self.say(phrase, vec![i().above(Math::Sign(Sign::Prime)), i()]);
-        }
-        match explanation.end {
-            Some(end @ Frame::Tool) => self.say(Phrase::EndIsTool, vec![self.notation.frame(end)]),
-            Some(end) => {
-                let own = self.notation.frame(Frame::Row(self.chain.links.len()));
-                self.say(Phrase::EndIsShifted, vec![self.notation.frame(end), own]);
-            }
-            None => {}
+        let definitions = explanation.definitions();
+        if !definitions.is_empty() {
+            self.say(Phrase::PrimedFrames, vec![]);
+            let list = definitions.into_iter().map(|d| {
+                let factors = d.factors.iter().map(|f| self.motion(explanation.notation(), f)).collect();
+                let left = self.notation.transform(d.from, d.to);
+                Equation { left, right: vec![side_by_side(factors)], number: None }
+            });
+            let list = list.collect();
+            self.blocks.push(Block::Equations(list));
         }
         let given: Vec<Math> = self.chain.chosen().iter().map(|(joint, _)| self.coordinate(*joint)).collect();
         if !given.is_empty() {
             self.say(Phrase::Given, vec![Math::list(&given)]);
         }
+    }
+
+    /// The transform of the table's frames in terms of the given pose, where there is a base or a tool.
+    fn without_constants(&mut self, [from, to]: [Frame; 2]) {
+        let n = Frame::Row(self.chain.links.len());
+        if [from, to] == [Frame::Row(0), n] {
+            return;
+        }
+        let inverse = |m: Math| m.above(Math::Row(vec![Math::Sign(Sign::Negative), Math::number(1)]));
+        let mut product = vec![Math::Letter('G')];
+        if from != Frame::Row(0) {
+            product.insert(0, inverse(self.notation.transform(from, Frame::Row(0))));
+        }
+        if to != n {
+            product.push(inverse(self.notation.transform(n, to)));
+        }
+        self.say(Phrase::WithoutBaseAndTool, vec![]);
+        self.display(self.notation.transform(Frame::Row(0), n), side_by_side(product));
+    }
+
+    /// R_z(theta1), D_x(a2).
+    fn motion(&self, notation: &crate::render::formula::notation::Notation, motion: &Elementary) -> Math {
+        let (letter, axis, argument) = match motion {
+            Elementary::Translate(axis, length) => ('D', axis, notation.typeset(&self.group(length))),
+            Elementary::Rotate(axis, angle) => {
+                let mut row = vec![notation.combination(&angle.terms)];
+                if !angle.constant.is_zero() {
+                    let (negative, m) = notation.exact_angle(angle.constant.factor());
+                    let sign = match (angle.terms.is_empty(), negative) {
+                        (true, true) => Some(Sign::Negative),
+                        (true, false) => None,
+                        (false, true) => Some(Sign::Minus),
+                        (false, false) => Some(Sign::Plus),
+                    };
+                    row.extend(sign.map(Math::Sign));
+                    row.push(m);
+                }
+                ('R', axis, Math::Row(row))
+            }
+        };
+        let name = Math::Letter(letter).below(Math::Letter(['x', 'y', 'z'][axis % 3]));
+        Math::Row(vec![name, argument.in_brackets()])
     }
 
     fn step(&mut self, explanation: &Explanation<'_>, number: usize, step: &StepExplanation) {
@@ -193,7 +216,12 @@ impl Writer<'_> {
                 self.blocks.push(Block::Paragraph(Text::fill(self.options.language.of(sentence), pieces)));
             }
             None => {
-                let solved = s.formulas.iter().all(|f| step.equations.contains(f));
+                // What the equations say already is not said again.
+                let same = |a: &(Math, Math), b: &(Math, Math)| {
+                    let flat = |m: &Math| m.clone().flatten();
+                    flat(&a.0) == flat(&b.0) && flat(&a.1) == flat(&b.1)
+                };
+                let solved = s.formulas.iter().all(|f| step.equations.iter().any(|e| same(e, f)));
                 if !solved {
                     self.say(Phrase::Hence, vec![]);
                     let all = s.abbreviations.iter().chain(&s.formulas);

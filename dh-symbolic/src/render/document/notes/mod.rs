@@ -4,12 +4,14 @@
 //! [`Order`] and [`Notation`]; nothing here knows a robot.
 
 mod arm;
+mod degenerate;
 mod example;
 mod figures;
 mod forward;
 mod given;
 mod inverse;
 mod jacobian;
+mod numbers;
 mod options;
 mod products;
 mod singular;
@@ -26,6 +28,8 @@ use super::{Block, Document, Equation, Span, Text};
 use crate::algebra::{Poly, Transform};
 use crate::chain::Chain;
 use crate::kinematics::Kinematics;
+use crate::planner::Refusal;
+use crate::program::Inverse;
 use crate::render::document::frames::Frame;
 use crate::render::formula::expression::{Expression, Trig};
 use crate::render::formula::grouping::Order;
@@ -33,6 +37,7 @@ use crate::render::formula::math::{Math, Sign};
 use crate::render::formula::notation::{Notation, trigs};
 use crate::render::formula::quantities::named_offsets;
 use example::Start;
+use std::rc::Rc;
 use words::Phrase;
 
 /// The notes of a robot: the parts that the options name. Example texts that cannot be read are passed over; ask
@@ -112,7 +117,12 @@ struct Writer<'a> {
     named: Vec<(Poly, Math)>,
     /// Number of the last numbered equation.
     number: usize,
+    /// The inverse or why there is none, once a part has asked for it.
+    solved: Option<Solved>,
 }
+
+/// An inverse that several parts use, or why there is none.
+type Solved = Rc<Result<Rc<Inverse>, Refusal>>;
 
 impl<'a> Writer<'a> {
     fn new(chain: &'a Chain, options: Options) -> Writer<'a> {
@@ -125,7 +135,14 @@ impl<'a> Writer<'a> {
             introduced: Vec::new(),
             named: Vec::new(),
             number: 0,
+            solved: None,
         }
+    }
+
+    /// The inverse, found once for all parts.
+    fn solved(&mut self) -> Solved {
+        let chain = self.chain;
+        self.solved.get_or_insert_with(|| Rc::new(Inverse::of(chain).map(Rc::new))).clone()
     }
 
     /// The transform between two frames of the table.

@@ -48,6 +48,8 @@ pub struct Options {
     pub language: Language,
     /// Glyphs that fit on a line: longer formulas are cut, wider matrices become lists of entries.
     pub width: usize,
+    /// Digits of the numbers of an example.
+    pub digits: usize,
     /// Products with more terms than this, written out, are left as products.
     pub terms: usize,
     /// Parts, in the order in which they are printed.
@@ -70,6 +72,7 @@ impl Default for Options {
         Options {
             language: Language::English,
             width: 64,
+            digits: 4,
             terms: 1500,
             parts: Part::ALL.iter().map(|p| p.1).collect(),
             style: Style::default(),
@@ -96,7 +99,7 @@ fn is_name(text: &str) -> bool {
 
 impl Options {
     /// Names of the options that [`Options::set`] takes.
-    pub const NAMES: [&'static str; 12] = [
+    pub const NAMES: [&'static str; 13] = [
         "--lang",
         "--parts",
         "--products",
@@ -109,6 +112,7 @@ impl Options {
         "--pose",
         "--near",
         "--width",
+        "--digits",
     ];
 
     /// What the command line of `dh notes` may say, for its help text.
@@ -123,6 +127,7 @@ impl Options {
   --pose \"tx(830mm) * rz(35deg)\"     its pose, instead of joint values
   --near \"q1 = 0, q2 = 90deg\"        which solution is closest to these
   --width 64                         glyphs on a line
+  --digits 4                         digits of the numbers of the worked example
 ";
 
     /// Takes an option of the command line; false where this is none of the notes'.
@@ -177,6 +182,10 @@ impl Options {
                 let width = value.parse().ok().filter(|w| (20..=400).contains(w));
                 self.width = width.ok_or_else(|| format!("`{name}` takes a number from 20 to 400, not `{value}`"))?;
             }
+            "--digits" => {
+                let digits = value.parse().ok().filter(|n| (3..=14).contains(n));
+                self.digits = digits.ok_or_else(|| format!("`{name}` takes a number from 3 to 14, not `{value}`"))?;
+            }
             _ => return Ok(false),
         }
         Ok(true)
@@ -216,6 +225,7 @@ mod tests {
             ("--joints", "q1"),
             ("--frames", "0="),
             ("--width", "3"),
+            ("--digits", "1"),
         ] {
             assert!(o.set(name, value).is_err(), "{name} {value}");
         }

@@ -1,6 +1,7 @@
 //! The solutions of the example as a tree: which value each step found after which.
 
 use super::arm::{Arm, Found};
+use super::numbers::combined;
 use super::{Block, Math, Phrase, Span, Text, Writer};
 use crate::planner::JointCombination;
 use crate::render::document::explanation::Explanation;
@@ -12,18 +13,15 @@ impl Writer<'_> {
     /// A table in the order of the steps; what equals the cell above, with all cells before it, is left empty.
     pub(super) fn tree(&mut self, arm: &Arm, found: &[Found]) {
         let real = |f: &JointCombination| f.iter().skip(arm.inverse.plan.axes.real).all(|k| *k == 0);
-        let forms: Vec<&JointCombination> = arm.inverse.plan.steps.iter().flat_map(|s| &s.unknown).collect();
-        let several = arm.inverse.plan.steps.iter().any(|s| s.roots > 1);
+        let explanation = Explanation::new(self.chain, &arm.inverse.plan, &self.notation);
+        let told = explanation.steps.iter().filter_map(|s| arm.inverse.plan.steps.get(s.index));
+        let forms: Vec<&JointCombination> = told.clone().flat_map(|s| &s.unknown).collect();
+        let several = told.clone().any(|s| s.roots > 1);
         if found.len() < 3 || !several || forms.len() < 2 || !forms.iter().all(|f| real(f)) {
             return;
         }
-        let explanation = Explanation::new(&arm.chain, &arm.inverse.plan, &self.notation);
         let names: Vec<Math> = explanation.steps.iter().flat_map(|s| s.unknown.iter().cloned()).collect();
-        let value = |form: &JointCombination, x: &[f64]| -> (f64, bool) {
-            let sum: f64 = form.iter().zip(x).map(|(k, x)| f64::from(*k) * x).sum();
-            let turns = form.iter().position(|k| *k != 0).is_some_and(|k| arm.turns(k));
-            (if turns { sum.sin().atan2(sum.cos()) } else { sum }, turns)
-        };
+        let value = |form: &JointCombination, x: &[f64]| combined(arm, form, x);
         let mut rows: Vec<(Vec<(f64, bool)>, usize)> = found
             .iter()
             .enumerate()

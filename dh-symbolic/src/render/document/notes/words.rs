@@ -60,13 +60,8 @@ phrases! {
     Inverse: "Inverse kinematics", "逆运动学";
     Wanted: "Given is the pose {}, with direction cosines {} and position {}; wanted are the joint variables. Every step uses elements of transforms between two frames of the arm, which are also known from the given pose and the joints found before.",
         "已知位姿 {}，其方向余弦为 {}，位置为 {}；求各关节变量。每一步使用机械臂两个坐标系之间变换的元素，它们也可由已知位姿和前面求出的关节得到。";
-    FramesStandard: "Frames of the inverse stand on the joint axes: frame {} is frame {} of the table after the motion of joint {}.",
-        "逆解中的坐标系位于关节轴上：坐标系 {} 是表中坐标系 {} 经关节 {} 运动后的坐标系。";
-    StartIsMoved: "Frame {} stands on the axis of joint 1: it is frame {} moved by {}.", "坐标系 {} 位于关节 1 的轴上：它由坐标系 {} 经 {} 移动得到。";
-    PrimedModified: "Frame {} is frame {} without its shift along the axis.", "坐标系 {} 是去掉沿轴平移后的坐标系 {}。";
-    PrimedStandard: "Frame {} is frame {} after its shift along the axis.", "坐标系 {} 是沿轴平移后的坐标系 {}。";
-    EndIsTool: "Frame {} is that of the tool.", "坐标系 {} 是工具坐标系。";
-    EndIsShifted: "Frame {} is frame {} after the shift of the tool along the axis.", "坐标系 {} 是坐标系 {} 沿轴平移工具长度后的坐标系。";
+    WithoutBaseAndTool: "Without base and tool this is", "去掉基座和工具，得";
+    PrimedFrames: "Frames with a prime stand beside frames of the table:", "带撇号的坐标系与表中坐标系之间的关系为：";
     TaskAxis: "Only the position and the direction of the last z axis are asked for. The turn {} about it is open: it counts as one more joint, whose value does not matter.",
         "只要求位置和最后 z 轴的方向。绕该轴的转角 {} 不限：把它看作多出的一个关节，其值无关紧要。";
     TaskPosition: "Only the position is asked for. Three turns about the tool's point are open: they count as further joints, whose values do not matter.",
@@ -106,7 +101,6 @@ phrases! {
     ExamplePosition: "Of this the task asks only for the position:", "任务只要求位置：";
     ExampleAxis: "Of this the task asks only for the position and the direction of the last z axis:", "任务只要求位置和最后 z 轴的方向：";
     ExamplePlanar: "Of this the task asks only for the place in the plane and the angle about z:", "任务只要求平面内的位置和绕 z 轴的角度：";
-    ExampleInner: "Without base and tool this is", "去掉基座和工具，得";
     ExampleNone: "No joint vector reaches it.", "没有关节变量能到达该位姿。";
     ExampleNotOnTask: "The arm has fewer joints than a pose has coordinates, and this pose is none of those that it can take.",
         "机械臂的关节少于位姿的坐标数，该位姿不在其可达的位姿之中。";
@@ -122,6 +116,19 @@ phrases! {
     ExampleNoneInRange: " None is in range.", "没有一组在范围内。";
     Tree: "The same as a tree, in the order of the steps; an empty cell repeats the one above:", "按求解步骤排成树；空格与上一行相同：";
     TreeSolution: "solution", "解";
+    InNumbersAt: "The solution that is closest to these joint values is {}.", "与这些关节变量最接近的解为 {}。";
+    InNumbers: "The steps in numbers:", "各步的数值：";
+    InNumbersOf: "The steps in numbers, on the way to solution {}:", "求第 {} 组解时各步的数值：";
+    OtherRoot: "the other root: {}", "另一个根：{}";
+    RemarkOpen: " (", "（";
+    RemarkClose: ")", "）";
+    Configuration: "configuration", "构型";
+    ShoulderLeft: "shoulder left", "左肩";
+    ShoulderRight: "shoulder right", "右肩";
+    ElbowUp: "elbow up", "上肘";
+    ElbowDown: "elbow down", "下肘";
+    WristNoFlip: "no flip", "腕不翻转";
+    WristFlip: "flip", "腕翻转";
     InRange: "in range", "范围内";
     Yes: "yes", "是";
     No: "no", "否";
