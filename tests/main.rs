@@ -1,5 +1,6 @@
 //! All integration tests in one binary, so that there is one link.
 
+mod adversary;
 mod agreement;
 mod arms;
 mod browser;

@@ -193,13 +193,23 @@ pub struct Edit {
 
 /// Checks a derivation.
 pub fn check(chain: &Chain, derivation: &Derivation) -> Report {
+    report(Evaluator::new(chain, &derivation.tokens), derivation)
+}
+
+/// The same without looking for the changes that make wrong lines right: for many lines of which only the verdicts matter.
+pub fn check_without_mends(chain: &Chain, derivation: &Derivation) -> Report {
     let mut e = Evaluator::new(chain, &derivation.tokens);
+    e.searched = usize::MAX;
+    report(e, derivation)
+}
+
+fn report<'a>(mut e: Evaluator<'a>, derivation: &'a Derivation) -> Report {
     let verdicts = derivation.lines.iter().map(|l| e.line(l)).collect();
     let group = |j: &Joint| match j.coordinate {
         Coordinate::Angle(v) => Some(v.group()),
         Coordinate::Length(_) => None,
     };
-    Report { ring: e.ring, groups: chain.joints.iter().filter_map(group).collect(), verdicts }
+    Report { ring: e.ring, groups: e.chain.joints.iter().filter_map(group).collect(), verdicts }
 }
 
 /// A square root in a formula: a symbol whose square is the radicand, and which is not negative.
