@@ -97,7 +97,7 @@ impl<R: InverseKinematics<N, T>, I, T: Real, const N: usize> Follow<'_, R, I, T,
         let mut far = (0, T::zero());
         for (joint, (a, b)) in self.q.iter().zip(q).enumerate() {
             let by = (*b - *a).abs();
-            if !(by <= far.1) {
+            if by > far.1 {
                 far = (joint, by);
             }
         }
@@ -107,7 +107,7 @@ impl<R: InverseKinematics<N, T>, I, T: Real, const N: usize> Follow<'_, R, I, T,
         };
         match (0..N).find(outside) {
             Some(joint) => Err(Stop::OutOfRange { joint, value: q[joint] }),
-            None if !(far.1 <= self.step) => Err(Stop::Jump { joint: far.0, by: far.1 }),
+            None if far.1 > self.step => Err(Stop::Jump { joint: far.0, by: far.1 }),
             None => Ok(()),
         }
     }

@@ -107,10 +107,9 @@ pub fn solve_near<T: Real, const N: usize, const M: usize>(
             let (x, free) = search.slide(x, &from);
             nearest.offer(Solution::new(x.map(T::of), Branch::ANY).with_free(free));
             let travel = search.verifier.apart(&from, &x);
-            if travel.iter().all(|d| d.abs() < CONTINUES) && search.verifier.drive.is_none() {
-                if let Some((_, _, solution)) = nearest.best {
-                    return Ok(solution);
-                }
+            let continues = travel.iter().all(|d| d.abs() < CONTINUES) && search.verifier.drive.is_none();
+            if let Some((_, _, solution)) = nearest.best.filter(|_| continues) {
+                return Ok(solution);
             }
         }
     }

@@ -72,7 +72,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'_, A, T,
                 if new {
                     sheets.push(node);
                 } else {
-                    sheets.compare(&node, &differ);
+                    sheets.compare(&node, differ);
                 }
             }
             if let Some(c) = cell {
@@ -125,7 +125,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'_, A, T,
         for node in lists[0].iter().filter(|n| n.path.free.count_ones() > 1) {
             let path = (0..16).filter(|k| half_turn(*k)).fold(node.path, Path::without);
             let mut node = *node;
-            if taken.iter().any(|p| *p == path) || !self.keep(&mut node) {
+            if taken.contains(&path) || !self.keep(&mut node) {
                 continue;
             }
             let motions = self.verifier.motions(&node.q);
@@ -214,10 +214,9 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'_, A, T,
         let mut moved = FreeJoints::NONE;
         for (node, _) in sheets.iter().zip(groups).filter(|(_, g)| **g as usize == root) {
             let inside = self.verifier.inside(&node.q);
-            if let Some((q, _, free)) = &chosen {
+            if let Some((q, ..)) = &chosen {
                 let way = self.verifier.apart(q, &node.q);
                 moved = (0..N).filter(|k| way[*k].abs() > 1e-6).fold(moved, FreeJoints::with);
-                let _ = free;
                 if self.verifier.inside(q) || !inside {
                     continue;
                 }
@@ -242,10 +241,10 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'_, A, T,
                 chosen = Some((node.q, node.branch, free));
             }
         }
-        if let Some((q, branch, free)) = chosen {
-            if !self.is_known(&q) {
-                self.verifier.push(Solution::new(q.map(T::of), branch).with_free(free.union(moved)));
-            }
+        if let Some((q, branch, free)) = chosen
+            && !self.is_known(&q)
+        {
+            self.verifier.push(Solution::new(q.map(T::of), branch).with_free(free.union(moved)));
         }
     }
 }
