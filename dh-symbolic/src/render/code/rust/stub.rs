@@ -29,7 +29,8 @@ pub fn stub(head: &Head, n: usize, fields: &[String], scalar: &str, target: &str
          pub fn forward(&self, _q: &[{scalar}; {n}]) -> {iso} {{ loop {{}} }}\n\
          pub fn frames(&self, _q: &[{scalar}; {n}]) -> [{iso}; {n}] {{ loop {{}} }}\n\
          pub fn jacobian(&self, _q: &[{scalar}; {n}]) -> ::dh_robot::nalgebra::SMatrix<{scalar}, 6, {n}> {{ loop {{}} }}\n\
-         pub fn inverse(&self, _target: {target}{free}) -> ::dh_robot::Solutions<{scalar}, {n}, 1> {{ loop {{}} }}\n}}\n\
+         pub fn inverse(&self, _target: {target}{free}) -> ::dh_robot::Solutions<{scalar}, {n}, 1> {{ loop {{}} }}\n\
+         pub fn inverse_near(&self, _target: {target}{free}, _q: &[{scalar}; {n}]) -> ::core::result::Result<::dh_robot::Solution<{scalar}, {n}>, ::dh_robot::Why<{scalar}>> {{ loop {{}} }}\n}}\n\
          impl ::core::default::Default for {ident} {{ fn default() -> Self {{ loop {{}} }} }}"
     ));
     quote! {
