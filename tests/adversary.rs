@@ -4,6 +4,8 @@
 //! lines. `ADVERSARY=all cargo test -p dh-tests --test main adversary` takes all
 //! lines, not one in three, and twenty second slips for each first one.
 
+#![allow(clippy::print_stdout)] // how many lines were judged
+
 use dh_symbolic::chain::Chain;
 use dh_symbolic::chain::table::parse;
 use dh_symbolic::render::document::notes::Part;

@@ -21,10 +21,12 @@ struct Case {
     jacobian: fn(&[f64]) -> DMatrix<f64>,
     inverse: fn(&Pose, &[f64]) -> (List, Work),
     exhaustive: fn(&Pose, &[f64]) -> List,
-    near: fn(&Pose, &[f64], &[f64]) -> Option<Vec<f64>>,
+    near: Near,
 }
 
 type List = Vec<(Vec<f64>, FreeJoints)>;
+/// Target, what is given and present joints to the joints of `inverse_near`.
+type Near = fn(&Pose, &[f64], &[f64]) -> Option<Vec<f64>>;
 
 fn array<const N: usize>(q: &[f64]) -> [f64; N] {
     std::array::from_fn(|k| q[k])
@@ -243,7 +245,7 @@ fn a_path_is_followed_to_where_the_arm_ends() {
 
 #[test]
 fn joint_values_that_are_no_numbers_are_refused() {
-    let (puma, panda) = (Puma560::default(), Panda::default());
+    let (puma, panda) = (Puma560::default(), Panda);
     let q = [0.1, -0.6, 0.5, 0.2, 0.4, -0.3];
     let target = puma.forward(&q);
     for bad in [f64::NAN, f64::INFINITY] {

@@ -41,6 +41,6 @@ impl Search<'_> {
         rows.retain(|r| samples.iter().all(|s| r.gradient([form], s)[0].abs() > 1e-6));
         let turns = form.iter().position(|k| *k != 0).is_none_or(|k| self.axes.turns(k));
         let at = SingleUnknown { scene, form, turns, rows };
-        StepKind::ALL.iter().flat_map(|kind| kind.from_one_unknown(&at)).collect()
+        StepKind::ALL.iter().flat_map(|kind| kind.for_one_unknown(&at)).collect()
     }
 }

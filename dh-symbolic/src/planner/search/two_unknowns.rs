@@ -87,6 +87,6 @@ impl Search<'_> {
         let (_, i, j) = best?;
         let slides = pair[0].iter().position(|k| *k != 0).is_some_and(|i| !self.axes.turns(i));
         let at = TwoUnknowns { scene, pair, slides, rows: [&rows[i], &rows[j]] };
-        StepKind::ALL.iter().find_map(|kind| kind.from_two_unknowns(&at))
+        StepKind::ALL.iter().find_map(|kind| kind.for_two_unknowns(&at))
     }
 }

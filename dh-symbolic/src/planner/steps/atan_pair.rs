@@ -44,7 +44,7 @@ static MANY: Kernel = Kernel {
 pub(super) struct AtanPair;
 
 impl Kind for AtanPair {
-    fn from_one_unknown(&self, at: &SingleUnknown<'_>) -> Vec<Offer> {
+    fn for_one_unknown(&self, at: &SingleUnknown<'_>) -> Vec<Offer> {
         let rows: Vec<&Row> = at.first_harmonics().collect();
         let chosen = independent(at, &rows);
         chosen.map(|rows| at.offer(Rank::AtanPair, StepKind::AtanPair, 1, &rows)).into_iter().collect()

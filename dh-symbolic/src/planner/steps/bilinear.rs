@@ -23,7 +23,7 @@ static BILINEAR: Kernel = Kernel {
 pub(super) struct Bilinear;
 
 impl Kind for Bilinear {
-    fn from_two_unknowns(&self, at: &TwoUnknowns<'_>) -> Option<Offer> {
+    fn for_two_unknowns(&self, at: &TwoUnknowns<'_>) -> Option<Offer> {
         let [first, second] = at.rows;
         (!at.slides).then(|| at.offer(StepKind::Bilinear, roots(&first.collected, &second.collected)))
     }

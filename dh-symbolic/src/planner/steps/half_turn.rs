@@ -27,7 +27,7 @@ static HALF_TURN: Kernel = Kernel {
 pub(super) struct HalfTurn;
 
 impl Kind for HalfTurn {
-    fn from_one_unknown(&self, at: &SingleUnknown<'_>) -> Vec<Offer> {
+    fn for_one_unknown(&self, at: &SingleUnknown<'_>) -> Vec<Offer> {
         let ratios: Vec<&Row> = at.first_harmonics().filter(|r| !r.has_constant()).collect();
         let special = if ratios.len() > 1 { at.scene.samples(0, 32) } else { Vec::new() };
         ratios

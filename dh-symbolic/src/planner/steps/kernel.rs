@@ -20,13 +20,10 @@ impl Roots {
         Roots { roots: Vec::new(), outcome: Outcome::NoRealRoot }
     }
 
-    pub(super) fn of<T: Copy, const N: usize>(
+    pub(super) fn of<T: Copy + dh_kernels::Blank, const N: usize>(
         found: &dh_kernels::Roots<T, N>,
         unknowns: impl Fn(T) -> Vec<Unknown>,
-    ) -> Roots
-    where
-        T: dh_kernels::Blank,
-    {
+    ) -> Roots {
         Roots { roots: found.iter().map(|r| unknowns(*r)).collect(), outcome: found.outcome }
     }
 }
@@ -116,6 +113,10 @@ pub enum Representative {
     Passed,
 }
 
+/// Runs a kernel: its numbers, its arguments as they stand in the call, what free unknowns take, and the size below which a coefficient
+/// counts as zero.
+type Run = fn(numbers: &[f64], arguments: &[Argument<f64>], free: &[Unknown], tolerance: f64) -> Roots;
+
 /// A function of `dh-kernels` that finds all roots of some equations.
 #[derive(Debug)]
 pub struct Kernel {
@@ -132,7 +133,7 @@ pub struct Kernel {
     /// How many unknowns a root gives: 1, 2 or 6.
     pub unknowns: usize,
     /// Runs it on the numbers of its arguments, in order; `free` is what the unknowns take where they are free.
-    pub run: fn(numbers: &[f64], arguments: &[Argument<f64>], free: &[Unknown], tolerance: f64) -> Roots,
+    pub run: Run,
 }
 
 /// A call of a kernel.

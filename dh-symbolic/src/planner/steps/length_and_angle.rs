@@ -24,7 +24,7 @@ static LENGTH_AND_ANGLE: Kernel = Kernel {
 pub(super) struct LengthAndAngle;
 
 impl Kind for LengthAndAngle {
-    fn from_two_unknowns(&self, at: &TwoUnknowns<'_>) -> Option<Offer> {
+    fn for_two_unknowns(&self, at: &TwoUnknowns<'_>) -> Option<Offer> {
         at.slides.then(|| at.offer(StepKind::LengthAndAngle, 8))
     }
 

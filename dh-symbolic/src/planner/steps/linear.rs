@@ -9,7 +9,7 @@ use crate::planner::known::Part;
 pub(super) struct Linear;
 
 impl Kind for Linear {
-    fn from_one_unknown(&self, at: &SingleUnknown<'_>) -> Vec<Offer> {
+    fn for_one_unknown(&self, at: &SingleUnknown<'_>) -> Vec<Offer> {
         let linear = at.rows.iter().filter(|r| !at.turns && r.degree() == 1);
         linear
             .map(|r| {

@@ -76,12 +76,12 @@ kinds! {
 /// A kind of step.
 trait Kind: Sync {
     /// The ways to find one combination of joints from equations that hold no other unknown.
-    fn from_one_unknown(&self, _: &SingleUnknown<'_>) -> Vec<Offer> {
+    fn for_one_unknown(&self, _: &SingleUnknown<'_>) -> Vec<Offer> {
         Vec::new()
     }
 
     /// The best way to find two combinations from two equations that hold no other unknown.
-    fn from_two_unknowns(&self, _: &TwoUnknowns<'_>) -> Option<Offer> {
+    fn for_two_unknowns(&self, _: &TwoUnknowns<'_>) -> Option<Offer> {
         None
     }
 
@@ -121,12 +121,12 @@ trait Kind: Sync {
 }
 
 impl StepKind {
-    pub(super) fn from_one_unknown(self, at: &SingleUnknown<'_>) -> Vec<Offer> {
-        self.kind().from_one_unknown(at)
+    pub(super) fn for_one_unknown(self, at: &SingleUnknown<'_>) -> Vec<Offer> {
+        self.kind().for_one_unknown(at)
     }
 
-    pub(super) fn from_two_unknowns(self, at: &TwoUnknowns<'_>) -> Option<Offer> {
-        self.kind().from_two_unknowns(at)
+    pub(super) fn for_two_unknowns(self, at: &TwoUnknowns<'_>) -> Option<Offer> {
+        self.kind().for_two_unknowns(at)
     }
 
     pub(super) fn fallback(self, at: &Scene<'_>) -> Option<Step> {

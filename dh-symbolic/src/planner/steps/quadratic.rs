@@ -23,7 +23,7 @@ pub(super) static QUADRATIC: Kernel = Kernel {
 pub(super) struct Quadratic;
 
 impl Kind for Quadratic {
-    fn from_one_unknown(&self, at: &SingleUnknown<'_>) -> Vec<Offer> {
+    fn for_one_unknown(&self, at: &SingleUnknown<'_>) -> Vec<Offer> {
         let rows = at.rows.iter().filter(|r| !at.turns && r.degree() == 2);
         rows.map(|r| at.offer(Rank::Quadratic, StepKind::Quadratic, 2, &[r])).collect()
     }

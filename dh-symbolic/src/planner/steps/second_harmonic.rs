@@ -23,7 +23,7 @@ static SECOND_HARMONIC: Kernel = Kernel {
 pub(super) struct SecondHarmonic;
 
 impl Kind for SecondHarmonic {
-    fn from_one_unknown(&self, at: &SingleUnknown<'_>) -> Vec<Offer> {
+    fn for_one_unknown(&self, at: &SingleUnknown<'_>) -> Vec<Offer> {
         let rows = at.rows.iter().filter(|r| at.turns && r.degree() == 2);
         rows.map(|r| at.offer(Rank::SecondHarmonic, StepKind::SecondHarmonic, 4, &[r])).collect()
     }

@@ -27,7 +27,7 @@ pub(super) static SIN_COS: Kernel = Kernel {
 pub(super) struct SinCos;
 
 impl Kind for SinCos {
-    fn from_one_unknown(&self, at: &SingleUnknown<'_>) -> Vec<Offer> {
+    fn for_one_unknown(&self, at: &SingleUnknown<'_>) -> Vec<Offer> {
         let rows = at.first_harmonics().filter(|r| r.has_constant());
         rows.map(|r| at.offer(Rank::SinCos, StepKind::SinCos, 2, &[r])).collect()
     }

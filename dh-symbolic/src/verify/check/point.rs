@@ -336,7 +336,7 @@ impl Evaluator<'_> {
         let mut motors = Vec::new();
         for (joint, value) in chain.joints.iter().zip(&self.joints) {
             let u = unit();
-            let range = joint.range.as_ref().filter(|_| k % 2 == 0).map(|(a, b)| (bound(a), bound(b)));
+            let range = joint.range.as_ref().filter(|_| k.is_multiple_of(2)).map(|(a, b)| (bound(a), bound(b)));
             let (low, high) = match (range, value) {
                 (Some(range), _) => range,
                 (None, Value::Angle(_)) => (-std::f64::consts::PI, std::f64::consts::PI),

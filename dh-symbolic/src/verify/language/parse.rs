@@ -285,8 +285,7 @@ impl<'a> Parser<'a> {
     fn sum(&mut self) -> Read<Expr> {
         let start = self.at;
         let mut terms = vec![(false, self.product()?)];
-        loop {
-            let Some(minus) = self.sign() else { break };
+        while let Some(minus) = self.sign() {
             self.at += 1;
             terms.push((minus, self.product()?));
         }
