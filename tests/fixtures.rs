@@ -10,13 +10,13 @@ use dh_tests::engine::{Interpreter, spec};
 use dh_tests::naive::{Arm, Column, Matrix, Row};
 use serde_json::Value;
 
-fn read(name: &str) -> Value {
+pub(crate) fn read(name: &str) -> Value {
     let path = format!("{}/fixtures/{name}", env!("CARGO_MANIFEST_DIR"));
     let text = fs::read_to_string(&path).unwrap_or_else(|e| panic!("{path}: {e}"));
     serde_json::from_str(&text).unwrap_or_else(|e| panic!("{path}: {e}"))
 }
 
-fn list(value: &Value) -> &Vec<Value> {
+pub(crate) fn list(value: &Value) -> &Vec<Value> {
     value.as_array().expect("a list")
 }
 
@@ -24,7 +24,7 @@ fn number(value: &Value) -> f64 {
     value.as_f64().expect("a number")
 }
 
-fn text(value: &Value) -> &str {
+pub(crate) fn text(value: &Value) -> &str {
     value.as_str().expect("a string")
 }
 
@@ -37,7 +37,7 @@ fn angle(joint: &Value, key: &str) -> String {
 }
 
 /// The text of the table.
-fn table(robot: &Value) -> String {
+pub(crate) fn table(robot: &Value) -> String {
     let convention = if robot["convention"] == "craig" { "modified" } else { "standard" };
     let unit = if robot["unit"] == "mm" { "unit = mm;\n" } else { "" };
     let mut out = format!("struct Arm;\nconvention = {convention};\n{unit}| joint | alpha | a | d | theta |\n");

@@ -6,7 +6,7 @@
 
 mod formula;
 mod notebook;
-mod tables;
+pub(crate) mod tables;
 
 use dh_symbolic::chain::Chain;
 use dh_symbolic::chain::table::parse;
@@ -227,8 +227,7 @@ impl Note<'_> {
                 }
             }
         }
-        let chosen: Vec<String> =
-            wanted.lines().filter(|l| l.starts_with("The caller chooses")).flat_map(inline).collect();
+        let chosen: Vec<String> = wanted.lines().filter(|l| l.ends_with("is prescribed.")).flat_map(inline).collect();
         let names: Vec<String> = chosen.iter().filter_map(|c| Some(name_of(&read(c)?)?.to_string())).collect();
         let values = example.lines().filter(|l| l.contains("forward kinematics gives the pose")).flat_map(inline);
         for text in values {

@@ -136,3 +136,54 @@ fn a_misprint_is_found() {
     }
     assert!(found > 30, "{found}");
 }
+
+/// The notes of tables of all kinds, as Markdown, given back: nothing is wrong, and at most two lines of a hundred are not understood.
+fn read_back(tables: impl Iterator<Item = (String, String)>) {
+    let (mut lines, mut unclear) = (0, 0);
+    for (name, table) in tables {
+        let spec = parse(table.parse().expect("words")).spec.unwrap_or_else(|| panic!("{name}: no table"));
+        let chain = Chain::new(spec);
+        let note = notes(&chain, &Options { parts: PARTS.to_vec(), ..Options::default() });
+        let (claims, report) = judged(&chain, &note.print(Format::Markdown));
+        let (wrong, open) = faults(&report);
+        assert_eq!(wrong, 0, "{name}:\n{}", document_text(&report, &claims));
+        (lines, unclear) = (lines + report.verdicts.len(), unclear + open);
+    }
+    assert!(lines > 0 && 50 * unclear <= lines, "{unclear} of {lines} lines are not understood");
+}
+
+#[test]
+fn notes_of_other_tables_are_read_back() {
+    use crate::handwork::tables;
+    let own = tables::OWN.iter().map(|(n, t)| (n.to_string(), t.to_string()));
+    read_back(own);
+}
+
+#[test]
+fn notes_of_all_fixtures_are_read_back() {
+    use crate::fixtures::{list, read, table, text};
+    let robots = read("robots.json");
+    read_back(list(&robots).iter().map(|r| (text(&r["name"]).to_string(), table(r))));
+}
+
+/// Tables that people reported: `../shared/reports/public-cases.json`.
+#[test]
+fn notes_of_public_tables_are_read_back() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/reports/public-cases.json");
+    let Ok(file) = std::fs::read_to_string(&path) else {
+        assert!(std::env::var_os("CI").is_none(), "{} is missing", path.display());
+        eprintln!("skipped: {} is missing", path.display());
+        return;
+    };
+    let cases: serde_json::Value = serde_json::from_str(&file).expect("JSON");
+    let tables = cases.as_array().expect("a list").iter().flat_map(|case| {
+        let name = case["id"].as_str().unwrap_or_default().to_string();
+        let list: Vec<String> = match &case["table"] {
+            serde_json::Value::String(t) => vec![t.clone()],
+            serde_json::Value::Array(l) => l.iter().filter_map(|t| Some(t.as_str()?.to_string())).collect(),
+            _ => Vec::new(),
+        };
+        list.into_iter().map(move |t| (name.clone(), t)).collect::<Vec<_>>()
+    });
+    read_back(tables);
+}

@@ -68,7 +68,8 @@ pub fn notes(chain: &Chain, options: &Options) -> Document {
             }
         }
     }
-    let title = Phrase::Title.in_language(options.language).replace("{}", &chain.name);
+    let named = || Phrase::Title.in_language(options.language).replace("{}", &chain.name);
+    let title = options.title.clone().unwrap_or_else(named);
     Document { title, language: options.language.tag(), blocks: w.blocks }
 }
 

@@ -48,6 +48,8 @@ pub struct Options {
     pub language: Language,
     /// Glyphs that fit on a line: longer formulas are cut, wider matrices become lists of entries.
     pub width: usize,
+    /// The title instead of "Kinematics of ...".
+    pub title: Option<String>,
     /// Digits of the numbers of an example.
     pub digits: usize,
     /// Products with more terms than this, written out, are left as products.
@@ -72,6 +74,7 @@ impl Default for Options {
         Options {
             language: Language::English,
             width: 64,
+            title: None,
             digits: 4,
             terms: 1500,
             parts: Part::ALL.iter().map(|p| p.1).collect(),
@@ -99,7 +102,7 @@ fn is_name(text: &str) -> bool {
 
 impl Options {
     /// Names of the options that [`Options::set`] takes.
-    pub const NAMES: [&'static str; 13] = [
+    pub const NAMES: [&'static str; 14] = [
         "--lang",
         "--parts",
         "--products",
@@ -113,6 +116,7 @@ impl Options {
         "--near",
         "--width",
         "--digits",
+        "--title",
     ];
 
     /// What the command line of `dh notes` may say, for its help text.
@@ -128,6 +132,7 @@ impl Options {
   --near \"q1 = 0, q2 = 90deg\"        which solution is closest to these
   --width 64                         glyphs on a line
   --digits 4                         digits of the numbers of the worked example
+  --title \"Exercise 3\"             the title instead of the robot's name
 ";
 
     /// Takes an option of the command line; false where this is none of the notes'.
@@ -182,6 +187,7 @@ impl Options {
                 let width = value.parse().ok().filter(|w| (20..=400).contains(w));
                 self.width = width.ok_or_else(|| format!("`{name}` takes a number from 20 to 400, not `{value}`"))?;
             }
+            "--title" => self.title = Some(value.to_string()),
             "--digits" => {
                 let digits = value.parse().ok().filter(|n| (3..=14).contains(n));
                 self.digits = digits.ok_or_else(|| format!("`{name}` takes a number from 3 to 14, not `{value}`"))?;

@@ -15,7 +15,7 @@ impl Writer<'_> {
         let after = Math::Row(vec![i(), Math::Sign(Sign::Plus), Math::number(1)]);
         let mut header: Vec<Math> = match self.chain.convention {
             Convention::Modified => {
-                self.say(Phrase::Modified, vec![i(), i(), i()]);
+                self.say(Phrase::Modified, vec![i(), i(), i(), before()]);
                 vec![of('α', before()), of('a', before()), of('d', i()), of('θ', i())]
             }
             Convention::Standard => {

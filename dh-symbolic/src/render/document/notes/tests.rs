@@ -137,7 +137,7 @@ fn the_cup_task_comes_out_as_on_the_slides() {
     let chain = chain(CUP);
     assert_eq!(options.check(&chain), Ok(()));
     let text = notes(&chain, &options).print(Format::Text);
-    for part in ["381.25", "151.84", "19.50", "find 8 joint vectors", "is solution 4."] {
+    for part in ["381.25", "151.84", "19.50", "yield 8 solutions", "is solution 4."] {
         assert!(text.contains(part), "{part}: {text}");
     }
     let row = text.lines().find(|l| l.trim_start().starts_with("4 ")).unwrap();

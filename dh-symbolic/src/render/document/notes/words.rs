@@ -25,11 +25,11 @@ macro_rules! phrases {
 phrases! {
     Title: "Kinematics of {}", "{} 的运动学";
     Parameters: "Denavit-Hartenberg parameters", "DH 参数";
-    Modified: "Modified convention (Craig): frame {} sits on the axis of joint {}; row {} holds the twist and length of the link before.",
-        "改进型约定（Craig）：坐标系 {} 位于关节 {} 的轴上；第 {} 行给出前一杆件的扭角和长度。";
+    Modified: "Modified convention (Craig): frame {} sits on the axis of joint {}; row {} lists α and a of link {}.",
+        "改进型约定（Craig）：坐标系 {} 位于关节 {} 的轴上；第 {} 行给出连杆 {} 的扭转角 α 与长度 a。";
     Standard: "Standard convention: frame {} sits at the far end of link {}, on the axis of joint {}.",
         "标准型约定：坐标系 {} 位于杆件 {} 的末端，即关节 {} 的轴上。";
-    Lengths: "Lengths in {}: ", "长度单位 {}：";
+    Lengths: "Lengths in {}: ", "长度（单位：{}）：";
     Angles: "Constant angles: ", "常量角：";
     Free: "Free parameters: ", "自由参数：";
     Fixed: "fixed", "固定";
@@ -38,16 +38,16 @@ phrases! {
     /// Before the caption of a figure where there is no picture.
     Figure: "Figure", "图";
     FigureArm: "The arm at {}. The x axes are red, the z axes blue; cylinders turn, boxes slide.", "机械臂，取 {}。红色为 x 轴，蓝色为 z 轴；圆柱为转动关节，方块为移动关节。";
-    FigurePostures: "The postures of these solutions, in the order of the table.", "各解对应的构型，顺序与表一致。";
+    FigurePostures: "The configurations of these solutions, in the order of the table.", "各解对应的构型，顺序与表一致。";
     FigureRings: "The points that the tip reaches, in {}, with the number of solutions; on the circles two of them fall together.", "末端可达区域（单位 {}）及各区域的解数；在圆周上两个解重合。";
     FigureReach: "The points that the tip reaches, in {}.", "末端可达区域（单位 {}）。";
     FigureDexterous: "The points that the tip reaches, in {}; in the darker region it can be turned to every angle.", "末端可达区域（单位 {}）；深色区域内末端可取任意姿态角。";
-    Links: "Link transforms", "杆件变换";
-    General: "One row of the table is the transform", "表中一行对应的变换为";
+    Links: "Link transforms", "连杆变换";
+    General: "Row i of the table gives the link transform", "表中第 i 行给出连杆变换";
     Short: "Sines and cosines are abbreviated: {}.", "正弦和余弦的缩写：{}。";
     Forward: "Forward kinematics", "正运动学";
-    FromTheTip: "The product is formed from the tip to the base; links with parallel axes are joined first, so that their angles add up.",
-        "乘积从末端向基座逐步形成；轴线平行的杆件先合并，使其角度相加。";
+    FromTheTip: "We multiply from the tip towards the base; links with parallel axes are joined first, so that their angles add up.",
+        "由末端向基座逐次相乘；轴线平行的杆件先合并，使其角度相加。";
     Paul: "{} is the transform of row {}; products from the base are called T: {}.", "{} 是第 {} 行的变换；从基座起的乘积记为 T：{}。";
     With: "with {}", "其中 {}";
     BaseAndTool: "With the constant transforms of base and tool", "加上基座和工具的常量变换";
@@ -70,15 +70,15 @@ phrases! {
         "只要求 x、y 和绕 z 轴的角度。高度 {} 不限：把它看作多出的一个关节，其值无关紧要。";
     TaskInPlane: "Only x, y and the angle about z are asked for: no joint changes the height.",
         "只要求 x、y 和绕 z 轴的角度：没有关节改变高度。";
-    Given: "The caller chooses {}.", "{} 由使用者给定。";
+    Given: "{} is prescribed.", "{} 为给定值。";
     StepTitle: "Step {}: ", "第 {} 步：";
     KnownPose: "Known by now:", "至此已知：";
     WithEntries: "Its elements are {} and its position is {}.", "其元素为 {}，位置为 {}。";
     Where: "where {}.", "其中 {}。";
-    Element: "Element {} of {} gives", "元素 {}（取自 {}）给出";
-    Elements: "Elements {} of {} give", "元素 {}（取自 {}）给出";
-    ElementOfInverse: "Element {} of the inverse of {} gives", "元素 {}（取自 {} 的逆）给出";
-    ElementsOfInverse: "Elements {} of the inverse of {} give", "元素 {}（取自 {} 的逆）给出";
+    Element: "Equating the {} elements of both sides of the equation for {},", "比较等式两边的 {} 元素（{}），得";
+    Elements: "Equating the {} elements of both sides of the equation for {},", "比较等式两边的 {} 元素（{}），得";
+    ElementOfInverse: "Equating the {} elements of both sides of the equation for the inverse of {},", "比较等式两边的 {} 元素（{} 的逆），得";
+    ElementsOfInverse: "Equating the {} elements of both sides of the equation for the inverse of {},", "比较等式两边的 {} 元素（{} 的逆），得";
     AcrossSlides: "Around the closed loop all ways add up to nothing. Across the directions of both {} and {} neither of these lengths occurs; this component gives", "沿闭合回路各段位移之和为零。取其垂直于 {} 与 {} 两个滑动方向的分量，两者均不出现，得";
     BridgeOfSlides: "Across the directions of both {} and {} neither of these lengths occurs. In this component of the closed loop, the way between the axes of {} and {} is taken apart along both axes and their common normal; with the known angle between these axes, neither angle occurs:", "垂直于 {} 与 {} 两个滑动方向的分量不含这两个长度。在闭合回路的这一分量中，将 {} 与 {} 两轴之间的位移沿两轴及其公垂线分解；由两轴间的已知夹角，这两个角也不出现：";
     DistanceOf: "The squared distance between the origins of frames {} and {} gives", "坐标系 {} 与 {} 原点间距离的平方给出";
@@ -91,13 +91,13 @@ phrases! {
     NoneWhere: "There is none where {} is negative: the pose is out of reach.", "当 {} 为负时无解：位姿不可达。";
     FreeWhereOne: "Where {} vanishes, the arm is singular and {} is free.", "当 {} 为零时机械臂奇异，{} 可任取。";
     FreeWhere: "Where {} vanish together, the arm is singular and {} is free.", "当 {} 同时为零时机械臂奇异，{} 可任取。";
-    Differences: "The remaining joints are differences:", "其余关节为差值：";
-    Total: "In all there are at most {} solutions; each is confirmed by the forward kinematics.", "总共最多 {} 个解；每个解都用正运动学验证。";
-    TotalOne: "In all there is at most one solution; it is confirmed by the forward kinematics.", "总共最多一个解；用正运动学验证。";
+    Differences: "The remaining joints are differences:", "其余关节角由差求得：";
+    Total: "Altogether there are at most {} solutions; each is confirmed by the forward kinematics.", "总共最多 {} 个解；每个解都用正运动学验证。";
+    TotalOne: "Altogether there is at most one solution; it is confirmed by the forward kinematics.", "总共最多一个解；用正运动学验证。";
     Example: "Worked example", "算例";
     ExamplePose: "With {} the forward kinematics gives the pose", "取 {}，由正运动学得位姿";
     ExampleGiven: "The pose is given:", "给定位姿：";
-    ExampleChosen: "The caller chooses {}.", "由使用者给定 {}。";
+    ExampleChosen: "{} is prescribed.", "{} 为给定值。";
     ExamplePosition: "Of this the task asks only for the position:", "任务只要求位置：";
     ExampleAxis: "Of this the task asks only for the position and the direction of the last z axis:", "任务只要求位置和最后 z 轴的方向：";
     ExamplePlanar: "Of this the task asks only for the place in the plane and the angle about z:", "任务只要求平面内的位置和绕 z 轴的角度：";
@@ -114,7 +114,7 @@ phrases! {
     ExampleClosest: "Closest to {} is solution {}.", "距 {} 最近的是第 {} 组解。";
     ExampleClosestInRange: " Of those in range it is solution {}.", "在范围内的解中，最近的是第 {} 组。";
     ExampleNoneInRange: " None is in range.", "没有一组在范围内。";
-    Tree: "The same as a tree, in the order of the steps; an empty cell repeats the one above:", "按求解步骤排成树；空格与上一行相同：";
+    Tree: "The same as a tree, in the order of the steps; an empty cell repeats the one above:", "按求解步骤排成树；空白单元格同上：";
     TreeSolution: "solution", "解";
     InNumbersAt: "The solution that is closest to these joint values is {}.", "与这些关节变量最接近的解为 {}。";
     InNumbers: "The steps in numbers:", "各步的数值：";
@@ -133,8 +133,8 @@ phrases! {
     Yes: "yes", "是";
     No: "no", "否";
     ExampleValues: "Parameters without a value are taken as {}.", "没有给定值的参数取 {}。";
-    ExampleSolutions: "The steps above find {} joint vectors with this pose, to {} in every entry:", "上述步骤求得 {} 组关节变量具有该位姿，每个元素误差不超过 {}：";
-    ExampleSolution: "The steps above find one joint vector with this pose, to {} in every entry:", "上述步骤求得一组关节变量具有该位姿，每个元素误差不超过 {}：";
+    ExampleSolutions: "The steps above yield {} solutions (checked by forward kinematics, to {} in every entry):", "上述步骤求得 {} 组关节变量均可达到该位姿（经正运动学验证，每个元素误差不超过 {}）：";
+    ExampleSolution: "The steps above yield one solution (checked by forward kinematics, to {} in every entry):", "上述步骤求得一组关节变量可达到该位姿（经正运动学验证，每个元素误差不超过 {}）：";
     PlanTitle: "Inverse kinematics of {}", "{} 的逆运动学";
     PlanStep: "step", "步";
     PlanFinds: "finds", "求";
@@ -187,7 +187,7 @@ phrases! {
     SingularStars: "Entries {} do not matter: the matrix falls into blocks, and its determinant is the product of theirs.",
         "记为 {} 的元素不影响结果：矩阵分成若干块，行列式是各块行列式之积。";
     SingularBlocks: "The matrix falls into blocks, and its determinant is the product of theirs.", "矩阵分成若干块，行列式是各块行列式之积。";
-    SingularProduct: "In all", "于是";
+    SingularProduct: "Therefore", "于是";
     SingularLong: "where {} has {} terms; no further factor was found.", "其中 {} 有 {} 项，没有找到更多因子。";
     SingularWhere: "The arm is singular where a factor vanishes:", "任一因子为零时机械臂奇异：";
     SingularThat: ", that is ", "，即 ";
@@ -208,10 +208,10 @@ phrases! {
     PlaceElbow: " (elbow singularity)", "（肘部奇异）";
     PlaceShoulder: " (shoulder singularity)", "（肩部奇异）";
     Workspace: "Workspace", "工作空间";
-    Subspace: "With {} joints the poses of the arm are a set of {} dimensions among the six of a rigid body: a subspace.",
+    Subspace: "With {} joints the poses of the arm form a {}-dimensional subset of the 6-dimensional space of poses.",
         "机械臂有 {} 个关节，其位姿在刚体的六维中只构成 {} 维的子空间。";
     SubspaceEntries: "All poses have in common", "所有位姿都满足";
-    SubspaceTurn: "The place of the last origin, ({}, {}), says it all: the joints are", "末端原点的位置（{}，{}）决定一切：各关节为";
+    SubspaceTurn: "The position of the last origin, ({}, {}), determines the pose: the joints are", "末端原点的位置（{}，{}）唯一确定位姿：各关节为";
     SubspaceMatrix: "and the pose is (a second one has the other sign of the root)", "位姿为（根号取负号得到另一个）";
     RingLinks: "All axes are parallel. Seen along them the arm is a chain of links with lengths {}.", "所有轴平行。沿轴方向看，机械臂是平面连杆链，杆长为 {}。";
     RingReach: "Reachable workspace: the ring about the first axis whose distance {} lies between these bounds:",
