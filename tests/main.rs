@@ -3,6 +3,7 @@
 mod adversary;
 mod agreement;
 mod arms;
+mod batch;
 mod browser;
 mod choice;
 mod claims;
@@ -28,3 +29,4 @@ mod spare;
 mod special;
 mod tidy;
 mod ui;
+mod velocity;

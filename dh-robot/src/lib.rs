@@ -266,6 +266,7 @@ pub mod runtime;
 pub mod sincos;
 mod solution;
 mod solutions;
+pub mod velocity;
 mod why;
 
 pub use dh_macro::dh_robot;

@@ -129,6 +129,77 @@ impl Rpr {
             ),
         )
     }
+    /// [`forward`](Self::forward) of every joint vector: as many as the shorter slice holds; what lies beyond stays as it is. Each stands for itself: one that is not finite spoils its own
+    /// result only.
+    #[inline]
+    pub fn forward_batch(
+        &self,
+        q: &[[f64; 3]],
+        poses: &mut [::dh_robot::nalgebra::IsometryMatrix3<f64>],
+    ) {
+        for (q, to) in q.iter().zip(poses) {
+            *to = self.forward(q);
+        }
+    }
+    /// [`jacobian`](Self::jacobian) of every joint vector: as many as the shorter slice holds; what lies beyond stays as it is. Each stands for itself: one that is not finite spoils its own
+    /// result only.
+    #[inline]
+    pub fn jacobian_batch(
+        &self,
+        q: &[[f64; 3]],
+        jacobians: &mut [::dh_robot::nalgebra::SMatrix<f64, 6, 3>],
+    ) {
+        for (q, to) in q.iter().zip(jacobians) {
+            *to = self.jacobian(q);
+        }
+    }
+    /// [`jacobian`](Self::jacobian) in the axes of the last frame (or tool) instead of the base; the point is the same.
+    #[inline]
+    #[must_use]
+    pub fn jacobian_in_tool(
+        &self,
+        q: &[f64; 3],
+    ) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 3> {
+        let (pose, jacobian) = self.forward_and_jacobian(q);
+        ::dh_robot::velocity::in_axes_of(&pose, &jacobian)
+    }
+    /// The time derivative of [`jacobian`](Self::jacobian) (base axes) while the joints move with `speeds`, exact.
+    #[inline]
+    #[must_use]
+    pub fn jacobian_dot(
+        &self,
+        q: &[f64; 3],
+        speeds: &[f64; 3],
+    ) -> ::dh_robot::nalgebra::SMatrix<f64, 6, 3> {
+        ::dh_robot::velocity::jacobian_dot(&self.jacobian(q), speeds)
+    }
+    /// Product of the Jacobian's singular values (Yoshikawa 1985), in its units; zero at singular poses.
+    #[inline]
+    #[must_use]
+    pub fn manipulability(&self, q: &[f64; 3]) -> f64 {
+        ::dh_robot::velocity::manipulability(&self.jacobian(q))
+    }
+    /// The smallest singular value of the Jacobian, in its units; zero at singular poses.
+    #[inline]
+    #[must_use]
+    pub fn smallest_singular_value(&self, q: &[f64; 3]) -> f64 {
+        ::dh_robot::velocity::smallest_singular_value(&self.jacobian(q))
+    }
+    /// Joint speeds for a velocity of the last frame (or tool): linear, then angular, in base axes. Damped near singular poses, and
+    /// the result says so; see [`solve_velocity`](::dh_robot::velocity::solve_velocity).
+    #[inline]
+    #[must_use]
+    pub fn solve_velocity(
+        &self,
+        q: &[f64; 3],
+        twist: &::dh_robot::nalgebra::Vector6<f64>,
+    ) -> ::dh_robot::velocity::JointSpeeds<f64, 3> {
+        ::dh_robot::velocity::solve_velocity(
+            &self.jacobian(q),
+            twist,
+            0.40452000000000005,
+        )
+    }
 }
 impl ::dh_robot::Robot<3, f64> for Rpr {
     fn joints(&self) -> &'static [::dh_robot::Joint<f64>; 3] {
@@ -287,6 +358,34 @@ impl Rpr {
             &frame,
             |frame, sample, found| self.candidates(frame, sample, found),
         )
+    }
+    /// [`inverse`](Self::inverse) of every target: as many as the shorter slice holds; what lies beyond stays as it is. Each stands for itself: one that is not finite spoils its own
+    /// result only.
+    #[inline]
+    pub fn inverse_batch(
+        &self,
+        targets: &[::dh_robot::nalgebra::IsometryMatrix3<f64>],
+        solutions: &mut [::dh_robot::Solutions<f64, 3, 1>],
+    ) {
+        for (target, to) in targets.iter().zip(solutions) {
+            *to = self.inverse(target);
+        }
+    }
+    /// [`inverse_near`](Self::inverse_near) of every target, from the joint values `q` of the same place: as many as the shorter slice holds; what lies beyond stays as it is. Each stands for itself: one that is not finite spoils its own
+    /// result only.
+    #[inline]
+    pub fn inverse_near_batch(
+        &self,
+        targets: &[::dh_robot::nalgebra::IsometryMatrix3<f64>],
+        q: &[[f64; 3]],
+        solutions: &mut [::core::result::Result<
+            ::dh_robot::Solution<f64, 3>,
+            ::dh_robot::Why<f64>,
+        >],
+    ) {
+        for ((target, q), to) in targets.iter().zip(q).zip(solutions) {
+            *to = self.inverse_near(target, q);
+        }
     }
     /// The direction in which the arm can move at a solution with free joints while its target stays reached: joint speeds, the largest of
     /// them 1 (or the arm's size, for a length). `None` at a solution that stands alone.

@@ -77,9 +77,9 @@ pub(in crate::render) struct Matrices {
     pub(in crate::render) turns: String,
 }
 
-/// How motors move rows, where whole turns of rows are not whole turns of motors.
+/// How motors move rows, where drives are coupled.
 pub(in crate::render) fn matrices(chain: &Chain) -> Option<Matrices> {
-    if !chain.is_geared() {
+    if chain.is_direct() {
         return None;
     }
     let (adjugate, det) = adjugate(&chain.drive);
@@ -100,8 +100,11 @@ pub(in crate::render) fn matrices(chain: &Chain) -> Option<Matrices> {
     })
 }
 
-/// The function that says so.
+/// The function that says so, where whole turns of rows are not whole turns of motors.
 pub(super) fn drive(chain: &Chain) -> String {
+    if !chain.is_geared() {
+        return String::new();
+    }
     let Some(Matrices { det, rows, motors, turns }) = matrices(chain) else { return String::new() };
     let n = chain.dof();
     format!(

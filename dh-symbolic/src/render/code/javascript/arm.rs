@@ -27,7 +27,7 @@ pub fn class(chain: &Chain, forward: &Forward, solver: &Solver) -> String {
     for (head, doc, body) in functions {
         out.push_str(&format!("// {doc}\n{head} {{\n{}{body}}}\n\n", fields(chain)));
     }
-    if let Some(Matrices { det, rows, motors, turns }) = matrices(chain) {
+    if let Some(Matrices { det, rows, motors, turns }) = matrices(chain).filter(|_| chain.is_geared()) {
         out.push_str(&format!(
             "// How motors move rows, where whole turns of rows are not whole turns of motors.\nget drive() {{\n\
              const self = this.parameters;\nconst det = {det};\nreturn {{ rows: {rows}, motors: {motors}, turns: {turns} }};\n}}\n\n"

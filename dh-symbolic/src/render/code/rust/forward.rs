@@ -28,7 +28,7 @@ fn cost(p: &Program) -> Cost {
     Cost::of(&p.graph, &p.outputs)
 }
 
-/// The three inherent functions.
+/// The inherent functions.
 pub(super) fn functions(chain: &Chain, forward: &Forward) -> String {
     let (n, f) = (chain.dof(), scalar_name(chain.scalar));
     let unit = chain.unit.name;
@@ -83,6 +83,8 @@ pub(super) fn functions(chain: &Chain, forward: &Forward) -> String {
         pose(&body, 0),
         columns.join(",\n")
     ));
+    out.push_str(&super::batch::forward(chain));
+    out.push_str(&super::velocity::functions(chain));
     out
 }
 

@@ -64,6 +64,7 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
          {prepare}::dh_robot::runtime::solve(self, setting, &task, &frame, {run})\n}}\n\n",
         near(chain, inverse, fast.as_ref(), &prepared(&frame_one), &run),
     ));
+    out.push_str(&super::batch::inverse(chain, inverse));
     out.push_str(&tangent(chain, few));
     out.push_str(&unknowns(chain, inverse));
     out.push_str(&candidates(chain, inverse));

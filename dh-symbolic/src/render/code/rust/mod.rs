@@ -4,6 +4,7 @@
 //! much faster than building tokens one by one in an unoptimised macro. The user's own tokens (attributes, visibility, name) keep
 //! their spans.
 
+mod batch;
 mod batched;
 mod candidates;
 mod docs;
@@ -15,6 +16,7 @@ mod rustdoc;
 mod structure;
 mod stub;
 mod target;
+mod velocity;
 mod verify;
 
 pub use inverse::inverse;

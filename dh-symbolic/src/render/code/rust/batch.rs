@@ -1,0 +1,52 @@
+//! Many poses in one call: slices in, slices out.
+
+use super::target::Target;
+use crate::chain::Chain;
+use crate::program::Inverse;
+use crate::render::code::scalar_name;
+
+/// What every batch does with its slices.
+const SLICES: &str = "as many as the shorter slice holds; what lies beyond stays as it is. Each stands for itself: one that is not finite \
+                      spoils its own\n/// result only.";
+
+/// Forward kinematics and Jacobians of many joint vectors.
+pub(super) fn forward(chain: &Chain) -> String {
+    let (n, f) = (chain.dof(), scalar_name(chain.scalar));
+    let one = |name: &str, single: &str, to: &str, kind: &str| {
+        format!(
+            "/// [`{single}`](Self::{single}) of every joint vector: {SLICES}\n#[inline]\n\
+             pub fn {name}(&self, q: &[[{f}; {n}]], {to}: &mut [{kind}]) {{\n\
+             for (q, to) in q.iter().zip({to}) {{ *to = self.{single}(q); }}\n}}\n"
+        )
+    };
+    let pose = format!("::dh_robot::nalgebra::IsometryMatrix3<{f}>");
+    let matrix = format!("::dh_robot::nalgebra::SMatrix<{f}, 6, {n}>");
+    one("forward_batch", "forward", "poses", &pose) + &one("jacobian_batch", "jacobian", "jacobians", &matrix)
+}
+
+/// Solutions of many targets.
+pub(super) fn inverse(chain: &Chain, inverse: &Inverse) -> String {
+    let (n, f) = (chain.dof(), scalar_name(chain.scalar));
+    let m = inverse.plan.max_solutions;
+    let Target { parameter, kind, .. } = Target::of(chain, &|_| String::new());
+    let target = if parameter.starts_with("target: &") { "target" } else { "*target" };
+    let (given, chosen, pass, pair) = match chain.redundant.len() {
+        0 => (String::new(), "", "", "target"),
+        1 => (format!(", given: &[{f}]"), ".zip(given)", ", *given", "(target, given)"),
+        k => (format!(", given: &[[{f}; {k}]]"), ".zip(given)", ", *given", "(target, given)"),
+    };
+    let also = if chain.redundant.is_empty() {
+        ""
+    } else {
+        " The values of the joints that you choose come with each target."
+    };
+    format!(
+        "/// [`inverse`](Self::inverse) of every target: {SLICES}{also}\n#[inline]\n\
+         pub fn inverse_batch(&self, targets: &[{kind}]{given}, solutions: &mut [::dh_robot::Solutions<{f}, {n}, {m}>]) {{\n\
+         for ({pair}, to) in targets.iter(){chosen}.zip(solutions) {{ *to = self.inverse({target}{pass}); }}\n}}\n\n\
+         /// [`inverse_near`](Self::inverse_near) of every target, from the joint values `q` of the same place: {SLICES}{also}\n#[inline]\n\
+         pub fn inverse_near_batch(&self, targets: &[{kind}]{given}, q: &[[{f}; {n}]], \
+         solutions: &mut [::core::result::Result<::dh_robot::Solution<{f}, {n}>, ::dh_robot::Why<{f}>>]) {{\n\
+         for (({pair}, q), to) in targets.iter(){chosen}.zip(q).zip(solutions) {{ *to = self.inverse_near({target}{pass}, q); }}\n}}\n\n"
+    )
+}
