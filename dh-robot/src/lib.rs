@@ -42,7 +42,8 @@
 //!   [names](#names-let), [joint variables](#joint-variables), [coupled drives](#coupled-drives)
 //! - [The settings](#the-settings): `convention`, `unit`, `base` and `tool`, `task`, `redundant`, `ik`, `scalar`
 //! - [Checking a derivation](#checking-a-derivation): `prove`
-//! - [What you get](#what-you-get): the generated type, solutions, [targets that lost digits](#targets-that-lost-digits), empty answers
+//! - [What you get](#what-you-get): the generated type, solutions, [targets that lost digits](#targets-that-lost-digits), empty answers,
+//!   [batches](#batches), [velocities](#velocities)
 //! - [Programs that are generic over robots](#programs-that-are-generic-over-robots)
 //! - [Without the standard library](#without-the-standard-library)
 //!
@@ -175,6 +176,7 @@
 //!     pub fn jacobian(&self, q: &[f64; 6]) -> SMatrix<f64, 6, 6>;
 //!     pub fn forward_and_jacobian(&self, q: &[f64; 6]) -> (IsometryMatrix3<f64>, SMatrix<f64, 6, 6>);
 //!     pub fn inverse(&self, target: &IsometryMatrix3<f64>) -> Solutions<f64, 6, 8>;
+//!     // and batches and velocities, see below
 //! }
 //! ```
 //!
@@ -207,6 +209,26 @@
 //!
 //! No input panics. An empty list says [`why`](Solutions::why): out of reach at which step and by how much, a number that is
 //! not finite, a matrix that is no rotation. [`pose`] holds the check itself, and a repair for matrices that lost digits.
+//!
+//! ## Batches
+//!
+//! `forward_batch(&q, &mut poses)`, `jacobian_batch(&q, &mut jacobians)`, `inverse_batch(&targets, &mut solutions)` and
+//! `inverse_near_batch(&targets, &q, &mut solutions)` take slices: of poses, or of what else the task's target is. With `redundant = q3` the
+//! values of that joint come as a slice behind the targets. As many are computed as the shortest slice holds, what lies beyond
+//! stays as it is, and each result is that of the single call to the last bit: a joint vector or target that is not finite spoils
+//! its own result only. Nothing is allocated.
+//!
+//! ## Velocities
+//!
+//! | function | what it gives |
+//! |----------|---------------|
+//! | `jacobian_in_tool(&q)` | the Jacobian in the axes of the last frame (or tool) |
+//! | `jacobian_dot(&q, &speeds)` | its time derivative (base axes) while the joints move, exact: for accelerations |
+//! | `manipulability(&q)`, `smallest_singular_value(&q)` | how far the arm is from a singular pose; both 0 there |
+//! | `solve_velocity(&q, &twist)` | joint speeds for a velocity of the tool, damped near singular poses; [`velocity::JointSpeeds`] says how much, and what is missed |
+//!
+//! Coupled drives are part of all of these: speeds are those of the motors. [`velocity`] says how they are computed, and offers the
+//! same for any Jacobian.
 //!
 //! nalgebra's types are the language of the program; the crate that they come from is re-exported as [`nalgebra`].
 //!

@@ -6,11 +6,12 @@
 
 #![allow(clippy::print_stdout)] // a benchmark prints its table
 
+use std::cell::RefCell;
 use std::f64::consts::PI;
 use std::hint::black_box;
 use std::time::Instant;
 
-use dh_robot::nalgebra::Matrix4;
+use dh_robot::nalgebra::{IsometryMatrix3, Matrix4};
 use generated_examples::{kuka_kr6_r700, panda, puma560, ur5};
 
 const REPETITIONS: usize = 61;
@@ -65,6 +66,16 @@ fn pass<'a, I, O>(name: &str, data: &'a [I], f: impl Fn(&I) -> O + 'a) -> Row<'a
     Row(name.to_string(), Box::new(run))
 }
 
+/// A pass that calls `f` once with all items.
+fn batch<'a, I, O: Clone + 'a>(name: &str, data: &'a [I], zero: O, f: impl Fn(&[I], &mut [O]) + 'a) -> Row<'a> {
+    let results = RefCell::new(vec![zero; data.len()]);
+    let run = move || {
+        f(black_box(data), &mut results.borrow_mut());
+        black_box(&results);
+    };
+    Row(name.to_string(), Box::new(run))
+}
+
 /// The PUMA 560 by hand: a product of 4x4 matrices, sines and cosines of the twists known.
 fn puma_by_hand(q: &[f64; 6]) -> Matrix4<f64> {
     // sine and cosine of alpha, a, d
@@ -103,11 +114,13 @@ fn main() {
         pass("PUMA 560 forward_and_jacobian", &six, |q| puma.forward_and_jacobian(q)),
         pass("PUMA 560 jacobian", &six, |q| puma.jacobian(q)),
         pass("PUMA 560 frames", &six, |q| puma.frames(q)),
+        batch("PUMA 560 forward_batch", &six, IsometryMatrix3::identity(), |q, to| puma.forward_batch(q, to)),
         pass("UR5 forward", &six, |q| ur5.forward(q)),
         pass("UR5 forward_and_jacobian", &six, |q| ur5.forward_and_jacobian(q)),
         pass("KUKA KR 6 R700 forward", &six, |q| kuka.forward(q)),
         pass("KUKA KR 6 R700 forward_and_jacobian", &six, |q| kuka.forward_and_jacobian(q)),
         pass("Panda forward", &seven, |q| panda.forward(q)),
         pass("Panda forward_and_jacobian", &seven, |q| panda.forward_and_jacobian(q)),
+        batch("Panda forward_batch", &seven, IsometryMatrix3::identity(), |q, to| panda.forward_batch(q, to)),
     ]);
 }
