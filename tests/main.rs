@@ -15,6 +15,7 @@ mod digits;
 mod fixtures;
 mod fresh;
 mod handwork;
+mod import;
 mod javascript;
 mod lanes;
 mod library;

@@ -276,9 +276,24 @@ fn picture(out: &mut String, source: &str, file: &str, place: Place, mark: char)
     let _ = writeln!(out, "{margin} |\n{number} | {text}\n{margin} | {indent}{marks}{more}");
 }
 
+/// The rows of a table as data sheets print them, with characters that Rust has in place of those that it has not, one for one, so that
+/// places stay: a degree sign, TeX's backslash, minus signs and dots of typesetting.
+fn pasted(source: &str) -> String {
+    let row = |line: &str| line.trim_start().starts_with('|');
+    let letter = |c: char| match c {
+        '°' => 'º',
+        '\\' => ' ',
+        '−' | '–' => '-',
+        '×' | '·' | '⋅' => '*',
+        other => other,
+    };
+    let line = |l: &str| if row(l) { l.chars().map(letter).collect() } else { l.to_string() };
+    source.split_inclusive('\n').map(line).collect()
+}
+
 /// Reads source text into tokens. The error says where the text is no Rust token.
 pub fn lex(source: &str) -> Result<TokenStream, Errors> {
-    source.parse::<TokenStream>().map_err(|e| {
+    pasted(source).parse::<TokenStream>().map_err(|e| {
         let place = Place::at(e.span());
         let (line, column) = place.start();
         let culprit = line.checked_sub(1).and_then(|i| source.lines().nth(i)).and_then(|l| l.chars().nth(column));
@@ -324,8 +339,12 @@ mod tests {
 
     #[test]
     fn text_that_is_no_token_is_an_error() {
-        let drawn = lex("| 90° |").expect_err("no token").draw("| 90° |", "-");
-        assert!(drawn.contains("-:1:5") && drawn.contains("90deg"), "{drawn}");
+        let drawn = lex("a = 90°;").expect_err("no token").draw("a = 90°;", "-");
+        assert!(drawn.contains("-:1:7") && drawn.contains("90deg"), "{drawn}");
+        assert_eq!(
+            lex(r"| $\alpha_{i-1}$ | 90° − 1 |").expect("a row").to_string(),
+            "| $ alpha_ { i - 1 } $ | 90º - 1 |"
+        );
         assert!(lex("( ").is_err() && lex(")").is_err() && lex("\"").is_err());
     }
 }

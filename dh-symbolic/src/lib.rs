@@ -36,6 +36,7 @@
 //! # Features
 //!
 //! - `documents`: [`Robot`] and all that it writes. The macro does without.
+//! - `import`: tables from other descriptions of arms, [`import`].
 //! - `cli` (on by default): the `dh` command, `Robot::expand`; with `documents`. A library that needs neither takes
 //!   `default-features = false, features = ["documents"]`.
 //!
@@ -50,6 +51,8 @@ pub mod algebra;
 pub mod chain;
 #[doc(hidden)]
 pub mod diagnostic;
+#[cfg(feature = "import")]
+pub mod import;
 #[doc(hidden)]
 pub mod kinematics;
 #[doc(hidden)]

@@ -3,6 +3,8 @@
 use crate::chain::table::{Parsed, Sketch, parse};
 use crate::chain::{Chain, Scalar, Task};
 use crate::diagnostic::{Error, Errors, Place};
+#[cfg(feature = "import")]
+use crate::import::in_macro;
 use crate::kinematics::Kinematics;
 use crate::planner::Refusal;
 use crate::program::{Disproof, Forward, Inverse};
@@ -16,10 +18,32 @@ use proc_macro2::{Ident, Span, TokenStream};
 
 /// Expands the body of `dh_robot!`: items, or errors beside a stub of the type.
 pub fn expand(input: TokenStream) -> TokenStream {
-    let (items, errors) = compile(input);
+    let (input, watch, mut errors) = with_file(input);
+    let (items, more) = compile(input);
+    // Without its file a robot has no table, which is no second error.
+    if errors.is_empty() {
+        errors.extend(more);
+    }
     let mut out = errors.to_compile_errors();
     out.extend(items.into_tokens());
+    out.extend(watch);
     out
+}
+
+/// `urdf = "arm.urdf";`: the file's table in place of its name, and an item by which the build notices changes of the file.
+#[cfg(feature = "import")]
+fn with_file(input: TokenStream) -> (TokenStream, TokenStream, Errors) {
+    let folder = std::env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default();
+    match in_macro::splice(&input, folder.as_ref()) {
+        Ok(Some(spliced)) => (spliced.table, spliced.watch, Errors::new()),
+        Ok(None) => (input, TokenStream::new(), Errors::new()),
+        Err(errors) => (input, TokenStream::new(), errors),
+    }
+}
+
+#[cfg(not(feature = "import"))]
+fn with_file(input: TokenStream) -> (TokenStream, TokenStream, Errors) {
+    (input, TokenStream::new(), Errors::new())
 }
 
 /// The items of a table, and what is wrong with it: then the items are a stub of the type.

@@ -16,6 +16,7 @@ dh: kinematics from a Denavit-Hartenberg table
   dh plan    [FILE]   the steps of the inverse kinematics
   dh expand  [FILE]   the Rust code that dh_robot! leaves behind
   dh compare A B      are two tables the same arm? If so, the constant transforms between their frames
+  dh import  FILE     a table from URDF, CSV, toolbox scripts, calibrations (`dh import --help`)
   dh mdbook           preprocessor for mdBook: fenced `dh` blocks become notes
 
   --to text|latex|markdown|typst|html   format of notes and plans; plans also: mermaid; notes also: page;

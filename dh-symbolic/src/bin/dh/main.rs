@@ -4,13 +4,17 @@
 
 mod arguments;
 mod commands;
+mod import;
 mod output;
 
 use arguments::Request;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let arguments = std::env::args_os().skip(1);
+    let mut arguments = std::env::args_os().skip(1).peekable();
+    if arguments.next_if(|word| word == "import").is_some() {
+        return import::run(arguments).give();
+    }
     let answer = match Request::read(arguments) {
         Ok(request) => commands::run(&request),
         Err(answer) => answer,

@@ -1,5 +1,6 @@
 //! From a sum to what its place can hold: an angle, a length, or a cell that moves.
 
+use super::radians;
 use super::scope::{Declared, Kind, Scope};
 use super::sum::{AngleUnit, Sum, Term};
 use crate::algebra::Rational;
@@ -32,7 +33,7 @@ impl Site<'_> {
             return Error::new(t.place, text).help("give it a unit: `k*90deg`");
         }
         let text = format!("{} holds an angle (`90deg`, `pi/2`), but `{}` has no unit", self.0, t.word);
-        Error::new(t.place, text).help(format!("write `{}deg`", t.word))
+        Error::new(t.place, text).help(radians::unit_of(&t.word))
     }
 
     fn no_variable(self, t: &Term) -> Error {

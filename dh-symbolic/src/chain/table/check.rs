@@ -3,16 +3,20 @@
 use super::cell::{self, Site};
 use super::drive::{self, Moving};
 use super::expression;
+use super::header::{self, Heading};
 use super::names::variable_number;
+use super::number::Unit;
 use super::origin::Column;
+use super::radians;
 use super::range::{self, Measure};
 use super::rows::{Cell, Grid, Row};
 use super::scope::{Kind, Scope};
 use super::size;
 use super::spelling::suggestion;
-use super::sum::Sum;
+use super::sum::{AngleUnit, Sum};
 use super::text;
-use crate::chain::RowSpec;
+use crate::algebra::Rational;
+use crate::chain::{Convention, RowSpec};
 use crate::diagnostic::{Error, Errors, Place};
 use proc_macro2::TokenTree;
 
@@ -44,9 +48,11 @@ pub(super) struct Checked {
 }
 
 /// Checks header, rows and numbering.
-pub(super) fn grid(grid: &Grid, scope: &Scope, errors: &mut Errors) -> Checked {
+pub(super) fn grid(grid: &Grid, convention: Option<Convention>, scope: &Scope, errors: &mut Errors) -> Checked {
     let mut out = Checked::default();
-    let Some(columns) = header(&grid.header, errors) else { return out };
+    let Some(headings) = header(&grid.header, errors) else { return out };
+    let columns: Vec<Option<Column>> = headings.iter().map(|h| h.as_ref().map(|h| h.column)).collect();
+    agrees(&grid.header, &headings, convention, errors);
     if grid.rows.is_empty() && errors.is_empty() {
         errors.push(Error::new(grid.place, "the table has no rows"));
     }
@@ -62,7 +68,10 @@ pub(super) fn grid(grid: &Grid, scope: &Scope, errors: &mut Errors) -> Checked {
         out.bare.extend(lengths.filter_map(|(_, cell)| size::bare(&cell.tokens, cell.place)));
         out.places.push((row.place, cells.iter().map(|(c, cell)| (*c, cell.place)).collect()));
         let before = errors.len();
-        let reader = RowReader { cells: if row.fits { cells } else { Vec::new() }, number: i + 1, scope, complete };
+        let units: Vec<(Column, Unit)> =
+            headings.iter().flatten().filter_map(|h| Some((h.column, h.unit.clone()?))).collect();
+        let reader =
+            RowReader { units, cells: if row.fits { cells } else { Vec::new() }, number: i + 1, scope, complete };
         let (spec, driven) = reader.read(row, moving.len(), errors);
         readable &= errors.len() == before;
         if let Some((column, m)) = driven {
@@ -83,7 +92,7 @@ pub(super) fn grid(grid: &Grid, scope: &Scope, errors: &mut Errors) -> Checked {
 }
 
 /// Which column each header cell names. `None` where there is no header at all.
-fn header(row: &Row, errors: &mut Errors) -> Option<Vec<Option<Column>>> {
+fn header(row: &Row, errors: &mut Errors) -> Option<Vec<Option<Heading>>> {
     if row.cells.is_empty() {
         return None;
     }
@@ -91,22 +100,23 @@ fn header(row: &Row, errors: &mut Errors) -> Option<Vec<Option<Column>>> {
         errors.push(Error::new(cell.place, "there are not so many columns").help(COLUMNS));
         return None;
     }
-    let find = |name: &str| Column::ALL.into_iter().find(|c| c.name() == name);
     let near = |name: &str| suggestion(name, Column::ALL.map(Column::name));
     let names: Vec<String> = row.cells.iter().map(|c| text::of(&c.tokens)).collect();
-    if !names.iter().any(|n| find(n).is_some() || near(n).is_some()) {
+    let headings: Vec<Option<Heading>> = row.cells.iter().map(|c| header::read(&c.tokens)).collect();
+    let column = |h: &Option<Heading>| h.as_ref().map(|h| h.column);
+    if !names.iter().zip(&headings).any(|(n, h)| h.is_some() || near(n).is_some()) {
         let error = Error::new(row.place, "the header is missing: the first row names the columns");
         errors.push(error.help("`| joint | alpha | a | d | theta | range |`, in any order"));
         return None;
     }
-    let mut columns: Vec<Option<Column>> = Vec::new();
+    let mut columns: Vec<Option<Heading>> = Vec::new();
     // A misspelt or unnamed column is most likely the one that is missing.
     let mut doubtful = row.cells.iter().any(|c| c.tokens.is_empty());
-    for (name, cell) in names.iter().zip(&row.cells) {
-        let column = find(name);
-        let mut meant = column;
-        let first = columns.iter().position(|c| c.is_some() && *c == column).and_then(|i| row.cells.get(i));
-        match (column, first) {
+    for ((name, cell), heading) in names.iter().zip(&row.cells).zip(&headings) {
+        let mut meant = heading.clone();
+        let first =
+            columns.iter().position(|c| c.is_some() && column(c) == column(heading)).and_then(|i| row.cells.get(i));
+        match (heading, first) {
             (Some(_), Some(first)) => {
                 let error = Error::new(cell.place, format!("column `{name}` appears twice"));
                 errors.push(error.related(first.place, "first here"));
@@ -117,9 +127,9 @@ fn header(row: &Row, errors: &mut Errors) -> Option<Vec<Option<Column>>> {
             (None, _) if !cell.tokens.is_empty() => {
                 doubtful = true;
                 // The cells below are read as what was most likely meant.
-                meant = near(name)
-                    .and_then(find)
-                    .filter(|c| !names.iter().any(|n| n == c.name()) && !columns.contains(&Some(*c)));
+                let free = |c: &Column| headings.iter().chain(&columns).all(|h| column(h) != Some(*c));
+                let found = near(name).and_then(|n| Column::ALL.into_iter().find(|c| c.name() == n)).filter(free);
+                meant = found.map(|column| Heading { column, previous: false, unit: None });
                 let error = Error::new(cell.place, format!("unknown column `{name}`"));
                 errors.push(match (near(name), other_name(name)) {
                     (Some(n), _) | (None, Some(n)) => error.help(format!("did you mean `{n}`?")),
@@ -131,21 +141,31 @@ fn header(row: &Row, errors: &mut Errors) -> Option<Vec<Option<Column>>> {
         columns.push(meant);
     }
     for want in REQUIRED {
-        if !columns.contains(&Some(want)) && !doubtful {
+        if !columns.iter().any(|h| column(h) == Some(want)) && !doubtful {
             errors.push(Error::new(row.place, format!("column `{}` is missing", want.name())));
         }
     }
     Some(columns)
 }
 
+/// Does the convention fit to the indices of the header? alpha(i-1) and a(i-1) stand in the rows of the modified one.
+fn agrees(row: &Row, headings: &[Option<Heading>], convention: Option<Convention>, errors: &mut Errors) {
+    let shows =
+        |h: &Option<Heading>| h.as_ref().is_some_and(|h| h.previous && matches!(h.column, Column::Alpha | Column::A));
+    let Some(cell) = headings.iter().position(shows).and_then(|i| row.cells.get(i)) else { return };
+    if convention == Some(Convention::Standard) {
+        let text = "a header with the index i-1 belongs to the modified convention, and the table says `standard`";
+        errors.push(Error::new(cell.place, text).help("write `convention = modified;`, or the column without index"));
+    }
+}
+
 /// What other books call the columns.
 fn other_name(name: &str) -> Option<&'static str> {
     match name {
-        "#" | "i" | "n" | "link" | "row" | "No" => Some("joint"),
-        "α" | "twist" => Some("alpha"),
+        "twist" => Some("alpha"),
         "r" | "length" | "l" => Some("a"),
         "s" | "offset" => Some("d"),
-        "θ" | "q" | "angle" => Some("theta"),
+        "q" | "angle" => Some("theta"),
         "limits" | "limit" | "min" | "max" => Some("range"),
         _ => None,
     }
@@ -153,6 +173,8 @@ fn other_name(name: &str) -> Option<&'static str> {
 
 struct RowReader<'a> {
     cells: Vec<(Column, &'a Cell)>,
+    /// Columns whose header names a unit.
+    units: Vec<(Column, Unit)>,
     /// From 1, as people count.
     number: usize,
     scope: &'a Scope,
@@ -168,7 +190,11 @@ impl RowReader<'_> {
     fn sum(&self, column: Column, errors: &mut Errors) -> Option<Sum> {
         let cell = self.cell(column)?;
         let want = if matches!(column, Column::Alpha | Column::Theta) { Kind::Angle } else { Kind::Length };
-        errors.take(expression::read(&cell.tokens, cell.place, self.scope, want))
+        let sum = errors.take(expression::read(&cell.tokens, cell.place, self.scope, want))?;
+        match self.units.iter().find(|u| u.0 == column) {
+            Some((_, unit)) => errors.take(with_unit(sum, unit, self.scope)),
+            None => Some(sum),
+        }
     }
 
     /// `joint`: how many rows above move.
@@ -258,6 +284,33 @@ fn label(tokens: &[TokenTree]) -> Option<String> {
     };
     let fit = text.chars().count() <= LONGEST_LABEL && text.chars().any(char::is_alphabetic);
     fit.then_some(text)
+}
+
+/// Bare numbers of a column take the unit of its header.
+fn with_unit(mut sum: Sum, unit: &Unit, scope: &Scope) -> Result<Sum, Error> {
+    for t in &mut sum.terms {
+        if t.lengths > 0 || t.angle.is_some() || t.variable.is_some() || !t.names.is_empty() || t.factor.is_zero() {
+            continue;
+        }
+        match unit {
+            Unit::Length(metres) => {
+                let per_metre = scope.unit.metres.recip().unwrap_or(Rational::ONE);
+                t.factor = &(&t.factor * metres) * &per_metre;
+                t.lengths = 1;
+            }
+            Unit::HalfTurns(x) => {
+                t.factor = &t.factor * x;
+                t.angle = Some(AngleUnit::Pi);
+            }
+            // Radians are never exact: the error names the exact angle.
+            Unit::Radians => {
+                let help = radians::unit_of(&t.word);
+                return Err(Error::new(t.place, "radians are never exact").help(help));
+            }
+            Unit::None => {}
+        }
+    }
+    Ok(sum)
 }
 
 /// Does a joint variable stand among these tokens (two levels of parentheses deep)?

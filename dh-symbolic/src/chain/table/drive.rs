@@ -47,7 +47,7 @@ pub(super) fn check(moving: &[Moving], readable: bool, scope: &Scope, errors: &m
             let Some(v) = m.drive.as_ref().and_then(plain).filter(|v| *v != k) else { continue };
             let error = Error::new(m.place, format!("the variable of row {} is `q{}`, not `q{}`", m.row, k + 1, v + 1));
             errors.push(if m.row == k + 1 {
-                error
+                error.help("variables are numbered in the order of the rows")
             } else {
                 error.help(format!(
                     "row {} is moving row number {}: rows without a variable are fixed and do not count",
@@ -74,7 +74,12 @@ pub(super) fn check(moving: &[Moving], readable: bool, scope: &Scope, errors: &m
     for v in 0..n {
         if uses(v).is_none() {
             let text = format!("`q{}` drives nothing: {n} rows move, so there are `q1` to `q{n}`", v + 1);
-            errors.push(Error::new(moving.get(v).map_or_else(Place::call_site, |m| m.place), text));
+            let error = Error::new(moving.get(v).map_or_else(Place::call_site, |m| m.place), text);
+            errors.push(error.help(format!(
+                "a row that a linkage moves without a motor of its own adds one that stays at 0: `q{0} - q2 - q3`, for example, \
+                 with the range `0deg..=0deg`",
+                v + 1
+            )));
             fine = false;
         }
     }

@@ -1,5 +1,6 @@
 //! Arithmetic in a cell: tokens to a [`Sum`]. `+ - * /`, parentheses, numbers with units, `pi`, `approx`, names.
 
+use super::functions;
 use super::names::variable_number;
 use super::number::{self, Unit};
 use super::radians;
@@ -17,8 +18,17 @@ const MOST_DIGITS: usize = 1000;
 
 /// Reads an expression. `place` is where an empty one stands; `want` is what an undeclared name is likely to be.
 pub(super) fn read(tokens: &[TokenTree], place: Place, scope: &Scope, want: Kind) -> Result<Sum, Error> {
+    read_as(tokens, place, scope, want, false)
+}
+
+/// Reads a bound of a range: nothing is derived from it, so radians may be rounded, and need no `approx`.
+pub(super) fn read_bound(tokens: &[TokenTree], place: Place, scope: &Scope, want: Kind) -> Result<Sum, Error> {
+    read_as(tokens, place, scope, want, true)
+}
+
+fn read_as(tokens: &[TokenTree], place: Place, scope: &Scope, want: Kind, rounded: bool) -> Result<Sum, Error> {
     let mut budget = Budget { tokens: MOST_TOKENS, digits: MOST_DIGITS };
-    Reader { tokens, at: 0, end: place, scope, want, depth: 0, budget: &mut budget }.all()
+    Reader { tokens, at: 0, end: place, scope, want, rounded, depth: 0, budget: &mut budget }.all()
 }
 
 struct Reader<'a> {
@@ -28,6 +38,8 @@ struct Reader<'a> {
     end: Place,
     scope: &'a Scope,
     want: Kind,
+    /// Whether radians may be rounded numbers.
+    rounded: bool,
     depth: usize,
     budget: &'a mut Budget,
 }
@@ -135,6 +147,7 @@ impl<'a> Reader<'a> {
                         end: Place::of(token),
                         scope: self.scope,
                         want: self.want,
+                        rounded: self.rounded,
                         depth: self.depth + 1,
                         budget: &mut *self.budget,
                     }
@@ -177,7 +190,10 @@ impl<'a> Reader<'a> {
                 .help(format!("write `{l}{unit}` or `{l}.0{unit}`"))
             }
             (Some(TokenTree::Ident(name)), TokenTree::Group(g)) if g.delimiter() == Delimiter::Parenthesis => {
-                Error::new(Place::at(name.span()).to(place), "a cell holds sums and products, no functions")
+                Error::new(
+                    Place::at(name.span()).to(place),
+                    "a cell holds sums and products; of functions there are sqrt, sin, cos, tan, asin, acos, atan, atan2, of constants",
+                )
             }
             (Some(_), TokenTree::Ident(_) | TokenTree::Literal(_) | TokenTree::Group(_)) => {
                 Error::new(place, "an operator is missing before this").help("a product is written with `*`")
@@ -202,7 +218,9 @@ impl<'a> Reader<'a> {
         let mut term = Term::number(n.value.clone(), place, literal.to_string());
         match &n.unit {
             Unit::Radians => {
-                radians::check(&n, &term.word, place, approximate)?;
+                if !self.rounded {
+                    radians::check(&n, &term.word, place, approximate)?;
+                }
                 term.angle = Some(if n.value.is_zero() { AngleUnit::Pi } else { AngleUnit::Radian });
             }
             _ if approximate.is_some() => {
@@ -234,9 +252,14 @@ impl<'a> Reader<'a> {
         if let Some(token @ TokenTree::Group(g)) = self.peek()
             && g.delimiter() == Delimiter::Parenthesis
         {
-            return Err(self.unexpected(token));
+            if !functions::is_function(&text) {
+                return Err(self.unexpected(token));
+            }
+            self.next()?;
+            let arguments = self.arguments(g)?;
+            return functions::apply(&text, place.to(Place::of(token)), &arguments, self.scope);
         }
-        if text == "pi" {
+        if matches!(text.as_str(), "pi" | "π") {
             term.angle = Some(AngleUnit::Pi);
             return Ok(Sum::of(term));
         }
@@ -272,6 +295,30 @@ impl<'a> Reader<'a> {
         Ok(Sum::of(term))
     }
 
+    /// The arguments of a function.
+    fn arguments(&mut self, group: &proc_macro2::Group) -> Result<Vec<Sum>, Error> {
+        let place = Place::of(&TokenTree::Group(group.clone()));
+        if self.depth >= DEEPEST {
+            return Err(Error::new(place, format!("parentheses deeper than {DEEPEST}")));
+        }
+        let inside: Vec<TokenTree> = group.stream().into_iter().collect();
+        let comma = |t: &TokenTree| matches!(t, TokenTree::Punct(p) if p.as_char() == ',');
+        let read = |tokens: &[TokenTree]| {
+            Reader {
+                tokens,
+                at: 0,
+                end: place,
+                scope: self.scope,
+                want: Kind::Length,
+                rounded: self.rounded,
+                depth: self.depth + 1,
+                budget: &mut *self.budget,
+            }
+            .all()
+        };
+        inside.split(comma).map(read).collect()
+    }
+
     /// `approx 1.2rad`, `approx -1.2rad`.
     fn approximate(&mut self, place: Place) -> Result<Sum, Error> {
         let mut negative = false;
@@ -302,10 +349,11 @@ impl<'a> Reader<'a> {
         if number::is_unit(name) {
             return error.help("a unit stands behind its number: `431.8mm`");
         }
-        if matches!(name, "π" | "PI") {
+        if name == "PI" {
             return error.help("write `pi`");
         }
-        if name.starts_with("theta") || name.starts_with('θ') {
+        let letters = name.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end_matches('_');
+        if matches!(letters.to_lowercase().as_str(), "theta" | "θ" | "ϑ" | "th" | "thet" | "theta_" | "q" | "joint") {
             let digits: String = name.chars().filter(char::is_ascii_digit).collect();
             let digits = if digits.is_empty() { "1" } else { &digits };
             return error.help(format!("the variable of a joint is called `q{digits}`"));

@@ -15,6 +15,8 @@ mod cursor;
 mod derives;
 mod drive;
 mod expression;
+mod functions;
+mod header;
 mod motion;
 mod names;
 mod number;
@@ -129,7 +131,7 @@ pub fn parse(input: TokenStream) -> Parsed {
     };
     let (base, tool) = (motions("base", &mut errors), motions("tool", &mut errors));
     let checked = match &written.grid {
-        Some(grid) => check::grid(grid, &scope, &mut errors),
+        Some(grid) => check::grid(grid, settings.convention, &scope, &mut errors),
         None if nothing => check::Checked::default(),
         None => {
             let error = Error::new(head_place, "the table is missing");
@@ -193,6 +195,16 @@ pub fn parse(input: TokenStream) -> Parsed {
         _ => None,
     };
     Parsed { head: written.head, spec, sketch, claims: written.claims, origins, errors }
+}
+
+/// What a cell of a header says, in the spellings of books and data sheets: the column, whether it shows the index i-1, and the unit of
+/// bare numbers. `None` where it names no column.
+pub fn heading(text: &str) -> Option<(Column, bool, Option<String>)> {
+    // In the form of a row, where characters of typesetting are read.
+    let tokens: Vec<TokenTree> = crate::diagnostic::lex(&format!("|{text}")).ok()?.into_iter().skip(1).collect();
+    let found = header::read(&tokens)?;
+    let unit = found.unit.as_ref().map(number::unit_name);
+    Some((found.column, found.previous, unit))
 }
 
 /// `redundant = q3;`: the index of the joint.

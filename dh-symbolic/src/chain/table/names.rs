@@ -4,9 +4,10 @@ use super::number::is_unit;
 use crate::diagnostic::{Error, Place};
 use proc_macro2::Ident;
 
-/// Number of a joint variable: 2 for `q2`. `q0` gives 0; more than four digits are no variable.
+/// Number of a joint variable: 2 for `q2`, and for `θ2`, which can be no other name. `q0` gives 0; more than four digits are no
+/// variable.
 pub(super) fn variable_number(name: &str) -> Option<usize> {
-    let digits = name.strip_prefix('q')?;
+    let digits = name.strip_prefix('q').or_else(|| name.strip_prefix('θ').map(|d| d.trim_start_matches('_')))?;
     let fine = !digits.is_empty() && digits.len() <= 4 && digits.bytes().all(|b| b.is_ascii_digit());
     if fine && (digits == "0" || !digits.starts_with('0')) { digits.parse().ok() } else { None }
 }

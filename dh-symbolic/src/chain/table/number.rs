@@ -36,9 +36,10 @@ pub(super) struct Number {
 const LENGTHS: [(&str, i64, i64); 5] =
     [("m", 1, 1), ("cm", 1, 100), ("mm", 1, 1000), ("in", 254, 10_000), ("ft", 3048, 10_000)];
 /// Units of angle: name, and multiples of pi as a fraction. `rad` stands apart.
-const ANGLES: [(&str, i64, i64); 3] = [("deg", 1, 180), ("turn", 2, 1), ("pi", 1, 1)];
+/// `º` stands for the degree sign, which is no letter to Rust (see `diagnostic::lex`).
+const ANGLES: [(&str, i64, i64); 5] = [("deg", 1, 180), ("turn", 2, 1), ("pi", 1, 1), ("º", 1, 180), ("π", 1, 1)];
 /// What people write instead.
-const OTHER_NAMES: [(&str, &str); 20] = [
+const OTHER_NAMES: [(&str, &str); 19] = [
     ("d", "deg"),
     ("degree", "deg"),
     ("degrees", "deg"),
@@ -48,7 +49,6 @@ const OTHER_NAMES: [(&str, &str); 20] = [
     ("r", "rad"),
     ("rev", "turn"),
     ("turns", "turn"),
-    ("π", "pi"),
     ("meter", "m"),
     ("meters", "m"),
     ("metre", "m"),
@@ -75,12 +75,26 @@ pub(super) fn is_unit(name: &str) -> bool {
     unit(name).is_some()
 }
 
-fn unit(name: &str) -> Option<Unit> {
+/// The unit of this name.
+pub(super) fn unit(name: &str) -> Option<Unit> {
     let angle = || ANGLES.iter().find(|u| u.0 == name).map(|u| Unit::HalfTurns(fraction(u.1, u.2)));
     match name {
         "" => Some(Unit::None),
         "rad" => Some(Unit::Radians),
         _ => length_unit(name).map(|u| Unit::Length(u.metres)).or_else(angle),
+    }
+}
+
+/// The name of a unit.
+pub(super) fn unit_name(unit: &Unit) -> String {
+    let of = |list: &[(&str, i64, i64)], x: &Rational| {
+        list.iter().find(|u| fraction(u.1, u.2) == *x).map_or("", |u| u.0).to_string()
+    };
+    match unit {
+        Unit::None => String::new(),
+        Unit::Length(metres) => of(&LENGTHS, metres),
+        Unit::HalfTurns(x) => of(&ANGLES, x),
+        Unit::Radians => "rad".into(),
     }
 }
 

@@ -39,6 +39,21 @@ pub(super) fn check(n: &Number, written: &str, place: Place, approximate: Option
     Ok(())
 }
 
+/// Which unit a number in the place of an angle is likely to have: what to write instead.
+pub(super) fn unit_of(word: &str) -> String {
+    let Ok(x) = word.replace('_', "").parse::<f64>() else { return format!("give it a unit: `{word}deg`") };
+    let steps = (x * 12.0 / std::f64::consts::PI).round();
+    let whole = x == x.round();
+    if !whole && steps != 0.0 && (x - steps * std::f64::consts::PI / 12.0).abs() < 5e-3 {
+        return format!("in radians this is {}", exact_spelling(&Rational::int(steps as i64)));
+    }
+    // No angle of a robot is beyond a turn or two.
+    if whole || x > 13.0 {
+        return format!("write `{word}deg`");
+    }
+    format!("write `approx {word}rad` if these are radians, `{word}deg` if these are degrees")
+}
+
 /// "`90deg` or `pi/2`": a number of 15-degree steps.
 fn exact_spelling(steps: &Rational) -> String {
     if steps.is_zero() {

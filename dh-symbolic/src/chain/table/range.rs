@@ -46,7 +46,8 @@ pub(super) fn read(
         return Err(Error::new(cell.place, "this row has no joint variable, so there is no range").help("write `-`"));
     }
     let want = if measure == Measure::Length { Kind::Length } else { Kind::Angle };
-    let sum = |tokens: &[TokenTree]| expression::read(tokens, Place::of_all(tokens).unwrap_or(cell.place), scope, want);
+    let sum =
+        |tokens: &[TokenTree]| expression::read_bound(tokens, Place::of_all(tokens).unwrap_or(cell.place), scope, want);
     let (low, high) = (sum(low)?, sum(high)?);
     // Of `0..=90deg` both are angles.
     let angles = match measure {
@@ -60,7 +61,9 @@ pub(super) fn read(
         (a, b) => radians(a) > radians(b),
     };
     if backwards {
-        return Err(Error::new(cell.place, "this range is empty: its lower bound is above its upper bound"));
+        let bounds = [split(cell)?.1, split(cell)?.0].map(super::text::of);
+        return Err(Error::new(cell.place, "this range is empty: its lower bound is above its upper bound")
+            .help(format!("if the bounds came reversed, write `{}..={}`", bounds[0], bounds[1])));
     }
     Ok(Some((low, high)))
 }

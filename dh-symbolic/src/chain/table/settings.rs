@@ -82,6 +82,11 @@ pub(super) fn read(list: &[Setting], errors: &mut Errors) -> Settings {
             "redundant" => s.redundant = words(setting),
             "ik" => s.ik = errors.take(choice.of(&[("none", false)])).unwrap_or(true),
             "base" | "tool" => {}
+            "urdf" | "chain" => {
+                let text =
+                    format!("`{name}` needs the feature `urdf` of dh-robot, and in files the command `dh import`");
+                errors.push(Error::new(at, text));
+            }
             _ => {
                 let error = Error::new(at, format!("unknown setting `{}`", shown(&name)));
                 errors.push(match suggestion(&name, NAMES) {

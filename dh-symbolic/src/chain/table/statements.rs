@@ -128,6 +128,11 @@ fn attributes(c: &mut Cursor<'_>, errors: &mut Errors) -> (TokenStream, Vec<Stri
         match c.eat_group(Delimiter::Bracket) {
             Some(group) => {
                 let inside = unwrapped(group.stream());
+                if !matches!(inside.first(), Some(TokenTree::Ident(_))) && !leading_colons(&inside) {
+                    let error = Error::new(Place::of(&TokenTree::Group(group.clone())), "this is no attribute");
+                    errors.push(error.help("an attribute is written `#[name]` or `#[name(...)]`"));
+                    continue;
+                }
                 if let [TokenTree::Ident(name), TokenTree::Punct(_), TokenTree::Literal(text)] = inside.as_slice() {
                     // Other literals than strings are left to rustc.
                     if name == "doc"
@@ -146,6 +151,11 @@ fn attributes(c: &mut Cursor<'_>, errors: &mut Errors) -> (TokenStream, Vec<Stri
     (tokens.into_iter().collect(), docs, place)
 }
 
+/// Does a path with leading colons stand here?
+fn leading_colons(inside: &[TokenTree]) -> bool {
+    matches!(inside.first(), Some(TokenTree::Punct(p)) if p.as_char() == ':')
+}
+
 fn head(c: &mut Cursor<'_>, errors: &mut Errors) -> Head {
     const FORM: &str = "the first line names the robot: `pub struct Name;`";
     let (attributes, docs, _) = attributes(c, errors);
@@ -153,6 +163,15 @@ fn head(c: &mut Cursor<'_>, errors: &mut Errors) -> Head {
     if let Some(public) = c.peek().filter(|_| c.is_word(0, "pub")) {
         c.next();
         let scope = c.eat_group(Delimiter::Parenthesis).map(|g| TokenTree::Group(g.clone()));
+        if let Some(scope @ TokenTree::Group(g)) = &scope {
+            let words: Vec<String> = g.stream().into_iter().map(|t| t.to_string()).collect();
+            let known = matches!(words.first().map(String::as_str), Some("crate" | "super" | "self") if words.len() == 1)
+                || words.first().is_some_and(|w| w == "in");
+            if !known {
+                let error = Error::new(Place::of(scope), "this is no visibility");
+                errors.push(error.help("`pub`, `pub(crate)`, `pub(super)` or `pub(in path)`"));
+            }
+        }
         head.visibility = std::iter::once(public.clone()).chain(scope).collect();
     } else if let Some(group) = c.eat_group(Delimiter::None) {
         head.visibility = group.stream();

@@ -240,7 +240,7 @@ fn wrong_cells() {
             "1mm: column `alpha` holds an angle, but `1mm` is a length [write an angle: `90deg`, `pi/2`]",
             "1.m: a number does not end with its point [write `1m` or `1.0m`]",
             "3: an operator is missing before this [a product is written with `*`]",
-            "sin(1): a cell holds sums and products, no functions",
+            "sin(1): `sin` takes an angle: `30deg`, `pi/6`",
         ],
     );
     wrong(
@@ -359,7 +359,16 @@ fn wrong_rows() {
 fn wrong_headers() {
     let header = |text: &str| errors(&format!("struct R; convention = standard;\n{text}\n| 0 | 0 | 0 | q1 |"));
     assert_eq!(header("| alpha | a | d | tehta |"), ["tehta: unknown column `tehta` [did you mean `theta`?]"]);
-    assert_eq!(header("| α | a | d | theta |"), ["α: unknown column `α` [did you mean `alpha`?]"]);
+    assert!(header("| α | A | D | θ |").is_empty());
+    assert_eq!(
+        header("| alpha(i-1) | a(i-1) | d | theta |"),
+        ["alpha(i-1): a header with the index i-1 belongs to the modified convention, and the table says `standard` \
+          [write `convention = modified;`, or the column without index]"]
+    );
+    assert_eq!(
+        header("| alpha | a [deg] | d | theta |"),
+        ["a [deg]: unknown column `a[deg]` [columns: joint, alpha, a, d, theta, range]"]
+    );
     assert_eq!(header("| alpha | d | d | theta |"), ["d: column `d` appears twice (first here, line 2)"]);
     assert_eq!(header("| joint | a | d | theta |"), ["| joint | a | d | theta |: column `alpha` is missing"]);
     assert_eq!(
@@ -372,6 +381,69 @@ fn wrong_headers() {
 }
 
 #[test]
+fn tables_as_people_publish_them() {
+    let source = r"struct R; convention = modified; unit = mm;
+        | Link | $\alpha_{i-1}$ (deg) | a_{i-1} [m] | $\theta_i$ | d_i |
+        | 1 | 0 | 0 | q1 | 243.3 |
+        | 2 | 90 | 0.28 | π/2 + θ2 | 30 |
+        | 3 | -90° | 0 | θ_3 − 90° | 20 |";
+    let parsed = read(source);
+    let spec = parsed.spec.unwrap_or_else(|| panic!("{}", parsed.errors.draw(source, "-")));
+    assert_eq!((spec.rows[1].alpha.clone(), spec.rows[2].alpha.clone()), (half_turns(1, 2), half_turns(-1, 2)));
+    assert_eq!((spec.rows[1].a.clone(), spec.rows[1].d.clone()), (number(280, 1), number(30, 1)));
+    assert_eq!((spec.rows[1].theta.clone(), spec.rows[2].theta.clone()), (half_turns(1, 2), half_turns(-1, 2)));
+    assert!(spec.rows.iter().all(|r| r.moves.as_ref().is_some_and(|m| m.turns)));
+}
+
+#[test]
+fn functions_of_constants() {
+    let spec = spec(
+        "let w = 3; let h = 4mm;",
+        "| atan2(3, 3) | sqrt(w*w + 16) | sqrt(9mm*h/4) | q1 + atan(49.75/250) | - |
+         | acos(1/2) | 2*cos(60deg) | 0.3*sin(pi/3) | q2 | -2.41rad..=3.141593rad |
+         | atan2(h, 3mm) | tan(45deg) | 0 | q3 | - |",
+    );
+    let rows = &spec.rows;
+    assert_eq!((rows[0].alpha.clone(), rows[1].alpha.clone()), (half_turns(1, 4), half_turns(1, 3)));
+    assert_eq!((rows[0].a.clone(), rows[0].d.clone()), (number(5, 1), number(3, 1000)));
+    assert_eq!((rows[1].a.clone(), rows[2].a.clone()), (number(1, 1), number(1, 1)));
+    assert!((rows[0].theta.radians() - (49.75f64 / 250.0).atan()).abs() < 1e-15);
+    assert!((rows[2].alpha.radians() - 4f64.atan2(3.0)).abs() < 1e-15);
+    let d: f64 = rows[1].d.terms[0].0.to_f64();
+    assert!((d - 0.3 * 0.75f64.sqrt()).abs() < 1e-15);
+    assert_eq!(rows[1].range, Some((Bound::Radians(ratio(-241, 100)), Bound::Radians(ratio(3_141_593, 1_000_000)))));
+    let wrong = |lines: &str, cell: &str| errors(&table(lines, &format!("| 0 | {cell} | 0 | q1 | - |"))).join("\n");
+    assert!(wrong("", "sqrt(-2)").contains("takes a number that is not negative"));
+    assert!(wrong("", "sin(0.5)").contains("takes an angle"));
+    assert!(wrong("let a2: length;", "sqrt(a2*a2)").contains("a function takes constants only"));
+    assert!(wrong("", "sqrt(1, 2)").contains("`sqrt` takes"));
+    assert!(wrong("", "log(2)").contains("of functions there are sqrt"));
+    assert!(wrong("", "sqrt()").contains("a number or a name is missing here"));
+}
+
+#[test]
+fn help_names_the_right_unit() {
+    let help = |cell: &str| errors(&table("", &format!("| {cell} | 0 | 0 | q1 | - |"))).join("\n");
+    assert!(help("1.5708").contains("[in radians this is `90deg` or `pi/2`]"), "{}", help("1.5708"));
+    assert!(help("-0.785").contains("`45deg` or `pi/4`"));
+    assert!(help("90").contains("[write `90deg`]"));
+    assert!(help("1.2").contains("[write `approx 1.2rad` if these are radians, `1.2deg` if these are degrees]"));
+    let row = |cell: &str| errors(&table("", &format!("| 0 | 0 | 0 | {cell} | - |"))).join("\n");
+    assert!(row("th1").contains("the variable of a joint is called `q1`"), "{}", row("th1"));
+    assert!(row("q1 + 1.5708").contains("`pi/2`"));
+    let range = errors(&table("", "| 0 | 0 | 0 | q1 | 10deg..=-10deg |")).join("\n");
+    assert!(range.contains("write `-10deg..=10deg`"), "{range}");
+}
+
+#[test]
+fn attributes_and_visibility_are_checked() {
+    let rest = "struct R; convention = standard; | alpha | a | d | theta | | 0 | 1 | 0 | q1 |";
+    assert_eq!(errors(&format!("pub(cratemodified) {rest}")).len(), 1);
+    assert_eq!(errors(&format!("#[(Debug)] {rest}")).len(), 1);
+    assert!(errors(&format!("#[allow(dead_code)] pub(crate) {rest}")).is_empty());
+}
+
+#[test]
 fn wrong_variables() {
     wrong(
         "",
@@ -379,7 +451,7 @@ fn wrong_variables() {
         &[
             "q1: column `a` cannot move: a joint variable stands in column `theta` or `d`",
             "q2: row 2 moves in `theta` and in `d`: one joint per row (it moves here already, line 6) [write a cylindrical joint as two rows]",
-            "q2: the variable of row 3 is `q3`, not `q2`",
+            "q2: the variable of row 3 is `q3`, not `q2` [variables are numbered in the order of the rows]",
             "q0: joint variables are numbered from 1: `q1` is the first",
             "q1: column `alpha` cannot move: a joint variable stands in column `theta` or `d`",
         ],
@@ -410,7 +482,10 @@ fn wrong_variables() {
     wrong(
         "",
         "| 0 | 1 | 0 | 2*q1 | - |\n| 0 | 1 | 0 | q1 | - |",
-        &["q1: `q2` drives nothing: 2 rows move, so there are `q1` to `q2`"],
+        &[
+            "q1: `q2` drives nothing: 2 rows move, so there are `q1` to `q2` [a row that a linkage moves without a motor of its own adds \
+           one that stays at 0: `q2 - q2 - q3`, for example, with the range `0deg..=0deg`]",
+        ],
     );
     wrong(
         "",
@@ -427,7 +502,7 @@ fn wrong_ranges() {
         "| 0 | 0 | 0 | q1 | 160deg..=-160deg |\n| 0 | 0 | 0 | q2 | 0m..=1m |\n| 0 | 0 | q3 | 0 | 0..1 |\n\
          | 0 | 0 | 0 | 0 | 0..=1 |\n| 0 | 0 | q4 | 0 | 0..=l |\n| 0 | 0 | q5 | 0 | fixed |\n| 0 | 0 | 0 | q6 | 90 |\n| 0 | 0 | q7 | 0 | ..=1 |",
         &[
-            "160deg..=-160deg: this range is empty: its lower bound is above its upper bound",
+            "160deg..=-160deg: this range is empty: its lower bound is above its upper bound [if the bounds came reversed, write `-160deg..=160deg`]",
             "0m: joint 2 turns: its range is in angles",
             "0..1: the bounds belong to the range [write `..=`]",
             "0..=1: this row has no joint variable, so there is no range [write `-`]",
