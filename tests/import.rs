@@ -115,7 +115,7 @@ fn rows(made: &Imported) -> Vec<Vec<String>> {
 #[test]
 fn rounded_angles_are_told() {
     let text = serial(&[
-        ["revolute", "0 0 0.3", "0 0 0", "0 0 1", "<limit lower=\"-2.9671\" upper=\"2.85\"/>\n"],
+        ["revolute", "0 0 0.3", "0 0 0", "0 0 1", "<limit lower=\"-2.9671\" upper=\"2.6\"/>\n"],
         ["revolute", "0 0 0.1", "-1.5708 0 0", "0 0 1", ""],
         ["revolute", "0.4 0 0", "0 0 1.57", "0 0 1", ""],
         ["revolute", "0 -0.3 0", "1.571 0 0", "0 0 1", "<limit lower=\"2\" upper=\"-2\"/>\n"],
@@ -139,7 +139,7 @@ fn rounded_angles_are_told() {
         assert!(notes.contains(part), "{part}\n{notes}");
     }
     let table = rows(&made[0]);
-    assert_eq!(table[0], ["joint_1", "0", "0", "0.4", "q1", "-170deg..=2.85rad"]);
+    assert_eq!(table[0], ["joint_1", "0", "0", "0.4", "q1", "-170deg..=2.6rad"]);
     assert_eq!(table[3][5], "-2rad..=2rad");
     assert!(made[0].table.contains("pub struct TestArm;"), "{}", made[0].table);
     let written = from_urdf(&text, &options(Convention::Modified, Rounding::AsWritten)).expect("a table");

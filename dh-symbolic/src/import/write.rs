@@ -98,8 +98,10 @@ fn range(axis: &Axis, low: &str, high: &str) -> String {
             return number(x);
         }
         // Whole degrees, rounded to the digits that are written.
-        let degrees = (x.to_degrees() * 2.0).round() / 2.0;
         let digits = text.split(['e', 'E']).next().and_then(|t| t.split_once('.')).map_or(0, |(_, f)| f.len());
+        // Of few digits only the usual angles: 2.6 is near 149 degrees by chance.
+        let step = if digits < 4 { 15.0 } else { 0.5 };
+        let degrees = (x.to_degrees() / step).round() * step;
         let last_digit = 0.1f64.powi(i32::try_from(digits.clamp(3, 9)).unwrap_or(9));
         if (degrees.to_radians() - x).abs() <= last_digit {
             return format!("{}deg", number(degrees));
