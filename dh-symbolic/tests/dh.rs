@@ -257,7 +257,7 @@ fn documents_are_checked_line_by_line() {
     let (good, bad) = (good.to_string_lossy(), bad.to_string_lossy());
     let (code, out, err) = dh(&["check", "-", &good], PLANAR);
     assert_eq!((code, err.as_str()), (0, ""), "{out}");
-    assert!(out.contains("1 proven; 0 lines of prose"), "{out}");
+    assert!(out.contains("1 formula, 1 proven, 0 wrong, 0 unclear; 0 lines of prose"), "{out}");
     let (code, out, _) = dh(&["check", "-", &good, &bad], PLANAR);
     assert_eq!(code, 1);
     for part in [

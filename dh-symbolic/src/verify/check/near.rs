@@ -28,7 +28,8 @@ impl Evaluator<'_> {
         let tolerance = |e: &Expr, finest: Option<f64>| -> Understood<f64> {
             match (stated, rounding(e, metre)) {
                 (Some(t), _) => Ok(t),
-                (None, Some(Rounding { half, decimal })) => Ok(if decimal { half } else { finest.unwrap_or(half) }),
+                (None, Some(Rounding { half, decimal: true, whole })) => Ok(finest.filter(|_| whole).unwrap_or(half)),
+                (None, Some(Rounding { half, .. })) => Ok(finest.unwrap_or(half)),
                 (None, None) => refuse(&e.place, "how near? Write a plain number, or add `within 0.05`"),
             }
         };
@@ -69,11 +70,17 @@ impl Evaluator<'_> {
                     ExprKind::Matrix(_, entries) if entries.len() == m.entries.len() => Some(entries),
                     _ => None,
                 };
-                let all_roundings = written.into_iter().flatten().filter_map(|e| rounding(e, metre));
-                let finest = all_roundings.filter(|r| r.decimal).map(|r| r.half).reduce(f64::min);
+                let decimals = || {
+                    let all = written.into_iter().flatten().filter_map(|e| rounding(e, metre));
+                    all.filter(|r| r.decimal && !r.whole).map(|r| r.half)
+                };
+                // Beside 552.9 a 62.0 is rounded to a decimal as well; beside 0.7071 a 1.0 is the whole number.
+                let (finest, coarsest) = (decimals().reduce(f64::min), decimals().reduce(f64::max));
+                let rounded_alike =
+                    |e: &Expr| rounding(e, metre).is_some_and(|r| r.whole && coarsest.is_some_and(|c| c >= r.half));
                 for (k, (x, y)) in m.entries.iter().zip(&n.entries).enumerate() {
                     let e = written.and_then(|w| w.get(k)).unwrap_or(sides.printed());
-                    if let Some(kind) = self.apart(x, y, tolerance(e, finest)?) {
+                    if let Some(kind) = self.apart(x, y, tolerance(e, if rounded_alike(e) { None } else { finest })?) {
                         let entry = Some((k / m.columns + 1, k % m.columns + 1));
                         all = joined(
                             all,

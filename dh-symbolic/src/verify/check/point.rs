@@ -177,7 +177,8 @@ pub(super) fn rounding(e: &Expr, metre: f64) -> Option<Rounding> {
                 _ => return None,
             };
             let half = |d: i32| 0.5 * 10f64.powi(-d) * unit;
-            Some(Rounding { half: half(w.decimals.unwrap_or(0)), decimal: w.decimals.is_some() })
+            let whole = text.strip_suffix(w.unit.as_str()).is_some_and(|digits| digits.ends_with(".0"));
+            Some(Rounding { half: half(w.decimals.unwrap_or(0)), decimal: w.decimals.is_some(), whole })
         }
         _ => None,
     }
@@ -189,6 +190,8 @@ pub(super) struct Rounding {
     pub(super) half: f64,
     /// Was a decimal point written?
     pub(super) decimal: bool,
+    /// Is it written as `2.0`: a whole number, or one rounded to a decimal?
+    pub(super) whole: bool,
 }
 
 impl Evaluator<'_> {

@@ -194,7 +194,7 @@ impl Reader<'_> {
         if text.starts_with('.') {
             text.insert(0, '0');
         }
-        let digits = if let Some(whole) = text.strip_suffix(".0") { whole.to_string() } else { text };
+        let digits = text;
         if self.plain {
             let from = self.at;
             let unit = self.take_while(|c| c.is_ascii_alphabetic());

@@ -63,7 +63,7 @@ fn is_measured(words: &[Word]) -> bool {
     let mark = |w: &Word| "[](),;-+".contains(w.token.text.as_str());
     let large = matches!(words, [w] if w.token.text.parse::<u32>().is_ok_and(|n| n > 1));
     words.iter().all(|w| number(w) || mark(w))
-        && (large || words.iter().any(|w| number(w) && w.token.text.contains('.')))
+        && (large || words.iter().any(|w| number(w) && has_decimals(&w.token.text)))
 }
 
 /// Is it one number, with its sign?
@@ -390,7 +390,7 @@ pub(super) fn is_foreign(words: &[Word], names: &Names<'_>) -> bool {
 
 /// A measured number that a formula of the joints is said to have: true at one pose, and no identity.
 fn is_instance(left: &[Word], right: &[Word]) -> bool {
-    let exact = |w: &[Word]| !w.iter().any(|w| w.token.text.contains('.') || w.token.text.ends_with("deg"));
+    let exact = |w: &[Word]| !w.iter().any(|w| has_decimals(&w.token.text) || w.token.text.ends_with("deg"));
     let measured = |w: &[Word]| (is_measured(w) || is_number(w)) && !exact(w);
     let of_table = |w: &Word| {
         let t = w.token.text.as_str();
@@ -406,4 +406,9 @@ fn is_instance(left: &[Word], right: &[Word]) -> bool {
     }
     let [formula, number] = if measured(right) { [left, right] } else { [right, left] };
     measured(number) && !formula.iter().all(of_table)
+}
+
+/// Does a number have decimals? `2.0` is the whole number 2.
+fn has_decimals(text: &str) -> bool {
+    text.contains('.') && !text.ends_with(".0")
 }
