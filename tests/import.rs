@@ -37,12 +37,13 @@ mod from_file {
 fn check(name: &str, text: &str, tip: Option<&str>) -> Vec<Imported> {
     let mut all = Vec::new();
     for convention in BOTH {
-        for (rounding, exact) in [(Rounding::Near, 1e-3), (Rounding::AsWritten, 1e-9)] {
+        // The second opinion undoes the rounding of angles, not of lengths, which may move by 1e-5 of the reach. As written, angles of less
+        // than 1e-9 rad are rounded still: some makers' files hold them.
+        for (rounding, exact, most) in [(Rounding::Near, 1e-3, 1e-5), (Rounding::AsWritten, 1e-9, 1e-9)] {
             let options = Options { tip: tip.map(str::to_string), ..options(convention, rounding) };
             let made = from_urdf(text, &options).unwrap_or_else(|e| panic!("{name}: {}", e.draw(text, name)));
             let off = difference(text, &made, exact);
-            // What is rounded beside angles of the file is said, and small.
-            assert!(off < 1e-12, "{name} {convention:?} {rounding:?}: {off:e}\n{}\n{:#?}", made.table, made.notes);
+            assert!(off < most, "{name} {convention:?} {rounding:?}: {off:e}\n{}\n{:#?}", made.table, made.notes);
             if rounding == Rounding::Near {
                 let chain = Chain::new(spec(&made.table));
                 if chain.ik {
@@ -194,7 +195,7 @@ fn joints_that_follow_others() {
 
 #[test]
 fn a_file_in_the_macro() {
-    let arm = from_file::BenchArm::default();
+    let arm = from_file::BenchArm;
     let text = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("urdf/bench_arm.urdf")).expect("text");
     let steps = steps(&text, "base_link", "tool0", 1e-3);
     let q = [0.3, -1.1, 0.7, 0.4, -0.9, 1.2];
@@ -245,7 +246,9 @@ fn random_chains() {
         let list: Vec<[&str; 5]> = joints.iter().map(|j| std::array::from_fn(|i| j[i].as_str())).collect();
         let text = serial(&list);
         for convention in BOTH {
-            for (rounding, exact) in [(Rounding::Near, 1e-3), (Rounding::AsWritten, 1e-9)] {
+            // The second opinion undoes the rounding of angles, not of lengths, which may move by 1e-5 of the reach. As written, angles of less
+            // than 1e-9 rad are rounded still: some makers' files hold them.
+            for (rounding, exact, most) in [(Rounding::Near, 1e-3, 1e-5), (Rounding::AsWritten, 1e-9, 1e-9)] {
                 let made = from_urdf(&text, &options(convention, rounding)).unwrap_or_else(|e| panic!("{e:?}\n{text}"));
                 let off = difference(&text, &made, exact);
                 // Chance makes a right angle now and then.

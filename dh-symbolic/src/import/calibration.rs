@@ -213,10 +213,13 @@ fn distance(a: &[(Pose, bool)], b: &[(Pose, bool)]) -> f64 {
     (0..6).map(|k| norm(minus(tip(a, k).p, tip(b, k).p))).fold(0.0, f64::max)
 }
 
+/// A link's path in the file, its x, y, z, roll, pitch and yaw as far as they are given, and its first line.
+type LinkNumbers<'a> = (&'a [String], [Option<f64>; 6], usize);
+
 /// The poses of links, in the order of the file.
 fn link_poses(entries: &[Entry]) -> Result<Vec<Pose>, Problem> {
     const NAMES: [&str; 6] = ["x", "y", "z", "roll", "pitch", "yaw"];
-    let mut links: Vec<(&[String], [Option<f64>; 6], usize)> = Vec::new();
+    let mut links: Vec<LinkNumbers<'_>> = Vec::new();
     for entry in entries {
         let Some((name, link)) = entry.path.split_last() else { continue };
         let (Some(k), [x]) = (NAMES.iter().position(|n| n == name), entry.values.as_slice()) else { continue };

@@ -134,6 +134,7 @@ pub(super) fn shown(x: f64) -> String {
 }
 
 #[cfg(test)]
+#[allow(clippy::approx_constant)] // angles as files write them
 mod tests {
     use super::*;
 

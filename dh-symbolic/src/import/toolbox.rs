@@ -7,8 +7,11 @@ use super::published::{Cells, finish};
 use super::{Imported, Options};
 use crate::chain::Convention;
 
-/// Names of the calls: turns (`None`: as the arguments say), modified (`None`: as the arguments say).
-const CALLS: [(&str, Option<bool>, Option<bool>); 9] = [
+/// A call's name, and what it says: turns (`None`: as the arguments say), modified (`None`: as the arguments say).
+type LinkCall = (&'static str, Option<bool>, Option<bool>);
+
+/// All calls.
+const CALLS: [LinkCall; 9] = [
     ("RevoluteMDH", Some(true), Some(true)),
     ("PrismaticMDH", Some(false), Some(true)),
     ("RevoluteDH", Some(true), Some(false)),
@@ -71,7 +74,7 @@ pub(super) fn read(text: &str, options: &Options) -> Result<Imported, Problem> {
 }
 
 /// The next call of a link, with its place.
-fn next_call(text: &str, from: usize) -> Option<(usize, (&'static str, Option<bool>, Option<bool>))> {
+fn next_call(text: &str, from: usize) -> Option<(usize, LinkCall)> {
     let word = |c: char| c.is_alphanumeric() || c == '_';
     let found = CALLS.iter().filter_map(|call| {
         let mut at = from;
@@ -132,7 +135,7 @@ fn split(text: &str) -> Vec<&str> {
 }
 
 /// The numbers of `[0 0.4 0 pi/2]` or `[0, 0.4]`.
-fn vector<'a>(text: &'a str) -> Option<Vec<&'a str>> {
+fn vector(text: &str) -> Option<Vec<&str>> {
     let inner = text.trim().strip_prefix(['[', '('])?.strip_suffix([']', ')'])?;
     Some(if inner.contains(',') {
         inner.split(',').map(str::trim).filter(|w| !w.is_empty()).collect()

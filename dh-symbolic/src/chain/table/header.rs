@@ -70,12 +70,12 @@ pub(super) fn read(tokens: &[TokenTree]) -> Option<Heading> {
         (previous || OWN.contains(&index)).then_some((column, previous))
     };
     let (column, previous) = found.filter_map(with_index).next()?;
-    let fits = match (&unit, column) {
-        (None, _) => true,
-        (Some(Unit::Length(_)), Column::A | Column::D) => true,
-        (Some(Unit::HalfTurns(_) | Unit::Radians), Column::Alpha | Column::Theta | Column::Range) => true,
-        _ => false,
-    };
+    let fits = matches!(
+        (&unit, column),
+        (None, _)
+            | (Some(Unit::Length(_)), Column::A | Column::D)
+            | (Some(Unit::HalfTurns(_) | Unit::Radians), Column::Alpha | Column::Theta | Column::Range)
+    );
     fits.then_some(Heading { column, previous, unit })
 }
 
