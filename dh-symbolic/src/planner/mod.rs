@@ -4,7 +4,7 @@
 //! branches and what happens when it degenerates; or the reasons why there is none.
 //!
 //! The way: the [`pool`] of all scalar equations between any two frames of the arm is sorted by the joint combinations that each
-//! depends on. As long as something is unknown, [`search`] takes the cheapest equations with one unknown combination (or two
+//! depends on. As long as something is unknown, `search` takes the cheapest equations with one unknown combination (or two
 //! equations with two unknowns); what they give is known from then on. No arm is recognised by name.
 //!
 //! **Never here:** tokens; prose but for what each kind of step is called (`steps`). Reasons are data; `render` words them.
