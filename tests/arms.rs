@@ -119,7 +119,7 @@ fn classes(part: usize, of: usize) {
             let text = table(class, &mut || random.signed());
             let arm = Compiled::new(&text).unwrap_or_else(|r| panic!("{class}: refused: {r:?}\n{text}"));
             let general = arm.inverse.plan.steps.iter().any(|s| s.kind == StepKind::General);
-            let reach = arm.inverse.plan.axes.reach;
+            let reach = arm.inverse.plan.axes.length_scale;
             // The general elimination takes its time in a build for tests.
             for pose in 0..if general { 2 } else { POSES } {
                 let q = joints(&arm, reach, pose % 3, &mut random);

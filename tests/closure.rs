@@ -110,7 +110,7 @@ generated_examples::for_every_robot!(arms);
 /// Joint values within half a turn; the ones of sliding joints within half a unit of length.
 pub(crate) fn random_joints(spec: &ChainSpec, source: &mut Random) -> Vec<f64> {
     let moves = spec.rows.iter().filter_map(|row| row.moves.as_ref());
-    moves.map(|m| source.signed() * if m.turns { f64::PI } else { 0.5 }).collect()
+    moves.map(|m| source.signed() * if m.revolute { f64::PI } else { 0.5 }).collect()
 }
 
 /// Are these the same joint values, but for whole turns?
@@ -118,7 +118,7 @@ fn same(spec: &ChainSpec, a: &[f64], b: &[f64], reach: f64) -> bool {
     let moves = spec.rows.iter().filter_map(|row| row.moves.as_ref());
     moves.zip(a.iter().zip(b)).all(|(m, (a, b))| {
         let apart = a - b;
-        let apart = if m.turns { apart - f64::TAU * (apart / f64::TAU).round() } else { apart / reach };
+        let apart = if m.revolute { apart - f64::TAU * (apart / f64::TAU).round() } else { apart / reach };
         apart.abs() < 1e-6
     })
 }
@@ -154,7 +154,7 @@ fn solutions_reach_their_targets_and_none_is_missing() {
 #[test]
 fn targets_out_of_reach_are_refused_with_a_reason() {
     let sources = generated_examples::source::all().expect("the examples can be read");
-    let turns = |body: &str| spec(body).rows.iter().all(|row| row.moves.as_ref().is_none_or(|m| m.turns));
+    let turns = |body: &str| spec(body).rows.iter().all(|row| row.moves.as_ref().is_none_or(|m| m.revolute));
     for (arm, _) in arms().iter().zip(&sources).filter(|(_, source)| turns(&source.body)) {
         let found = (arm.inverse)(&IsometryMatrix3::translation(1e4, 2e4, 0.0), &[0.1; 8]);
         assert!(found.q.is_empty(), "{}: {:?}", arm.module, found.q);

@@ -178,7 +178,7 @@ impl Arm {
             a: length(&row.a),
             d: length(&row.d),
             theta: angle(&row.theta),
-            moves: row.moves.as_ref().map(|m| (m.turns, m.terms.iter().map(|(j, k)| (*j, length(k))).collect())),
+            moves: row.moves.as_ref().map(|m| (m.revolute, m.terms.iter().map(|(j, k)| (*j, length(k))).collect())),
         });
         Arm {
             modified: spec.convention == Convention::Modified,

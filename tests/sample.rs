@@ -28,7 +28,7 @@ impl Random {
 /// turn, sliding joints within a unit of length).
 #[must_use]
 pub fn joint_vectors(spec: &ChainSpec, random: usize) -> Vec<Vec<f64>> {
-    let turns: Vec<bool> = spec.rows.iter().filter_map(|row| row.moves.as_ref().map(|m| m.turns)).collect();
+    let turns: Vec<bool> = spec.rows.iter().filter_map(|row| row.moves.as_ref().map(|m| m.revolute)).collect();
     let n = turns.len();
     let mut all = vec![vec![0.0; n]];
     for special in [FRAC_PI_2, -FRAC_PI_2, PI, -PI] {

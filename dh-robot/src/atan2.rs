@@ -41,11 +41,11 @@ pub fn atan2_batch<T: Real, const N: usize>(y: &[T; N], x: &[T; N]) -> [T; N] {
         let (to, y, x) = (&mut angles[start..], &y[start..], &x[start..]);
         // Decided while compiling. Wide vectors take few vectors and many alike; with two lanes every pair costs.
         match to.len() {
-            _ if cfg!(target_feature = "avx") => lanes::<T, LANES>(to, y, x),
-            1 => lanes::<T, 1>(to, y, x),
-            2..=4 => lanes::<T, 4>(to, y, x),
-            5..=6 => lanes::<T, 6>(to, y, x),
-            _ => lanes::<T, LANES>(to, y, x),
+            _ if cfg!(target_feature = "avx") => chunk::<T, LANES>(to, y, x),
+            1 => chunk::<T, 1>(to, y, x),
+            2..=4 => chunk::<T, 4>(to, y, x),
+            5..=6 => chunk::<T, 6>(to, y, x),
+            _ => chunk::<T, LANES>(to, y, x),
         }
     }
     angles
@@ -53,7 +53,7 @@ pub fn atan2_batch<T: Real, const N: usize>(y: &[T; N], x: &[T; N]) -> [T; N] {
 
 /// The first `L` angles, or as many as there are.
 #[inline(always)]
-fn lanes<T: Real, const L: usize>(to: &mut [T], y: &[T], x: &[T]) {
+fn chunk<T: Real, const L: usize>(to: &mut [T], y: &[T], x: &[T]) {
     let (mut ys, mut xs, mut angles) = ([T::zero(); L], [T::zero(); L], [T::zero(); L]);
     for (lane, value) in ys.iter_mut().zip(y) {
         *lane = *value;

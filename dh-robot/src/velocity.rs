@@ -71,13 +71,13 @@ pub fn jacobian_dot<T: Real, const N: usize>(jacobian: &SMatrix<T, 6, N>, speeds
 
 /// [`jacobian_dot`] for an arm with coupled drives.
 ///
-/// `rows` says how far each moving row of the table moves by each motor, `motors` is its inverse; Jacobian and speeds are those of the
-/// motors.
+/// `rows` says how far each moving row of the table moves by each actuator, `actuators` is its inverse; Jacobian and speeds are those of the
+/// actuators.
 pub fn jacobian_dot_coupled<T: Real, const N: usize>(
     jacobian: &SMatrix<T, 6, N>,
     speeds: &[T; N],
     rows: &[[f64; N]; N],
-    motors: &[[f64; N]; N],
+    actuators: &[[f64; N]; N],
 ) -> SMatrix<T, 6, N> {
     let product = |matrix: &SMatrix<T, 6, N>, by: &[[f64; N]; N]| {
         SMatrix::<T, 6, N>::from_fn(|i, j| (0..N).fold(T::zero(), |sum, k| sum + matrix[(i, k)] * T::of(by[k][j])))
@@ -86,7 +86,7 @@ pub fn jacobian_dot_coupled<T: Real, const N: usize>(
     for (speed, row) in of_rows.iter_mut().zip(rows) {
         *speed = row.iter().zip(speeds).fold(T::zero(), |sum, (k, s)| sum + T::of(*k) * *s);
     }
-    product(&jacobian_dot(&product(jacobian, motors), &of_rows), rows)
+    product(&jacobian_dot(&product(jacobian, actuators), &of_rows), rows)
 }
 
 /// The singular values of a Jacobian as it is (rows in units of length and in radians), the greatest first: six, or `N` where there

@@ -285,7 +285,7 @@ impl Cobra600 {
             return self.inverse_with_work(target).0;
         }
         if valid == [1.0; 2] {
-            let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
+            let at = |branch: usize| ::dh_robot::runtime::batched::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -293,7 +293,7 @@ impl Cobra600 {
             );
             return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0), at(1)]);
         }
-        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::batched::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
     /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
@@ -312,8 +312,8 @@ impl Cobra600 {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 4],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -322,7 +322,7 @@ impl Cobra600 {
         let mut found = [[0.0; 2]; 4];
         let mut valid = [0.0; 2];
         if self.all_branches(&frame, &mut found, &mut valid) {
-            let list: ::dh_robot::Solutions<_, 4, 2> = ::dh_robot::runtime::lanes::collect(
+            let list: ::dh_robot::Solutions<_, 4, 2> = ::dh_robot::runtime::batched::collect(
                 &Self::JOINTS,
                 &valid,
                 &found,
@@ -361,8 +361,8 @@ impl Cobra600 {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 4],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -413,8 +413,8 @@ impl Cobra600 {
     ) -> ::core::option::Option<[f64; 4]> {
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [
                 ::core::option::Option::None,
                 ::core::option::Option::None,
@@ -597,8 +597,8 @@ impl Cobra600 {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 4],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -632,7 +632,7 @@ impl Cobra600 {
         }
         all
     };
-    /// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.
+    /// The plan for all branches at once: joint values, and which branches are real; false where the fallback path has to decide.
     #[inline]
     fn all_branches(
         &self,
@@ -645,26 +645,26 @@ impl Cobra600 {
         let constant_error = (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs()
             + (0.0 - t[1][2]).abs() + (-1.0 - t[2][2]).abs();
         // Step 1: q3 from a linear equation.
-        let (q3_scaled, q3_margin) = ::dh_robot::runtime::lanes::linear(
+        let (q3_scaled, q3_margin) = ::dh_robot::runtime::batched::linear(
             -1.0,
             -(t[2][3] - 0.39209726443769),
         );
         let q3 = q3_scaled * Self::LENGTH_SCALE;
         let q3_error = (0.39209726443769 - q3_scaled - t[2][3]).abs();
         // Step 2: q1 + q2 - q4 from sine and cosine.
-        let [c12m4, s12m4] = ::dh_robot::runtime::lanes::unit(t[0][0], t[0][1]);
-        let q1_plus_q2_minus_q4 = ::dh_robot::runtime::lanes::angle(s12m4, c12m4);
+        let [c12m4, s12m4] = ::dh_robot::runtime::batched::unit(t[0][0], t[0][1]);
+        let q1_plus_q2_minus_q4 = ::dh_robot::runtime::batched::angle(s12m4, c12m4);
         let q1_plus_q2_minus_q4_error = (s12m4 - t[0][1]).abs()
             + (-c12m4 - t[1][1]).abs();
         // Step 3: q2 from the law of cosines.
-        let ([c2_first, s2_first, c2_second, s2_second], q2_valid, q2_margin) = ::dh_robot::runtime::lanes::sincos(
+        let ([c2_first, s2_first, c2_second, s2_second], q2_valid, q2_margin) = ::dh_robot::runtime::batched::sincos(
             0.18348972303573616,
             0.0,
             q3_scaled * (0.78419452887538 - q3_scaled) + t_3,
         );
         let all_c2 = [c2_first, c2_second];
         let all_s2 = [s2_first, s2_second];
-        let all_q2 = ::dh_robot::runtime::lanes::angles(
+        let all_q2 = ::dh_robot::runtime::batched::angles(
             &[s2_first, s2_second],
             &[c2_first, c2_second],
         );
@@ -678,7 +678,7 @@ impl Cobra600 {
             let t_4 = 0.32928064842958465 + 0.27862208713272546 * c2;
             let t_5 = 0.27862208713272546 * s2;
             // Step 4: q1 from sine and cosine.
-            let ([c1, s1], q1_margin) = ::dh_robot::runtime::lanes::pair(
+            let ([c1, s1], q1_margin) = ::dh_robot::runtime::batched::pair(
                 t_4,
                 -t_5,
                 t[0][3],
@@ -686,7 +686,7 @@ impl Cobra600 {
                 t_4,
                 t[1][3],
             );
-            let q1 = ::dh_robot::runtime::lanes::angle(s1, c1);
+            let q1 = ::dh_robot::runtime::batched::angle(s1, c1);
             let t_6 = 0.27862208713272546 * (c2 * c1 - s2 * s1)
                 + 0.32928064842958465 * c1;
             let t_7 = 0.27862208713272546 * (c2 * s1 + s2 * c1)
@@ -694,8 +694,8 @@ impl Cobra600 {
             let q1_error = (t_6 - t[0][3]).abs() + (t_7 - t[1][3]).abs();
             let q2 = all_q2[branch];
             // How far the branch is from what it should be.
-            all_margin[branch] = ::dh_robot::runtime::lanes::lesser(
-                ::dh_robot::runtime::lanes::lesser(q3_margin, q2_margin),
+            all_margin[branch] = ::dh_robot::runtime::batched::lesser(
+                ::dh_robot::runtime::batched::lesser(q3_margin, q2_margin),
                 q1_margin,
             );
             all_valid[branch] = q2_valid;
@@ -704,12 +704,12 @@ impl Cobra600 {
             q[0][branch] = q1;
             q[1][branch] = q2;
             q[2][branch] = q3;
-            q[3][branch] = ::dh_robot::runtime::lanes::wrap(
+            q[3][branch] = ::dh_robot::runtime::batched::wrap(
                 -q1_plus_q2_minus_q4 + q2 + q1,
             );
         }
         *valid = all_valid;
-        ::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)
+        ::dh_robot::runtime::batched::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

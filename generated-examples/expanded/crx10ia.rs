@@ -430,8 +430,8 @@ impl Crx10ia {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -468,8 +468,8 @@ impl Crx10ia {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -520,8 +520,8 @@ impl Crx10ia {
     ) -> ::core::option::Option<[f64; 6]> {
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [
                 ::core::option::Option::None,
                 ::core::option::Option::None,
@@ -643,8 +643,8 @@ impl Crx10ia {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(

@@ -423,7 +423,7 @@ impl CupArm {
             return self.inverse_with_work(target).0;
         }
         if valid == [1.0; 8] {
-            let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
+            let at = |branch: usize| ::dh_robot::runtime::batched::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -434,7 +434,7 @@ impl CupArm {
                 [at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)],
             );
         }
-        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::batched::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
     /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
@@ -453,8 +453,8 @@ impl CupArm {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -463,7 +463,7 @@ impl CupArm {
         let mut found = [[0.0; 8]; 6];
         let mut valid = [0.0; 8];
         if self.all_branches(&frame, &mut found, &mut valid) {
-            let list: ::dh_robot::Solutions<_, 6, 8> = ::dh_robot::runtime::lanes::collect(
+            let list: ::dh_robot::Solutions<_, 6, 8> = ::dh_robot::runtime::batched::collect(
                 &Self::JOINTS,
                 &valid,
                 &found,
@@ -502,8 +502,8 @@ impl CupArm {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -554,8 +554,8 @@ impl CupArm {
     ) -> ::core::option::Option<[f64; 6]> {
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [
                 ::core::option::Option::None,
                 ::core::option::Option::None,
@@ -817,8 +817,8 @@ impl CupArm {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -870,7 +870,7 @@ impl CupArm {
         }
         all
     };
-    /// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.
+    /// The plan for all branches at once: joint values, and which branches are real; false where the fallback path has to decide.
     #[inline]
     fn all_branches(
         &self,
@@ -881,7 +881,7 @@ impl CupArm {
         let t_2 = t[2][3] - 0.39098532494758914 - t[2][0] * 0.2159329140461216;
         let t_3 = t_2 * t_2;
         // Step 1: q1 from a ratio of sine and cosine.
-        let ([c1_first, s1_first], q1_margin) = ::dh_robot::runtime::lanes::half_turn([
+        let ([c1_first, s1_first], q1_margin) = ::dh_robot::runtime::batched::half_turn([
             [
                 -(t[1][3] - t[1][0] * 0.2159329140461216),
                 t[0][3] - t[0][0] * 0.2159329140461216,
@@ -889,7 +889,7 @@ impl CupArm {
         ]);
         let all_c1 = [c1_first, -c1_first];
         let all_s1 = [s1_first, -s1_first];
-        let all_q1 = ::dh_robot::runtime::lanes::angles(
+        let all_q1 = ::dh_robot::runtime::batched::angles(
             &[s1_first, -s1_first],
             &[c1_first, -c1_first],
         );
@@ -925,7 +925,7 @@ impl CupArm {
             all_t_9[branch] = t_9;
             all_t_14[branch] = t_14;
             // Step 2: q3 from the law of cosines.
-            let ([c3_first, s3_first, c3_second, s3_second], q3_valid, q3_margin) = ::dh_robot::runtime::lanes::sincos(
+            let ([c3_first, s3_first, c3_second, s3_second], q3_valid, q3_margin) = ::dh_robot::runtime::batched::sincos(
                 -0.02988630020788559,
                 -0.2525392367566332,
                 t_13,
@@ -937,7 +937,7 @@ impl CupArm {
             all_margin_1[branch] = q3_margin;
             all_valid_1[branch] = q3_valid;
         }
-        let all_q3 = ::dh_robot::runtime::lanes::angles(&q3_pairs[1], &q3_pairs[0]);
+        let all_q3 = ::dh_robot::runtime::batched::angles(&q3_pairs[1], &q3_pairs[0]);
         q[2] = ::core::array::from_fn(|branch| all_q3[branch / 2 % 2 * 2 + branch % 2]);
         let all_c3 = q3_pairs[0];
         let all_s3 = q3_pairs[1];
@@ -967,7 +967,7 @@ impl CupArm {
                 - 0.35429769392033544 * s3;
             let t_14 = all_t_14[branch];
             // Step 3: q2 from sine and cosine.
-            let ([c2, s2], q2_margin) = ::dh_robot::runtime::lanes::pair(
+            let ([c2, s2], q2_margin) = ::dh_robot::runtime::batched::pair(
                 -t_14,
                 t_2,
                 -t_15,
@@ -975,7 +975,7 @@ impl CupArm {
                 t_14,
                 -(c3 * 0.35429769392033544 - 0.041928721174004195 * s3),
             );
-            let q2 = ::dh_robot::runtime::lanes::angle(s2, c2);
+            let q2 = ::dh_robot::runtime::batched::angle(s2, c2);
             let t_4 = all_t_4[branch];
             let t_6 = all_t_6[branch];
             let t_8 = all_t_8[branch];
@@ -990,20 +990,20 @@ impl CupArm {
             let t_24 = 0.35639412997903563 * s2;
             let t_9 = all_t_9[branch];
             // Step 4: q4 from a ratio of sine and cosine.
-            let ([c4, s4], q4_margin) = ::dh_robot::runtime::lanes::half_turn([
+            let ([c4, s4], q4_margin) = ::dh_robot::runtime::batched::half_turn([
                 [-t_9, t_22],
             ]);
-            let q4 = ::dh_robot::runtime::lanes::angle(s4, c4);
+            let q4 = ::dh_robot::runtime::batched::angle(s4, c4);
             let t_5 = all_t_5[branch];
             let t_7 = all_t_7[branch];
             let t_25 = t_18 * c4 + t_5 * s4;
             let t_26 = t_20 * c4 + t_7 * s4;
             // Step 5: q5 from sine and cosine.
-            let [c5, s5] = ::dh_robot::runtime::lanes::unit(
+            let [c5, s5] = ::dh_robot::runtime::batched::unit(
                 -(t_8 * t_17 + t[2][0] * t_16),
                 -(t_22 * c4 + t_9 * s4),
             );
-            let q5 = ::dh_robot::runtime::lanes::angle(s5, c5);
+            let q5 = ::dh_robot::runtime::batched::angle(s5, c5);
             let c1 = all_c1[branch];
             let s1 = all_s1[branch];
             let c4s5 = c4 * s5;
@@ -1022,11 +1022,11 @@ impl CupArm {
                 + (0.39098532494758914 + t_17 * t_31 - t_16 * t_29 - t_24 - t[2][3])
                     .abs();
             // Step 6: q6 from sine and cosine.
-            let [c6, s6] = ::dh_robot::runtime::lanes::unit(
+            let [c6, s6] = ::dh_robot::runtime::batched::unit(
                 t_25 * c5 - t_19 * s5,
                 t_26 * c5 - t_21 * s5,
             );
-            let q6 = ::dh_robot::runtime::lanes::angle(s6, c6);
+            let q6 = ::dh_robot::runtime::batched::angle(s6, c6);
             let c5c6 = c5 * c6;
             let s5c6 = s5 * c6;
             let t_33 = c4 * c5c6 - s4 * s6;
@@ -1039,9 +1039,9 @@ impl CupArm {
             let margin_1 = all_margin_1[branch];
             let valid_1 = all_valid_1[branch];
             // How far the branch is from what it should be.
-            all_margin[branch] = ::dh_robot::runtime::lanes::lesser(
-                ::dh_robot::runtime::lanes::lesser(
-                    ::dh_robot::runtime::lanes::lesser(q1_margin, margin_1),
+            all_margin[branch] = ::dh_robot::runtime::batched::lesser(
+                ::dh_robot::runtime::batched::lesser(
+                    ::dh_robot::runtime::batched::lesser(q1_margin, margin_1),
                     q2_margin,
                 ),
                 q4_margin,
@@ -1049,9 +1049,9 @@ impl CupArm {
             all_valid[branch] = valid_1;
             all_error[branch] = q5_error + q6_error;
             // The mirrored half differs by signs.
-            let q4_second = ::dh_robot::runtime::lanes::opposite(q4);
-            let q5_second = ::dh_robot::runtime::lanes::negative(q5);
-            let q6_second = ::dh_robot::runtime::lanes::opposite(q6);
+            let q4_second = ::dh_robot::runtime::batched::opposite(q4);
+            let q5_second = ::dh_robot::runtime::batched::negative(q5);
+            let q6_second = ::dh_robot::runtime::batched::opposite(q6);
             q[0][branch] = q1;
             q[1][branch] = q2;
             q[3][branch] = q4;
@@ -1064,7 +1064,7 @@ impl CupArm {
             q[5][branch + 4] = q6_second;
         }
         *valid = ::core::array::from_fn(|branch| all_valid[branch % 4]);
-        ::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)
+        ::dh_robot::runtime::batched::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

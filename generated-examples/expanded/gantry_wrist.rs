@@ -323,7 +323,7 @@ impl GantryWrist {
             return self.inverse_with_work(target).0;
         }
         if valid == [1.0; 2] {
-            let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
+            let at = |branch: usize| ::dh_robot::runtime::batched::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -331,7 +331,7 @@ impl GantryWrist {
             );
             return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0), at(1)]);
         }
-        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::batched::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
     /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
@@ -350,8 +350,8 @@ impl GantryWrist {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -360,7 +360,7 @@ impl GantryWrist {
         let mut found = [[0.0; 2]; 6];
         let mut valid = [0.0; 2];
         if self.all_branches(&frame, &mut found, &mut valid) {
-            let list: ::dh_robot::Solutions<_, 6, 2> = ::dh_robot::runtime::lanes::collect(
+            let list: ::dh_robot::Solutions<_, 6, 2> = ::dh_robot::runtime::batched::collect(
                 &Self::JOINTS,
                 &valid,
                 &found,
@@ -399,8 +399,8 @@ impl GantryWrist {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -451,8 +451,8 @@ impl GantryWrist {
     ) -> ::core::option::Option<[f64; 6]> {
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [
                 ::core::option::Option::None,
                 ::core::option::Option::None,
@@ -679,8 +679,8 @@ impl GantryWrist {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -714,7 +714,7 @@ impl GantryWrist {
         }
         all
     };
-    /// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.
+    /// The plan for all branches at once: joint values, and which branches are real; false where the fallback path has to decide.
     #[inline]
     fn all_branches(
         &self,
@@ -731,45 +731,45 @@ impl GantryWrist {
         let mut all_valid = [0.0; 1];
         let mut all_error = [0.0; 1];
         // Step 1: q1 from a linear equation.
-        let (q1_scaled, q1_margin) = ::dh_robot::runtime::lanes::linear(
+        let (q1_scaled, q1_margin) = ::dh_robot::runtime::batched::linear(
             1.0,
             -(t[2][3] - t[2][2] * 0.6666666666666666),
         );
         let q1 = q1_scaled * Self::LENGTH_SCALE;
         // Step 2: q2 from a linear equation.
-        let (q2_scaled, q2_margin) = ::dh_robot::runtime::lanes::linear(
+        let (q2_scaled, q2_margin) = ::dh_robot::runtime::batched::linear(
             -1.0,
             t[0][3] - t[0][2] * 0.6666666666666666,
         );
         let q2 = q2_scaled * Self::LENGTH_SCALE;
         // Step 3: q3 from a linear equation.
-        let (q3_scaled, q3_margin) = ::dh_robot::runtime::lanes::linear(-1.0, t_6);
+        let (q3_scaled, q3_margin) = ::dh_robot::runtime::batched::linear(-1.0, t_6);
         let q3 = q3_scaled * Self::LENGTH_SCALE;
         let t_7 = 0.3333333333333333 + q3_scaled;
         // Step 4: q6 from a ratio of sine and cosine.
-        let ([c6, s6], q6_margin) = ::dh_robot::runtime::lanes::half_turn([
+        let ([c6, s6], q6_margin) = ::dh_robot::runtime::batched::half_turn([
             [
                 -(t[1][0] * 0.5 + t[1][1] * 0.8660254037844386),
                 -(t[1][0] * 0.8660254037844386 - t[1][1] * 0.5),
             ],
         ]);
-        let q6 = ::dh_robot::runtime::lanes::angle(s6, c6);
+        let q6 = ::dh_robot::runtime::batched::angle(s6, c6);
         let t_8 = 0.8660254037844386 * c6 - 0.5 * s6;
         let t_9 = 0.5 * c6 + 0.8660254037844386 * s6;
         // Step 5: q4 from sine and cosine.
-        let [c4, s4] = ::dh_robot::runtime::lanes::unit(
+        let [c4, s4] = ::dh_robot::runtime::batched::unit(
             t_2 * s6 + t_4 * c6,
             -(t_3 * s6 + t_5 * c6),
         );
-        let q4 = ::dh_robot::runtime::lanes::angle(s4, c4);
+        let q4 = ::dh_robot::runtime::batched::angle(s4, c4);
         let t_10 = s4 * t_8;
         let t_11 = c4 * t_8;
         // Step 6: q5 from sine and cosine.
-        let [c5, s5] = ::dh_robot::runtime::lanes::unit(
+        let [c5, s5] = ::dh_robot::runtime::batched::unit(
             c6 * (t_3 * c4 + t_2 * s4) - s6 * (t_5 * c4 + t_4 * s4),
             -(t[2][2] * c4 + t[0][2] * s4),
         );
-        let q5 = ::dh_robot::runtime::lanes::angle(s5, c5);
+        let q5 = ::dh_robot::runtime::batched::angle(s5, c5);
         let t_12 = t_9 * c5;
         let c4s5 = c4 * s5;
         let s4s5 = s4 * s5;
@@ -781,9 +781,9 @@ impl GantryWrist {
             + (q1_scaled - 0.6666666666666666 * c4s5 - t[2][3]).abs();
         let branch = 0;
         // How far the branch is from what it should be.
-        all_margin[branch] = ::dh_robot::runtime::lanes::lesser(
-            ::dh_robot::runtime::lanes::lesser(
-                ::dh_robot::runtime::lanes::lesser(q1_margin, q2_margin),
+        all_margin[branch] = ::dh_robot::runtime::batched::lesser(
+            ::dh_robot::runtime::batched::lesser(
+                ::dh_robot::runtime::batched::lesser(q1_margin, q2_margin),
                 q3_margin,
             ),
             q6_margin,
@@ -791,9 +791,9 @@ impl GantryWrist {
         all_valid[branch] = 1.0;
         all_error[branch] = q5_error;
         // The mirrored half differs by signs.
-        let q6_second = ::dh_robot::runtime::lanes::opposite(q6);
-        let q4_second = ::dh_robot::runtime::lanes::opposite(q4);
-        let q5_second = ::dh_robot::runtime::lanes::negative(q5);
+        let q6_second = ::dh_robot::runtime::batched::opposite(q6);
+        let q4_second = ::dh_robot::runtime::batched::opposite(q4);
+        let q5_second = ::dh_robot::runtime::batched::negative(q5);
         q[0][branch] = q1;
         q[1][branch] = q2;
         q[2][branch] = q3;
@@ -807,7 +807,7 @@ impl GantryWrist {
         q[4][branch + 1] = q5_second;
         q[5][branch + 1] = q6_second;
         *valid = ::core::array::from_fn(|branch| all_valid[branch % 1]);
-        ::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)
+        ::dh_robot::runtime::batched::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

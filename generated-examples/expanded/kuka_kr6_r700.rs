@@ -426,7 +426,7 @@ impl KukaKr6R700 {
             return self.inverse_with_work(target).0;
         }
         if valid == [1.0; 8] {
-            let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
+            let at = |branch: usize| ::dh_robot::runtime::batched::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -437,7 +437,7 @@ impl KukaKr6R700 {
                 [at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)],
             );
         }
-        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::batched::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
     /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
@@ -456,8 +456,8 @@ impl KukaKr6R700 {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -466,7 +466,7 @@ impl KukaKr6R700 {
         let mut found = [[0.0; 8]; 6];
         let mut valid = [0.0; 8];
         if self.all_branches(&frame, &mut found, &mut valid) {
-            let list: ::dh_robot::Solutions<_, 6, 8> = ::dh_robot::runtime::lanes::collect(
+            let list: ::dh_robot::Solutions<_, 6, 8> = ::dh_robot::runtime::batched::collect(
                 &Self::JOINTS,
                 &valid,
                 &found,
@@ -505,8 +505,8 @@ impl KukaKr6R700 {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -557,8 +557,8 @@ impl KukaKr6R700 {
     ) -> ::core::option::Option<[f64; 6]> {
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [
                 ::core::option::Option::None,
                 ::core::option::Option::None,
@@ -837,8 +837,8 @@ impl KukaKr6R700 {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -890,7 +890,7 @@ impl KukaKr6R700 {
         }
         all
     };
-    /// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.
+    /// The plan for all branches at once: joint values, and which branches are real; false where the fallback path has to decide.
     #[inline]
     fn all_branches(
         &self,
@@ -903,12 +903,12 @@ impl KukaKr6R700 {
         let t_4 = t[2][3] - t[2][2] * 0.06557377049180327 - 0.32786885245901637;
         let t_5 = t_4 * t_4;
         // Step 1: q1 from a ratio of sine and cosine.
-        let ([c1_first, s1_first], q1_margin) = ::dh_robot::runtime::lanes::half_turn([
+        let ([c1_first, s1_first], q1_margin) = ::dh_robot::runtime::batched::half_turn([
             [-t_3, t_2],
         ]);
         let all_c1 = [c1_first, -c1_first];
         let all_s1 = [s1_first, -s1_first];
-        let all_q1 = ::dh_robot::runtime::lanes::angles(
+        let all_q1 = ::dh_robot::runtime::batched::angles(
             &[s1_first, -s1_first],
             &[c1_first, -c1_first],
         );
@@ -943,7 +943,7 @@ impl KukaKr6R700 {
             all_t_13[branch] = t_13;
             all_t_15[branch] = t_15;
             // Step 2: q3 from the law of cosines.
-            let ([c3_first, s3_first, c3_second, s3_second], q3_valid, q3_margin) = ::dh_robot::runtime::lanes::sincos(
+            let ([c3_first, s3_first, c3_second, s3_second], q3_valid, q3_margin) = ::dh_robot::runtime::batched::sincos(
                 0.014814565976887932,
                 -0.15449475947325983,
                 t_14 + t_6 * t_6 + t_7 * t_7 + t_5 - 0.15699744692287015,
@@ -955,7 +955,7 @@ impl KukaKr6R700 {
             all_margin_1[branch] = q3_margin;
             all_valid_1[branch] = q3_valid;
         }
-        let all_q3 = ::dh_robot::runtime::lanes::angles(&q3_pairs[1], &q3_pairs[0]);
+        let all_q3 = ::dh_robot::runtime::batched::angles(&q3_pairs[1], &q3_pairs[0]);
         q[2] = ::core::array::from_fn(|branch| all_q3[branch / 2 % 2 * 2 + branch % 2]);
         let all_c3 = q3_pairs[0];
         let all_s3 = q3_pairs[1];
@@ -985,7 +985,7 @@ impl KukaKr6R700 {
                 - 0.2991803278688524 * s3;
             let t_15 = all_t_15[branch];
             // Step 3: q2 from sine and cosine.
-            let ([c2, s2], q2_margin) = ::dh_robot::runtime::lanes::pair(
+            let ([c2, s2], q2_margin) = ::dh_robot::runtime::batched::pair(
                 -t_15,
                 t_4,
                 -(0.2991803278688524 * c3 + 0.028688524590163935 * s3),
@@ -993,7 +993,7 @@ impl KukaKr6R700 {
                 t_15,
                 t_16,
             );
-            let q2 = ::dh_robot::runtime::lanes::angle(s2, c2);
+            let q2 = ::dh_robot::runtime::batched::angle(s2, c2);
             let c1 = all_c1[branch];
             let s1 = all_s1[branch];
             let t_8 = all_t_8[branch];
@@ -1022,20 +1022,20 @@ impl KukaKr6R700 {
             let t_35 = s1 * t_32;
             let t_13 = all_t_13[branch];
             // Step 4: q4 from a ratio of sine and cosine.
-            let ([c4, s4], q4_margin) = ::dh_robot::runtime::lanes::half_turn([
+            let ([c4, s4], q4_margin) = ::dh_robot::runtime::batched::half_turn([
                 [-t_13, t_27],
             ]);
-            let q4 = ::dh_robot::runtime::lanes::angle(s4, c4);
+            let q4 = ::dh_robot::runtime::batched::angle(s4, c4);
             let t_9 = all_t_9[branch];
             let t_11 = all_t_11[branch];
             let t_36 = t_23 * c4 + t_9 * s4;
             let t_37 = t_25 * c4 + t_11 * s4;
             // Step 5: q5 from sine and cosine.
-            let [c5, s5] = ::dh_robot::runtime::lanes::unit(
+            let [c5, s5] = ::dh_robot::runtime::batched::unit(
                 -(s3 * t_22 - c3 * t_21),
                 -(t_27 * c4 + t_13 * s4),
             );
-            let q5 = ::dh_robot::runtime::lanes::angle(s5, c5);
+            let q5 = ::dh_robot::runtime::batched::angle(s5, c5);
             let c4s5 = c4 * s5;
             let s4s5 = s4 * s5;
             let t_38 = t_29 * c4s5 - c5 * t_28;
@@ -1048,11 +1048,11 @@ impl KukaKr6R700 {
                 + (t_35 - 0.06557377049180327 * t_41 - t[1][3]).abs()
                 + (t_33 - 0.06557377049180327 * t_39 - t[2][3]).abs();
             // Step 6: q6 from sine and cosine.
-            let [c6, s6] = ::dh_robot::runtime::lanes::unit(
+            let [c6, s6] = ::dh_robot::runtime::batched::unit(
                 t_36 * c5 - t_24 * s5,
                 -(t_37 * c5 - t_26 * s5),
             );
-            let q6 = ::dh_robot::runtime::lanes::angle(s6, c6);
+            let q6 = ::dh_robot::runtime::batched::angle(s6, c6);
             let c5c6 = c5 * c6;
             let s5c6 = s5 * c6;
             let t_42 = c4 * c5c6 - s4 * s6;
@@ -1065,9 +1065,9 @@ impl KukaKr6R700 {
             let margin_1 = all_margin_1[branch];
             let valid_1 = all_valid_1[branch];
             // How far the branch is from what it should be.
-            all_margin[branch] = ::dh_robot::runtime::lanes::lesser(
-                ::dh_robot::runtime::lanes::lesser(
-                    ::dh_robot::runtime::lanes::lesser(q1_margin, margin_1),
+            all_margin[branch] = ::dh_robot::runtime::batched::lesser(
+                ::dh_robot::runtime::batched::lesser(
+                    ::dh_robot::runtime::batched::lesser(q1_margin, margin_1),
                     q2_margin,
                 ),
                 q4_margin,
@@ -1075,11 +1075,11 @@ impl KukaKr6R700 {
             all_valid[branch] = valid_1;
             all_error[branch] = q5_error + q6_error;
             // The mirrored half differs by signs.
-            let q4_second = ::dh_robot::runtime::lanes::opposite(q4);
-            let q5_second = ::dh_robot::runtime::lanes::negative(q5);
-            let q6_second = ::dh_robot::runtime::lanes::opposite(q6);
+            let q4_second = ::dh_robot::runtime::batched::opposite(q4);
+            let q5_second = ::dh_robot::runtime::batched::negative(q5);
+            let q6_second = ::dh_robot::runtime::batched::opposite(q6);
             q[0][branch] = q1;
-            q[1][branch] = ::dh_robot::runtime::lanes::into_range(
+            q[1][branch] = ::dh_robot::runtime::batched::into_range(
                 q2,
                 -3.316125578789226,
                 0.7853981633974483,
@@ -1088,7 +1088,7 @@ impl KukaKr6R700 {
             q[4][branch] = q5;
             q[5][branch] = q6;
             q[0][branch + 4] = q1;
-            q[1][branch + 4] = ::dh_robot::runtime::lanes::into_range(
+            q[1][branch + 4] = ::dh_robot::runtime::batched::into_range(
                 q2,
                 -3.316125578789226,
                 0.7853981633974483,
@@ -1098,7 +1098,7 @@ impl KukaKr6R700 {
             q[5][branch + 4] = q6_second;
         }
         *valid = ::core::array::from_fn(|branch| all_valid[branch % 4]);
-        ::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)
+        ::dh_robot::runtime::batched::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

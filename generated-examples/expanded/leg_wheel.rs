@@ -271,8 +271,8 @@ impl LegWheel {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 2],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -309,8 +309,8 @@ impl LegWheel {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 2],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -361,8 +361,8 @@ impl LegWheel {
     ) -> ::core::option::Option<[f64; 2]> {
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None, ::core::option::Option::None],
         };
         ::dh_robot::runtime::self_motion(
@@ -473,8 +473,8 @@ impl LegWheel {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 2],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -529,8 +529,8 @@ impl ::dh_robot::runtime::Kinematics<2> for LegWheel {
         let det = self.p;
         ::core::option::Option::Some(::dh_robot::runtime::Drive {
             rows: [[(1.0), 0.0], [(-1.0 * self.p), (self.p)]],
-            motors: [[(self.p) / det, 0.0], [(self.p) / det, (1.0) / det]],
-            turns: [true, false],
+            actuators: [[(self.p) / det, 0.0], [(self.p) / det, (1.0) / det]],
+            revolute: [true, false],
         })
     }
 }

@@ -535,7 +535,7 @@ impl Panda {
             return self.inverse_with_work(target, given).0;
         }
         if valid == [1.0; 8] {
-            let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
+            let at = |branch: usize| ::dh_robot::runtime::batched::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -546,7 +546,7 @@ impl Panda {
                 [at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)],
             );
         }
-        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::batched::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
     /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
@@ -569,8 +569,8 @@ impl Panda {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [
                 ::core::option::Option::None,
                 ::core::option::Option::None,
@@ -587,7 +587,7 @@ impl Panda {
         let mut found = [[0.0; 8]; 7];
         let mut valid = [0.0; 8];
         if self.all_branches(&frame, given.into(), &mut found, &mut valid) {
-            let list: ::dh_robot::Solutions<_, 7, 8> = ::dh_robot::runtime::lanes::collect(
+            let list: ::dh_robot::Solutions<_, 7, 8> = ::dh_robot::runtime::batched::collect(
                 &Self::JOINTS,
                 &valid,
                 &found,
@@ -633,8 +633,8 @@ impl Panda {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [
                 ::core::option::Option::None,
                 ::core::option::Option::None,
@@ -696,8 +696,8 @@ impl Panda {
     ) -> ::core::option::Option<[f64; 7]> {
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [
                 ::core::option::Option::None,
                 ::core::option::Option::None,
@@ -990,8 +990,8 @@ impl Panda {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [
                 ::core::option::Option::None,
                 ::core::option::Option::None,
@@ -1051,7 +1051,7 @@ impl Panda {
         }
         all
     };
-    /// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.
+    /// The plan for all branches at once: joint values, and which branches are real; false where the fallback path has to decide.
     #[inline]
     fn all_branches(
         &self,
@@ -1082,14 +1082,14 @@ impl Panda {
         let t_18 = t_6 * t_12 + t_7 * t_13 + t_8 * t_14 - t_8 * 0.2390524048815506;
         let t_19 = t[0][2] * t_12 + t[1][2] * t_13 + t[2][2] * t_14 - t_5;
         // Step 1: q4 from the law of cosines.
-        let ([c4_first, s4_first, c4_second, s4_second], q4_valid, q4_margin) = ::dh_robot::runtime::lanes::sincos(
+        let ([c4_first, s4_first, c4_second, s4_second], q4_valid, q4_margin) = ::dh_robot::runtime::batched::sincos(
             0.11805283210226085,
             -0.05952230643526318,
             t_16,
         );
         let all_c4 = [c4_first, c4_second];
         let all_s4 = [s4_first, s4_second];
-        let all_q4 = ::dh_robot::runtime::lanes::angles(
+        let all_q4 = ::dh_robot::runtime::batched::angles(
             &[s4_first, s4_second],
             &[c4_first, c4_second],
         );
@@ -1107,7 +1107,7 @@ impl Panda {
             all_t_20[branch] = t_20;
             all_t_21[branch] = t_21;
             // Step 2: q5 from an equation in sine and cosine.
-            let ([c5_first, s5_first, c5_second, s5_second], q5_valid, q5_margin) = ::dh_robot::runtime::lanes::sincos(
+            let ([c5_first, s5_first, c5_second, s5_second], q5_valid, q5_margin) = ::dh_robot::runtime::batched::sincos(
                 0.0,
                 t_20,
                 -t_17,
@@ -1119,7 +1119,7 @@ impl Panda {
             all_margin_1[branch] = q5_margin;
             all_valid_1[branch] = q5_valid;
         }
-        let all_q5 = ::dh_robot::runtime::lanes::angles(&q5_pairs[1], &q5_pairs[0]);
+        let all_q5 = ::dh_robot::runtime::batched::angles(&q5_pairs[1], &q5_pairs[0]);
         q[4] = ::core::array::from_fn(|branch| all_q5[branch / 2 % 2 * 2 + branch % 2]);
         let all_c5 = q5_pairs[0];
         let all_s5 = q5_pairs[1];
@@ -1148,7 +1148,7 @@ impl Panda {
             let s7c5 = s7 * c5;
             let t_21 = all_t_21[branch];
             // Step 3: q6 from sine and cosine.
-            let ([c6, s6], q6_margin) = ::dh_robot::runtime::lanes::pair(
+            let ([c6, s6], q6_margin) = ::dh_robot::runtime::batched::pair(
                 t_18,
                 t_19,
                 -t_20 * c5,
@@ -1156,7 +1156,7 @@ impl Panda {
                 t_18,
                 t_21,
             );
-            let q6 = ::dh_robot::runtime::lanes::angle(s6, c6);
+            let q6 = ::dh_robot::runtime::batched::angle(s6, c6);
             let c4 = all_c4[branch];
             let s4 = all_s4[branch];
             let t_25 = s4 * (c5 * (t_6 * c6 + t[0][2] * s6) + t_22)
@@ -1183,21 +1183,21 @@ impl Panda {
             let t_38 = 0.059224694903086864 - (c4 * t_37 + s4 * t_35);
             let t_39 = 0.22684852835606603 - (s4 * t_37 - c4 * t_35);
             // Step 4: q1 from a ratio of sine and cosine.
-            let ([c1, s1], q1_margin) = ::dh_robot::runtime::lanes::half_turn([
+            let ([c1, s1], q1_margin) = ::dh_robot::runtime::batched::half_turn([
                 [-t_26, t_25],
             ]);
-            let q1 = ::dh_robot::runtime::lanes::angle(s1, c1);
+            let q1 = ::dh_robot::runtime::batched::angle(s1, c1);
             let t_40 = t[0][0] * c1 + t[1][0] * s1;
             let t_41 = t[0][1] * c1 + t[1][1] * s1;
             let t_42 = t[0][2] * c1 + t[1][2] * s1;
             let t_43 = c7 * t_40 - s7 * t_41;
             let t_44 = c5 * (c6 * t_43 + s6 * t_42) + s5 * (s7 * t_40 + c7 * t_41);
             // Step 5: q2 from sine and cosine.
-            let [c2, s2] = ::dh_robot::runtime::lanes::unit(
+            let [c2, s2] = ::dh_robot::runtime::batched::unit(
                 t_27,
                 s4 * t_44 + c4 * (s6 * t_43 - c6 * t_42),
             );
-            let q2 = ::dh_robot::runtime::lanes::angle(s2, c2);
+            let q2 = ::dh_robot::runtime::batched::angle(s2, c2);
             let t_45 = t_40 * c2 - t[2][0] * s2;
             let t_46 = t_41 * c2 - t[2][1] * s2;
             let t_47 = t_42 * c2 - t[2][2] * s2;
@@ -1212,11 +1212,11 @@ impl Panda {
             let t_56 = s2 * t_39;
             let t_57 = c2 * t_39;
             // Step 6: q3 from sine and cosine.
-            let [c3, s3] = ::dh_robot::runtime::lanes::unit(
+            let [c3, s3] = ::dh_robot::runtime::batched::unit(
                 t_51,
                 -(s5 * t_50 - c5 * t_49),
             );
-            let q3 = ::dh_robot::runtime::lanes::angle(s3, c3);
+            let q3 = ::dh_robot::runtime::batched::angle(s3, c3);
             let t_58 = t_30 * c3 - t_29 * s3;
             let t_59 = t_30 * s3 + t_29 * c3;
             let t_60 = c2 * t_58 + t_52;
@@ -1239,9 +1239,9 @@ impl Panda {
             let margin_1 = all_margin_1[branch];
             let valid_1 = all_valid_1[branch];
             // How far the branch is from what it should be.
-            all_margin[branch] = ::dh_robot::runtime::lanes::lesser(
-                ::dh_robot::runtime::lanes::lesser(
-                    ::dh_robot::runtime::lanes::lesser(q4_margin, margin_1),
+            all_margin[branch] = ::dh_robot::runtime::batched::lesser(
+                ::dh_robot::runtime::batched::lesser(
+                    ::dh_robot::runtime::batched::lesser(q4_margin, margin_1),
                     q6_margin,
                 ),
                 q1_margin,
@@ -1249,14 +1249,14 @@ impl Panda {
             all_valid[branch] = q4_valid * valid_1;
             all_error[branch] = q3_error;
             // The mirrored half differs by signs.
-            let q1_second = ::dh_robot::runtime::lanes::opposite(q1);
-            let q2_second = ::dh_robot::runtime::lanes::negative(q2);
-            let q3_second = ::dh_robot::runtime::lanes::opposite(q3);
+            let q1_second = ::dh_robot::runtime::batched::opposite(q1);
+            let q2_second = ::dh_robot::runtime::batched::negative(q2);
+            let q3_second = ::dh_robot::runtime::batched::opposite(q3);
             q[0][branch] = q1;
             q[1][branch] = q2;
             q[2][branch] = q3;
             q[3][branch] = q4;
-            q[5][branch] = ::dh_robot::runtime::lanes::into_range(
+            q[5][branch] = ::dh_robot::runtime::batched::into_range(
                 q6,
                 -0.017453292519943295,
                 3.752457891787808,
@@ -1265,14 +1265,14 @@ impl Panda {
             q[1][branch + 4] = q2_second;
             q[2][branch + 4] = q3_second;
             q[3][branch + 4] = q4;
-            q[5][branch + 4] = ::dh_robot::runtime::lanes::into_range(
+            q[5][branch + 4] = ::dh_robot::runtime::batched::into_range(
                 q6,
                 -0.017453292519943295,
                 3.752457891787808,
             );
         }
         *valid = ::core::array::from_fn(|branch| all_valid[branch % 4]);
-        ::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)
+        ::dh_robot::runtime::batched::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

@@ -270,8 +270,8 @@ impl Planar2r {
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 2],
         };
         let task = ::dh_robot::runtime::Task::Position(p);
@@ -311,8 +311,8 @@ impl Planar2r {
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 2],
         };
         let task = ::dh_robot::runtime::Task::Position(p);
@@ -361,8 +361,8 @@ impl Planar2r {
     ) -> ::core::option::Option<[f64; 2]> {
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None, ::core::option::Option::None],
         };
         ::dh_robot::runtime::self_motion(
@@ -480,8 +480,8 @@ impl Planar2r {
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 2],
         };
         let task = ::dh_robot::runtime::Task::Position(p);

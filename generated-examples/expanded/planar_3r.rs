@@ -302,8 +302,8 @@ impl Planar3r {
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 3],
         };
         let task = ::dh_robot::runtime::Task::Planar(x, y, phi);
@@ -348,8 +348,8 @@ impl Planar3r {
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 3],
         };
         let task = ::dh_robot::runtime::Task::Planar(x, y, phi);
@@ -398,8 +398,8 @@ impl Planar3r {
     ) -> ::core::option::Option<[f64; 3]> {
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [
                 ::core::option::Option::None,
                 ::core::option::Option::None,
@@ -569,8 +569,8 @@ impl Planar3r {
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 3],
         };
         let task = ::dh_robot::runtime::Task::Planar(x, y, phi);

@@ -284,8 +284,8 @@ impl Planar3rCraig {
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 3],
         };
         let task = ::dh_robot::runtime::Task::Planar(x, y, phi);
@@ -330,8 +330,8 @@ impl Planar3rCraig {
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 3],
         };
         let task = ::dh_robot::runtime::Task::Planar(x, y, phi);
@@ -380,8 +380,8 @@ impl Planar3rCraig {
     ) -> ::core::option::Option<[f64; 3]> {
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [
                 ::core::option::Option::None,
                 ::core::option::Option::None,
@@ -543,8 +543,8 @@ impl Planar3rCraig {
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 3],
         };
         let task = ::dh_robot::runtime::Task::Planar(x, y, phi);

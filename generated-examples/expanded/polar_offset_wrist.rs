@@ -429,8 +429,8 @@ impl PolarOffsetWrist {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -467,8 +467,8 @@ impl PolarOffsetWrist {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -519,8 +519,8 @@ impl PolarOffsetWrist {
     ) -> ::core::option::Option<[f64; 6]> {
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [
                 ::core::option::Option::None,
                 ::core::option::Option::None,
@@ -646,8 +646,8 @@ impl PolarOffsetWrist {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(

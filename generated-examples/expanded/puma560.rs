@@ -417,7 +417,7 @@ impl Puma560 {
             return self.inverse_with_work(target).0;
         }
         if valid == [1.0; 8] {
-            let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
+            let at = |branch: usize| ::dh_robot::runtime::batched::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -428,7 +428,7 @@ impl Puma560 {
                 [at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)],
             );
         }
-        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::batched::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
     /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
@@ -447,8 +447,8 @@ impl Puma560 {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -457,7 +457,7 @@ impl Puma560 {
         let mut found = [[0.0; 8]; 6];
         let mut valid = [0.0; 8];
         if self.all_branches(&frame, &mut found, &mut valid) {
-            let list: ::dh_robot::Solutions<_, 6, 8> = ::dh_robot::runtime::lanes::collect(
+            let list: ::dh_robot::Solutions<_, 6, 8> = ::dh_robot::runtime::batched::collect(
                 &Self::JOINTS,
                 &valid,
                 &found,
@@ -496,8 +496,8 @@ impl Puma560 {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -548,8 +548,8 @@ impl Puma560 {
     ) -> ::core::option::Option<[f64; 6]> {
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [
                 ::core::option::Option::None,
                 ::core::option::Option::None,
@@ -810,8 +810,8 @@ impl Puma560 {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -863,7 +863,7 @@ impl Puma560 {
         }
         all
     };
-    /// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.
+    /// The plan for all branches at once: joint values, and which branches are real; false where the fallback path has to decide.
     #[inline]
     fn all_branches(
         &self,
@@ -878,14 +878,14 @@ impl Puma560 {
         let t_6 = self.a3 * Self::PER_LENGTH;
         let t_7 = self.d4 * Self::PER_LENGTH;
         // Step 1: q1 from an equation in sine and cosine.
-        let ([c1_first, s1_first, c1_second, s1_second], q1_valid, q1_margin) = ::dh_robot::runtime::lanes::sincos(
+        let ([c1_first, s1_first, c1_second, s1_second], q1_valid, q1_margin) = ::dh_robot::runtime::batched::sincos(
             -t[1][3],
             t[0][3],
             -t_3,
         );
         let all_c1 = [c1_first, c1_second];
         let all_s1 = [s1_first, s1_second];
-        let all_q1 = ::dh_robot::runtime::lanes::angles(
+        let all_q1 = ::dh_robot::runtime::batched::angles(
             &[s1_first, s1_second],
             &[c1_first, c1_second],
         );
@@ -921,14 +921,14 @@ impl Puma560 {
             all_t_16[branch] = t_16;
         }
         // Step 2: q3 from the law of cosines.
-        let ([c3_first, s3_first, c3_second, s3_second], q3_valid, q3_margin) = ::dh_robot::runtime::lanes::sincos(
+        let ([c3_first, s3_first, c3_second, s3_second], q3_valid, q3_margin) = ::dh_robot::runtime::batched::sincos(
             t_5 * t_6,
             -t_5 * t_7,
             t_2 - (t_4 * t_4 + t_6 * t_6 + t_3 * t_3 + t_7 * t_7),
         );
         let all_c3 = [c3_first, c3_first, c3_second, c3_second];
         let all_s3 = [s3_first, s3_first, s3_second, s3_second];
-        let all_q3 = ::dh_robot::runtime::lanes::angles(
+        let all_q3 = ::dh_robot::runtime::batched::angles(
             &[s3_first, s3_second],
             &[c3_first, c3_second],
         );
@@ -953,7 +953,7 @@ impl Puma560 {
             let s3 = all_s3[branch];
             let t_8 = all_t_8[branch];
             // Step 3: q2 from sine and cosine.
-            let ([c2, s2], q2_margin) = ::dh_robot::runtime::lanes::pair(
+            let ([c2, s2], q2_margin) = ::dh_robot::runtime::batched::pair(
                 -t_8,
                 t[2][3],
                 -(t_4 + t_6 * c3 - t_7 * s3),
@@ -961,7 +961,7 @@ impl Puma560 {
                 t_8,
                 -(t_6 * s3 + t_7 * c3),
             );
-            let q2 = ::dh_robot::runtime::lanes::angle(s2, c2);
+            let q2 = ::dh_robot::runtime::batched::angle(s2, c2);
             let c1 = all_c1[branch];
             let s1 = all_s1[branch];
             let t_9 = all_t_9[branch];
@@ -982,20 +982,20 @@ impl Puma560 {
                 + (-(t_6 * t_18 + t_7 * t_17 + t_4 * s2) - t[2][3]).abs();
             let t_14 = all_t_14[branch];
             // Step 4: q4 from a ratio of sine and cosine.
-            let ([c4, s4], q4_margin) = ::dh_robot::runtime::lanes::half_turn([
+            let ([c4, s4], q4_margin) = ::dh_robot::runtime::batched::half_turn([
                 [-t_14, t_23],
             ]);
-            let q4 = ::dh_robot::runtime::lanes::angle(s4, c4);
+            let q4 = ::dh_robot::runtime::batched::angle(s4, c4);
             let t_10 = all_t_10[branch];
             let t_12 = all_t_12[branch];
             let t_25 = t_19 * c4 + t_10 * s4;
             let t_26 = t_21 * c4 + t_12 * s4;
             // Step 5: q5 from sine and cosine.
-            let [c5, s5] = ::dh_robot::runtime::lanes::unit(
+            let [c5, s5] = ::dh_robot::runtime::batched::unit(
                 -(t_13 * t_18 + t[2][2] * t_17),
                 -(t_23 * c4 + t_14 * s4),
             );
-            let q5 = ::dh_robot::runtime::lanes::angle(s5, c5);
+            let q5 = ::dh_robot::runtime::batched::angle(s5, c5);
             let c4s5 = c4 * s5;
             let s4s5 = s4 * s5;
             let t_27 = t_17 * c4s5 + t_18 * c5;
@@ -1003,11 +1003,11 @@ impl Puma560 {
                 + (-(s1 * t_27 - c1 * s4s5) - t[1][2]).abs()
                 + (t_18 * c4s5 - t_17 * c5 - t[2][2]).abs();
             // Step 6: q6 from sine and cosine.
-            let [c6, s6] = ::dh_robot::runtime::lanes::unit(
+            let [c6, s6] = ::dh_robot::runtime::batched::unit(
                 t_25 * c5 - t_20 * s5,
                 -(t_26 * c5 - t_22 * s5),
             );
-            let q6 = ::dh_robot::runtime::lanes::angle(s6, c6);
+            let q6 = ::dh_robot::runtime::batched::angle(s6, c6);
             let c5c6 = c5 * c6;
             let s5c6 = s5 * c6;
             let t_28 = c4 * c5c6 - s4 * s6;
@@ -1019,9 +1019,9 @@ impl Puma560 {
             let q1 = all_q1[branch];
             let q3 = all_q3[branch];
             // How far the branch is from what it should be.
-            all_margin[branch] = ::dh_robot::runtime::lanes::lesser(
-                ::dh_robot::runtime::lanes::lesser(
-                    ::dh_robot::runtime::lanes::lesser(q1_margin, q3_margin),
+            all_margin[branch] = ::dh_robot::runtime::batched::lesser(
+                ::dh_robot::runtime::batched::lesser(
+                    ::dh_robot::runtime::batched::lesser(q1_margin, q3_margin),
                     q2_margin,
                 ),
                 q4_margin,
@@ -1029,16 +1029,16 @@ impl Puma560 {
             all_valid[branch] = q1_valid * q3_valid;
             all_error[branch] = q2_error + q5_error + q6_error;
             // The mirrored half differs by signs.
-            let q4_second = ::dh_robot::runtime::lanes::opposite(q4);
-            let q5_second = ::dh_robot::runtime::lanes::negative(q5);
-            let q6_second = ::dh_robot::runtime::lanes::opposite(q6);
+            let q4_second = ::dh_robot::runtime::batched::opposite(q4);
+            let q5_second = ::dh_robot::runtime::batched::negative(q5);
+            let q6_second = ::dh_robot::runtime::batched::opposite(q6);
             q[0][branch] = q1;
-            q[1][branch] = ::dh_robot::runtime::lanes::into_range(
+            q[1][branch] = ::dh_robot::runtime::batched::into_range(
                 q2,
                 -3.9269908169872414,
                 0.7853981633974483,
             );
-            q[2][branch] = ::dh_robot::runtime::lanes::into_range(
+            q[2][branch] = ::dh_robot::runtime::batched::into_range(
                 q3,
                 -0.7853981633974483,
                 3.9269908169872414,
@@ -1047,12 +1047,12 @@ impl Puma560 {
             q[4][branch] = q5;
             q[5][branch] = q6;
             q[0][branch + 4] = q1;
-            q[1][branch + 4] = ::dh_robot::runtime::lanes::into_range(
+            q[1][branch + 4] = ::dh_robot::runtime::batched::into_range(
                 q2,
                 -3.9269908169872414,
                 0.7853981633974483,
             );
-            q[2][branch + 4] = ::dh_robot::runtime::lanes::into_range(
+            q[2][branch + 4] = ::dh_robot::runtime::batched::into_range(
                 q3,
                 -0.7853981633974483,
                 3.9269908169872414,
@@ -1062,7 +1062,7 @@ impl Puma560 {
             q[5][branch + 4] = q6_second;
         }
         *valid = ::core::array::from_fn(|branch| all_valid[branch % 4]);
-        ::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)
+        ::dh_robot::runtime::batched::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

@@ -250,7 +250,7 @@ impl RpParallel {
             return self.inverse_with_work(target).0;
         }
         if valid == [1.0; 1] {
-            let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
+            let at = |branch: usize| ::dh_robot::runtime::batched::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -258,7 +258,7 @@ impl RpParallel {
             );
             return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0)]);
         }
-        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::batched::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
     /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
@@ -277,8 +277,8 @@ impl RpParallel {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 2],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -287,7 +287,7 @@ impl RpParallel {
         let mut found = [[0.0; 1]; 2];
         let mut valid = [0.0; 1];
         if self.all_branches(&frame, &mut found, &mut valid) {
-            let list: ::dh_robot::Solutions<_, 2, 1> = ::dh_robot::runtime::lanes::collect(
+            let list: ::dh_robot::Solutions<_, 2, 1> = ::dh_robot::runtime::batched::collect(
                 &Self::JOINTS,
                 &valid,
                 &found,
@@ -326,8 +326,8 @@ impl RpParallel {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 2],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -378,8 +378,8 @@ impl RpParallel {
     ) -> ::core::option::Option<[f64; 2]> {
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None, ::core::option::Option::None],
         };
         ::dh_robot::runtime::self_motion(
@@ -473,8 +473,8 @@ impl RpParallel {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 2],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -499,7 +499,7 @@ impl RpParallel {
         }
         all
     };
-    /// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.
+    /// The plan for all branches at once: joint values, and which branches are real; false where the fallback path has to decide.
     #[inline]
     fn all_branches(
         &self,
@@ -514,12 +514,12 @@ impl RpParallel {
         let constant_error = (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs()
             + (0.0 - t[1][2]).abs() + (1.0 - t[2][2]).abs();
         // Step 1: q2 from a linear equation.
-        let (q2_scaled, q2_margin) = ::dh_robot::runtime::lanes::linear(1.0, -t[2][3]);
+        let (q2_scaled, q2_margin) = ::dh_robot::runtime::batched::linear(1.0, -t[2][3]);
         let q2 = q2_scaled * Self::LENGTH_SCALE;
         let q2_error = (q2_scaled - t[2][3]).abs();
         // Step 2: q1 from sine and cosine.
-        let [c1, s1] = ::dh_robot::runtime::lanes::unit(t[0][0], -t[0][1]);
-        let q1 = ::dh_robot::runtime::lanes::angle(s1, c1);
+        let [c1, s1] = ::dh_robot::runtime::batched::unit(t[0][0], -t[0][1]);
+        let q1 = ::dh_robot::runtime::batched::angle(s1, c1);
         let q1_error = (-s1 - t[0][1]).abs() + (c1 - t[1][1]).abs()
             + (t_2 * c1 - t[0][3]).abs() + (t_2 * s1 - t[1][3]).abs();
         let branch = 0;
@@ -530,7 +530,7 @@ impl RpParallel {
         q[0][branch] = q1;
         q[1][branch] = q2;
         *valid = all_valid;
-        ::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)
+        ::dh_robot::runtime::batched::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

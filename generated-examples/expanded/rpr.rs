@@ -268,7 +268,7 @@ impl Rpr {
             return self.inverse_with_work(target).0;
         }
         if valid == [1.0; 1] {
-            let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
+            let at = |branch: usize| ::dh_robot::runtime::batched::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -276,7 +276,7 @@ impl Rpr {
             );
             return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0)]);
         }
-        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::batched::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
     /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
@@ -295,8 +295,8 @@ impl Rpr {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 3],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -305,7 +305,7 @@ impl Rpr {
         let mut found = [[0.0; 1]; 3];
         let mut valid = [0.0; 1];
         if self.all_branches(&frame, &mut found, &mut valid) {
-            let list: ::dh_robot::Solutions<_, 3, 1> = ::dh_robot::runtime::lanes::collect(
+            let list: ::dh_robot::Solutions<_, 3, 1> = ::dh_robot::runtime::batched::collect(
                 &Self::JOINTS,
                 &valid,
                 &found,
@@ -344,8 +344,8 @@ impl Rpr {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 3],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -396,8 +396,8 @@ impl Rpr {
     ) -> ::core::option::Option<[f64; 3]> {
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [
                 ::core::option::Option::None,
                 ::core::option::Option::None,
@@ -523,8 +523,8 @@ impl Rpr {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 3],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -549,7 +549,7 @@ impl Rpr {
         }
         all
     };
-    /// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.
+    /// The plan for all branches at once: joint values, and which branches are real; false where the fallback path has to decide.
     #[inline]
     fn all_branches(
         &self,
@@ -565,23 +565,23 @@ impl Rpr {
         let mut all_error = [0.0; 1];
         let constant_error = (0.0 - t[2][2]).abs() + (0.0 - t[2][3]).abs();
         // Step 1: q2 from a linear equation.
-        let (q2_scaled, q2_margin) = ::dh_robot::runtime::lanes::linear(
+        let (q2_scaled, q2_margin) = ::dh_robot::runtime::batched::linear(
             -1.0,
             t_3 + t[2][2] * (t[2][3] - t[2][2] * t_2),
         );
         let q2 = q2_scaled * Self::LENGTH_SCALE;
         let t_4 = t_2 + q2_scaled;
         // Step 2: q1 from sine and cosine.
-        let [c1, s1] = ::dh_robot::runtime::lanes::unit(-t[1][2], t[0][2]);
-        let q1 = ::dh_robot::runtime::lanes::angle(s1, c1);
+        let [c1, s1] = ::dh_robot::runtime::batched::unit(-t[1][2], t[0][2]);
+        let q1 = ::dh_robot::runtime::batched::angle(s1, c1);
         let q1_error = (s1 - t[0][2]).abs() + (-c1 - t[1][2]).abs()
             + (s1 * t_4 - t[0][3]).abs() + (-c1 * t_4 - t[1][3]).abs();
         // Step 3: q3 from sine and cosine.
-        let [c3, s3] = ::dh_robot::runtime::lanes::unit(
+        let [c3, s3] = ::dh_robot::runtime::batched::unit(
             t[0][0] * c1 + t[1][0] * s1,
             -(t[0][1] * c1 + t[1][1] * s1),
         );
-        let q3 = ::dh_robot::runtime::lanes::angle(s3, c3);
+        let q3 = ::dh_robot::runtime::batched::angle(s3, c3);
         let q3_error = (-c1 * s3 - t[0][1]).abs() + (-s1 * s3 - t[1][1]).abs()
             + (c3 - t[2][1]).abs();
         let branch = 0;
@@ -593,7 +593,7 @@ impl Rpr {
         q[1][branch] = q2;
         q[2][branch] = q3;
         *valid = all_valid;
-        ::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)
+        ::dh_robot::runtime::batched::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

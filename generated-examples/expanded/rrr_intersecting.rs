@@ -313,8 +313,8 @@ impl RrrIntersecting {
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 3],
         };
         let task = ::dh_robot::runtime::Task::Position(p);
@@ -354,8 +354,8 @@ impl RrrIntersecting {
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 3],
         };
         let task = ::dh_robot::runtime::Task::Position(p);
@@ -404,8 +404,8 @@ impl RrrIntersecting {
     ) -> ::core::option::Option<[f64; 3]> {
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [
                 ::core::option::Option::None,
                 ::core::option::Option::None,
@@ -564,8 +564,8 @@ impl RrrIntersecting {
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 3],
         };
         let task = ::dh_robot::runtime::Task::Position(p);

@@ -299,7 +299,7 @@ impl ScaraRrrp {
             return self.inverse_with_work(target).0;
         }
         if valid == [1.0; 2] {
-            let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
+            let at = |branch: usize| ::dh_robot::runtime::batched::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -307,7 +307,7 @@ impl ScaraRrrp {
             );
             return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0), at(1)]);
         }
-        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::batched::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
     /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
@@ -326,8 +326,8 @@ impl ScaraRrrp {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 4],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -336,7 +336,7 @@ impl ScaraRrrp {
         let mut found = [[0.0; 2]; 4];
         let mut valid = [0.0; 2];
         if self.all_branches(&frame, &mut found, &mut valid) {
-            let list: ::dh_robot::Solutions<_, 4, 2> = ::dh_robot::runtime::lanes::collect(
+            let list: ::dh_robot::Solutions<_, 4, 2> = ::dh_robot::runtime::batched::collect(
                 &Self::JOINTS,
                 &valid,
                 &found,
@@ -375,8 +375,8 @@ impl ScaraRrrp {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 4],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -427,8 +427,8 @@ impl ScaraRrrp {
     ) -> ::core::option::Option<[f64; 4]> {
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [
                 ::core::option::Option::None,
                 ::core::option::Option::None,
@@ -625,8 +625,8 @@ impl ScaraRrrp {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 4],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -660,7 +660,7 @@ impl ScaraRrrp {
         }
         all
     };
-    /// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.
+    /// The plan for all branches at once: joint values, and which branches are real; false where the fallback path has to decide.
     #[inline]
     fn all_branches(
         &self,
@@ -678,7 +678,7 @@ impl ScaraRrrp {
         let constant_error = (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs()
             + (0.0 - t[1][2]).abs() + (1.0 - t[2][2]).abs();
         // Step 1: q4 from a linear equation.
-        let (q4_scaled, q4_margin) = ::dh_robot::runtime::lanes::linear(
+        let (q4_scaled, q4_margin) = ::dh_robot::runtime::batched::linear(
             1.0,
             -(t[2][3] - t_4),
         );
@@ -688,18 +688,18 @@ impl ScaraRrrp {
         let t_11 = t[2][3] - t[2][2] * q4_scaled;
         let q4_error = (t_4 + q4_scaled - t[2][3]).abs();
         // Step 2: q1 + q2 + q3 from sine and cosine.
-        let [c123, s123] = ::dh_robot::runtime::lanes::unit(t[0][0], -t[0][1]);
-        let q1_plus_q2_plus_q3 = ::dh_robot::runtime::lanes::angle(s123, c123);
+        let [c123, s123] = ::dh_robot::runtime::batched::unit(t[0][0], -t[0][1]);
+        let q1_plus_q2_plus_q3 = ::dh_robot::runtime::batched::angle(s123, c123);
         let q1_plus_q2_plus_q3_error = (-s123 - t[0][1]).abs() + (c123 - t[1][1]).abs();
         // Step 3: q2 from the law of cosines.
-        let ([c2_first, s2_first, c2_second, s2_second], q2_valid, q2_margin) = ::dh_robot::runtime::lanes::sincos(
+        let ([c2_first, s2_first, c2_second, s2_second], q2_valid, q2_margin) = ::dh_robot::runtime::batched::sincos(
             2.0 * t_5 * t_6,
             0.0,
             -(t_7 - (t_9 * t_9 + t_10 * t_10 + t_11 * t_11 - t_8)),
         );
         let all_c2 = [c2_first, c2_second];
         let all_s2 = [s2_first, s2_second];
-        let all_q2 = ::dh_robot::runtime::lanes::angles(
+        let all_q2 = ::dh_robot::runtime::batched::angles(
             &[s2_first, s2_second],
             &[c2_first, c2_second],
         );
@@ -713,7 +713,7 @@ impl ScaraRrrp {
             let t_12 = t_5 + t_6 * c2;
             let t_13 = t_6 * s2;
             // Step 4: q1 from sine and cosine.
-            let ([c1, s1], q1_margin) = ::dh_robot::runtime::lanes::pair(
+            let ([c1, s1], q1_margin) = ::dh_robot::runtime::batched::pair(
                 t_12,
                 -t_13,
                 t_9,
@@ -721,13 +721,13 @@ impl ScaraRrrp {
                 t_12,
                 t_10,
             );
-            let q1 = ::dh_robot::runtime::lanes::angle(s1, c1);
+            let q1 = ::dh_robot::runtime::batched::angle(s1, c1);
             let q1_error = (t_6 * (c2 * c1 - s2 * s1) + t_5 * c1 - t[0][3]).abs()
                 + (t_6 * (c2 * s1 + s2 * c1) + t_5 * s1 - t[1][3]).abs();
             let q2 = all_q2[branch];
             // How far the branch is from what it should be.
-            all_margin[branch] = ::dh_robot::runtime::lanes::lesser(
-                ::dh_robot::runtime::lanes::lesser(q4_margin, q2_margin),
+            all_margin[branch] = ::dh_robot::runtime::batched::lesser(
+                ::dh_robot::runtime::batched::lesser(q4_margin, q2_margin),
                 q1_margin,
             );
             all_valid[branch] = q2_valid;
@@ -735,13 +735,13 @@ impl ScaraRrrp {
                 + q1_error;
             q[0][branch] = q1;
             q[1][branch] = q2;
-            q[2][branch] = ::dh_robot::runtime::lanes::wrap(
+            q[2][branch] = ::dh_robot::runtime::batched::wrap(
                 q1_plus_q2_plus_q3 - q2 - q1,
             );
             q[3][branch] = q4;
         }
         *valid = all_valid;
-        ::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)
+        ::dh_robot::runtime::batched::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

@@ -400,7 +400,7 @@ impl Stanford {
             return self.inverse_with_work(target).0;
         }
         if valid == [1.0; 8] {
-            let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
+            let at = |branch: usize| ::dh_robot::runtime::batched::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -411,7 +411,7 @@ impl Stanford {
                 [at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)],
             );
         }
-        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::batched::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
     /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
@@ -430,8 +430,8 @@ impl Stanford {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -440,7 +440,7 @@ impl Stanford {
         let mut found = [[0.0; 8]; 6];
         let mut valid = [0.0; 8];
         if self.all_branches(&frame, &mut found, &mut valid) {
-            let list: ::dh_robot::Solutions<_, 6, 8> = ::dh_robot::runtime::lanes::collect(
+            let list: ::dh_robot::Solutions<_, 6, 8> = ::dh_robot::runtime::batched::collect(
                 &Self::JOINTS,
                 &valid,
                 &found,
@@ -479,8 +479,8 @@ impl Stanford {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -531,8 +531,8 @@ impl Stanford {
     ) -> ::core::option::Option<[f64; 6]> {
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [
                 ::core::option::Option::None,
                 ::core::option::Option::None,
@@ -777,8 +777,8 @@ impl Stanford {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -830,7 +830,7 @@ impl Stanford {
         }
         all
     };
-    /// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.
+    /// The plan for all branches at once: joint values, and which branches are real; false where the fallback path has to decide.
     #[inline]
     fn all_branches(
         &self,
@@ -840,14 +840,14 @@ impl Stanford {
     ) -> bool {
         let t_2 = t[2][3] - 0.7027119222241174;
         // Step 1: q1 from an equation in sine and cosine.
-        let ([c1_first, s1_first, c1_second, s1_second], q1_valid, q1_margin) = ::dh_robot::runtime::lanes::sincos(
+        let ([c1_first, s1_first, c1_second, s1_second], q1_valid, q1_margin) = ::dh_robot::runtime::batched::sincos(
             -t[1][3],
             t[0][3],
             -0.22804025243049636,
         );
         let all_c1 = [c1_first, c1_second];
         let all_s1 = [s1_first, s1_second];
-        let all_q1 = ::dh_robot::runtime::lanes::angles(
+        let all_q1 = ::dh_robot::runtime::batched::angles(
             &[s1_first, s1_second],
             &[c1_first, c1_second],
         );
@@ -884,7 +884,7 @@ impl Stanford {
             all_t_10[branch] = t_10;
             all_t_11[branch] = t_11;
             // Step 2: q2 from a ratio of sine and cosine.
-            let ([c2_first, s2_first], q2_margin) = ::dh_robot::runtime::lanes::half_turn([
+            let ([c2_first, s2_first], q2_margin) = ::dh_robot::runtime::batched::half_turn([
                 [-t_3, t_2],
             ]);
             q2_pairs[0][branch] = c2_first;
@@ -893,7 +893,7 @@ impl Stanford {
             q2_pairs[1][branch + 2] = -s2_first;
             all_margin_1[branch] = q2_margin;
         }
-        let all_q2 = ::dh_robot::runtime::lanes::angles(&q2_pairs[1], &q2_pairs[0]);
+        let all_q2 = ::dh_robot::runtime::batched::angles(&q2_pairs[1], &q2_pairs[0]);
         q[1] = ::core::array::from_fn(|branch| all_q2[branch / 2 % 2 * 2 + branch % 2]);
         let all_c2 = q2_pairs[0];
         let all_s2 = q2_pairs[1];
@@ -926,7 +926,7 @@ impl Stanford {
             let t_13 = t_6 * c2 - t[2][1] * s2;
             let t_14 = t_8 * c2 - t[2][2] * s2;
             // Step 3: q3 from a linear equation.
-            let (q3_scaled, q3_margin) = ::dh_robot::runtime::lanes::linear(
+            let (q3_scaled, q3_margin) = ::dh_robot::runtime::batched::linear(
                 -1.0,
                 t_3 * s2 + t_2 * c2,
             );
@@ -940,25 +940,28 @@ impl Stanford {
                 + (s1 * t_15 + t_11 - t[1][3]).abs()
                 + (0.7027119222241174 + c2 * q3_scaled - t[2][3]).abs();
             // Step 4: q6 from a ratio of sine and cosine.
-            let ([c6, s6], q6_margin) = ::dh_robot::runtime::lanes::half_turn([
+            let ([c6, s6], q6_margin) = ::dh_robot::runtime::batched::half_turn([
                 [t_6 * s2 + t[2][1] * c2, t_4 * s2 + t[2][0] * c2],
             ]);
-            let q6 = ::dh_robot::runtime::lanes::angle(s6, c6);
+            let q6 = ::dh_robot::runtime::batched::angle(s6, c6);
             let t_5 = all_t_5[branch];
             let t_7 = all_t_7[branch];
             // Step 5: q4 from sine and cosine.
-            let [c4, s4] = ::dh_robot::runtime::lanes::unit(
+            let [c4, s4] = ::dh_robot::runtime::batched::unit(
                 t_12 * s6 + t_13 * c6,
                 -(t_5 * s6 + t_7 * c6),
             );
-            let q4 = ::dh_robot::runtime::lanes::angle(s4, c4);
+            let q4 = ::dh_robot::runtime::batched::angle(s4, c4);
             let t_9 = all_t_9[branch];
             let t_16 = c6 * (t_5 * c4 + t_12 * s4) - s6 * (t_7 * c4 + t_13 * s4);
             let s6c4 = s6 * c4;
             let s6s4 = s6 * s4;
             // Step 6: q5 from sine and cosine.
-            let [c5, s5] = ::dh_robot::runtime::lanes::unit(t_16, t_9 * c4 + t_14 * s4);
-            let q5 = ::dh_robot::runtime::lanes::angle(s5, c5);
+            let [c5, s5] = ::dh_robot::runtime::batched::unit(
+                t_16,
+                t_9 * c4 + t_14 * s4,
+            );
+            let q5 = ::dh_robot::runtime::batched::angle(s5, c5);
             let c6c5 = c6 * c5;
             let c6s5 = c6 * s5;
             let t_17 = s4 * c6c5 + s6c4;
@@ -976,9 +979,9 @@ impl Stanford {
             let q1 = all_q1[branch];
             let margin_1 = all_margin_1[branch];
             // How far the branch is from what it should be.
-            all_margin[branch] = ::dh_robot::runtime::lanes::lesser(
-                ::dh_robot::runtime::lanes::lesser(
-                    ::dh_robot::runtime::lanes::lesser(q1_margin, margin_1),
+            all_margin[branch] = ::dh_robot::runtime::batched::lesser(
+                ::dh_robot::runtime::batched::lesser(
+                    ::dh_robot::runtime::batched::lesser(q1_margin, margin_1),
                     q3_margin,
                 ),
                 q6_margin,
@@ -986,9 +989,9 @@ impl Stanford {
             all_valid[branch] = q1_valid;
             all_error[branch] = q3_error + q5_error;
             // The mirrored half differs by signs.
-            let q6_second = ::dh_robot::runtime::lanes::opposite(q6);
-            let q4_second = ::dh_robot::runtime::lanes::opposite(q4);
-            let q5_second = ::dh_robot::runtime::lanes::negative(q5);
+            let q6_second = ::dh_robot::runtime::batched::opposite(q6);
+            let q4_second = ::dh_robot::runtime::batched::opposite(q4);
+            let q5_second = ::dh_robot::runtime::batched::negative(q5);
             q[0][branch] = q1;
             q[2][branch] = q3;
             q[3][branch] = q4;
@@ -1001,7 +1004,7 @@ impl Stanford {
             q[5][branch + 4] = q6_second;
         }
         *valid = ::core::array::from_fn(|branch| all_valid[branch % 4]);
-        ::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)
+        ::dh_robot::runtime::batched::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

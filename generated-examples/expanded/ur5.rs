@@ -413,7 +413,7 @@ impl Ur5 {
             return self.inverse_with_work(target).0;
         }
         if valid == [1.0; 8] {
-            let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
+            let at = |branch: usize| ::dh_robot::runtime::batched::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -424,7 +424,7 @@ impl Ur5 {
                 [at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7)],
             );
         }
-        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::batched::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
     /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
@@ -443,8 +443,8 @@ impl Ur5 {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -453,7 +453,7 @@ impl Ur5 {
         let mut found = [[0.0; 8]; 6];
         let mut valid = [0.0; 8];
         if self.all_branches(&frame, &mut found, &mut valid) {
-            let list: ::dh_robot::Solutions<_, 6, 8> = ::dh_robot::runtime::lanes::collect(
+            let list: ::dh_robot::Solutions<_, 6, 8> = ::dh_robot::runtime::batched::collect(
                 &Self::JOINTS,
                 &valid,
                 &found,
@@ -492,8 +492,8 @@ impl Ur5 {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -544,8 +544,8 @@ impl Ur5 {
     ) -> ::core::option::Option<[f64; 6]> {
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [
                 ::core::option::Option::None,
                 ::core::option::Option::None,
@@ -818,8 +818,8 @@ impl Ur5 {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: false,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -871,7 +871,7 @@ impl Ur5 {
         }
         all
     };
-    /// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.
+    /// The plan for all branches at once: joint values, and which branches are real; false where the fallback path has to decide.
     #[inline]
     fn all_branches(
         &self,
@@ -884,14 +884,14 @@ impl Ur5 {
         let t_4 = t[2][3] - t[2][2] * 0.06899679663718164;
         let t_5 = t_4 - 0.07499859575170878;
         // Step 1: q1 from an equation in sine and cosine.
-        let ([c1_first, s1_first, c1_second, s1_second], q1_valid, q1_margin) = ::dh_robot::runtime::lanes::sincos(
+        let ([c1_first, s1_first, c1_second, s1_second], q1_valid, q1_margin) = ::dh_robot::runtime::batched::sincos(
             -t_3,
             t_2,
             0.09150668715611636,
         );
         let all_c1 = [c1_first, c1_second];
         let all_s1 = [s1_first, s1_second];
-        let all_q1 = ::dh_robot::runtime::lanes::angles(
+        let all_q1 = ::dh_robot::runtime::batched::angles(
             &[s1_first, s1_second],
             &[c1_first, c1_second],
         );
@@ -931,7 +931,7 @@ impl Ur5 {
             all_t_13[branch] = t_13;
             all_t_14[branch] = t_14;
             // Step 2: q2 + q3 + q4 from a ratio of sine and cosine.
-            let ([c234_first, s234_first], q2_plus_q3_plus_q4_margin) = ::dh_robot::runtime::lanes::half_turn([
+            let ([c234_first, s234_first], q2_plus_q3_plus_q4_margin) = ::dh_robot::runtime::batched::half_turn([
                 [-t[2][2], t_12],
             ]);
             q2_plus_q3_plus_q4_pairs[0][branch] = c234_first;
@@ -940,7 +940,7 @@ impl Ur5 {
             q2_plus_q3_plus_q4_pairs[1][branch + 2] = -s234_first;
             all_margin_1[branch] = q2_plus_q3_plus_q4_margin;
         }
-        let all_q2_plus_q3_plus_q4 = ::dh_robot::runtime::lanes::angles(
+        let all_q2_plus_q3_plus_q4 = ::dh_robot::runtime::batched::angles(
             &q2_plus_q3_plus_q4_pairs[1],
             &q2_plus_q3_plus_q4_pairs[0],
         );
@@ -981,7 +981,7 @@ impl Ur5 {
             let t_12 = all_t_12[branch];
             let t_15 = all_t_15[branch];
             // Step 3: q5 from sine and cosine.
-            let ([c5, s5], q5_margin) = ::dh_robot::runtime::lanes::pair(
+            let ([c5, s5], q5_margin) = ::dh_robot::runtime::batched::pair(
                 -1.0,
                 0.0,
                 -t_15,
@@ -989,7 +989,7 @@ impl Ur5 {
                 -s234,
                 t[2][2],
             );
-            let q5 = ::dh_robot::runtime::lanes::angle(s5, c5);
+            let q5 = ::dh_robot::runtime::batched::angle(s5, c5);
             all_q5[branch] = q5;
             let q5_in_range = q5;
             q[4][branch] = q5_in_range;
@@ -1016,7 +1016,7 @@ impl Ur5 {
             let t_10 = all_t_10[branch];
             let t_11 = all_t_11[branch];
             // Step 4: q6 from sine and cosine.
-            let ([c6, s6], q6_margin) = ::dh_robot::runtime::lanes::pair(
+            let ([c6, s6], q6_margin) = ::dh_robot::runtime::batched::pair(
                 c234c5,
                 -s234,
                 t_8,
@@ -1024,7 +1024,7 @@ impl Ur5 {
                 -c234c5,
                 t_10,
             );
-            let q6 = ::dh_robot::runtime::lanes::angle(s6, c6);
+            let q6 = ::dh_robot::runtime::batched::angle(s6, c6);
             all_q6[branch] = q6;
             let q6_in_range = q6;
             q[5][branch] = q6_in_range;
@@ -1051,7 +1051,7 @@ impl Ur5 {
                 + (s1 * t_32 - c1 * s5c6 - t[1][0]).abs()
                 + (s234 * c5c6 + c234 * s6 - t[2][0]).abs();
             // Step 5: q3 from the law of cosines.
-            let ([c3_first, s3_first, c3_second, s3_second], q3_valid, q3_margin) = ::dh_robot::runtime::lanes::sincos(
+            let ([c3_first, s3_first, c3_second, s3_second], q3_valid, q3_margin) = ::dh_robot::runtime::batched::sincos(
                 0.23433656705012487,
                 0.0,
                 t_29,
@@ -1060,16 +1060,16 @@ impl Ur5 {
             q3_pairs[1][branch] = s3_first;
             q3_pairs[0][branch + 4] = c3_second;
             q3_pairs[1][branch + 4] = s3_second;
-            let q3 = ::dh_robot::runtime::lanes::angle(s3_first, c3_first);
+            let q3 = ::dh_robot::runtime::batched::angle(s3_first, c3_first);
             all_q3[branch] = q3;
-            let q3_second = ::dh_robot::runtime::lanes::angle(s3_second, c3_second);
+            let q3_second = ::dh_robot::runtime::batched::angle(s3_second, c3_second);
             all_q3[branch + 4] = q3_second;
             let q3_in_range = q3;
             q[2][branch] = q3_in_range;
             let q3_second_in_range = q3_second;
             q[2][branch + 4] = q3_second_in_range;
-            all_margin_2[branch] = ::dh_robot::runtime::lanes::lesser(
-                ::dh_robot::runtime::lanes::lesser(q5_margin, q6_margin),
+            all_margin_2[branch] = ::dh_robot::runtime::batched::lesser(
+                ::dh_robot::runtime::batched::lesser(q5_margin, q6_margin),
                 q3_margin,
             );
             all_valid_2[branch] = q3_valid;
@@ -1120,7 +1120,7 @@ impl Ur5 {
             let t_34 = all_t_34[branch];
             let t_35 = all_t_35[branch];
             // Step 6: q2 from sine and cosine.
-            let ([c2, s2], q2_margin) = ::dh_robot::runtime::lanes::pair(
+            let ([c2, s2], q2_margin) = ::dh_robot::runtime::batched::pair(
                 -t_36,
                 t_37,
                 t_33,
@@ -1128,7 +1128,7 @@ impl Ur5 {
                 -t_36,
                 t_34,
             );
-            let q2 = ::dh_robot::runtime::lanes::angle(s2, c2);
+            let q2 = ::dh_robot::runtime::batched::angle(s2, c2);
             let c1 = all_c1[branch];
             let s1 = all_s1[branch];
             let t_16 = all_t_16[branch];
@@ -1153,9 +1153,9 @@ impl Ur5 {
             let valid_2 = all_valid_2[branch];
             let error_2 = all_error_2[branch];
             // How far the branch is from what it should be.
-            all_margin[branch] = ::dh_robot::runtime::lanes::lesser(
-                ::dh_robot::runtime::lanes::lesser(
-                    ::dh_robot::runtime::lanes::lesser(q1_margin, margin_1),
+            all_margin[branch] = ::dh_robot::runtime::batched::lesser(
+                ::dh_robot::runtime::batched::lesser(
+                    ::dh_robot::runtime::batched::lesser(q1_margin, margin_1),
                     margin_2,
                 ),
                 q2_margin,
@@ -1164,12 +1164,12 @@ impl Ur5 {
             all_error[branch] = error_2 + q2_error;
             q[0][branch] = q1;
             q[1][branch] = q2;
-            q[3][branch] = ::dh_robot::runtime::lanes::wrap(
+            q[3][branch] = ::dh_robot::runtime::batched::wrap(
                 q2_plus_q3_plus_q4 - q3 - q2,
             );
         }
         *valid = all_valid;
-        ::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)
+        ::dh_robot::runtime::batched::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

@@ -308,7 +308,7 @@ impl WaferPrrr {
             return self.inverse_with_work(target).0;
         }
         if valid == [1.0; 2] {
-            let at = |branch: usize| ::dh_robot::runtime::lanes::solution(
+            let at = |branch: usize| ::dh_robot::runtime::batched::solution(
                 &Self::JOINTS,
                 &q,
                 &Self::BRANCHES,
@@ -316,7 +316,7 @@ impl WaferPrrr {
             );
             return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0), at(1)]);
         }
-        ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
+        ::dh_robot::runtime::batched::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
     /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
@@ -335,8 +335,8 @@ impl WaferPrrr {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 4],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -345,7 +345,7 @@ impl WaferPrrr {
         let mut found = [[0.0; 2]; 4];
         let mut valid = [0.0; 2];
         if self.all_branches(&frame, &mut found, &mut valid) {
-            let list: ::dh_robot::Solutions<_, 4, 2> = ::dh_robot::runtime::lanes::collect(
+            let list: ::dh_robot::Solutions<_, 4, 2> = ::dh_robot::runtime::batched::collect(
                 &Self::JOINTS,
                 &valid,
                 &found,
@@ -384,8 +384,8 @@ impl WaferPrrr {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 4],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -436,8 +436,8 @@ impl WaferPrrr {
     ) -> ::core::option::Option<[f64; 4]> {
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [
                 ::core::option::Option::None,
                 ::core::option::Option::None,
@@ -630,8 +630,8 @@ impl WaferPrrr {
         };
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 4],
         };
         let task = ::dh_robot::runtime::Task::Pose(
@@ -665,7 +665,7 @@ impl WaferPrrr {
         }
         all
     };
-    /// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.
+    /// The plan for all branches at once: joint values, and which branches are real; false where the fallback path has to decide.
     #[inline]
     fn all_branches(
         &self,
@@ -689,7 +689,7 @@ impl WaferPrrr {
         let constant_error = (0.0 - t[2][1]).abs() + (0.0 - t[0][2]).abs()
             + (0.0 - t[1][2]).abs() + (1.0 - t[2][2]).abs();
         // Step 1: q1 from a linear equation.
-        let (q1_scaled, q1_margin) = ::dh_robot::runtime::lanes::linear(
+        let (q1_scaled, q1_margin) = ::dh_robot::runtime::batched::linear(
             1.0,
             -(t_5 - t_9),
         );
@@ -697,18 +697,18 @@ impl WaferPrrr {
         let t_15 = t_5 - q1_scaled;
         let q1_error = (q1_scaled + t_14 - t[2][3]).abs();
         // Step 2: q2 + q3 + q4 from sine and cosine.
-        let [c234, s234] = ::dh_robot::runtime::lanes::unit(t[0][0], -t[0][1]);
-        let q2_plus_q3_plus_q4 = ::dh_robot::runtime::lanes::angle(s234, c234);
+        let [c234, s234] = ::dh_robot::runtime::batched::unit(t[0][0], -t[0][1]);
+        let q2_plus_q3_plus_q4 = ::dh_robot::runtime::batched::angle(s234, c234);
         let q2_plus_q3_plus_q4_error = (-s234 - t[0][1]).abs() + (c234 - t[1][1]).abs();
         // Step 3: q3 from the law of cosines.
-        let ([c3_first, s3_first, c3_second, s3_second], q3_valid, q3_margin) = ::dh_robot::runtime::lanes::sincos(
+        let ([c3_first, s3_first, c3_second, s3_second], q3_valid, q3_margin) = ::dh_robot::runtime::batched::sincos(
             2.0 * t_10 * t_11,
             0.0,
             -(t_12 - (t_6 + t_15 * t_15 - t_13)),
         );
         let all_c3 = [c3_first, c3_second];
         let all_s3 = [s3_first, s3_second];
-        let all_q3 = ::dh_robot::runtime::lanes::angles(
+        let all_q3 = ::dh_robot::runtime::batched::angles(
             &[s3_first, s3_second],
             &[c3_first, c3_second],
         );
@@ -722,7 +722,7 @@ impl WaferPrrr {
             let t_16 = t_10 + t_11 * c3;
             let t_17 = t_11 * s3;
             // Step 4: q2 from sine and cosine.
-            let ([c2, s2], q2_margin) = ::dh_robot::runtime::lanes::pair(
+            let ([c2, s2], q2_margin) = ::dh_robot::runtime::batched::pair(
                 t_16,
                 -t_17,
                 t_3,
@@ -730,13 +730,13 @@ impl WaferPrrr {
                 t_16,
                 t_4,
             );
-            let q2 = ::dh_robot::runtime::lanes::angle(s2, c2);
+            let q2 = ::dh_robot::runtime::batched::angle(s2, c2);
             let q2_error = (t_11 * (c3 * c2 - s3 * s2) + t_10 * c2 - t[0][3]).abs()
                 + (t_11 * (c3 * s2 + s3 * c2) + t_10 * s2 - t[1][3]).abs();
             let q3 = all_q3[branch];
             // How far the branch is from what it should be.
-            all_margin[branch] = ::dh_robot::runtime::lanes::lesser(
-                ::dh_robot::runtime::lanes::lesser(q1_margin, q3_margin),
+            all_margin[branch] = ::dh_robot::runtime::batched::lesser(
+                ::dh_robot::runtime::batched::lesser(q1_margin, q3_margin),
                 q2_margin,
             );
             all_valid[branch] = q3_valid;
@@ -745,12 +745,12 @@ impl WaferPrrr {
             q[0][branch] = q1;
             q[1][branch] = q2;
             q[2][branch] = q3;
-            q[3][branch] = ::dh_robot::runtime::lanes::wrap(
+            q[3][branch] = ::dh_robot::runtime::batched::wrap(
                 q2_plus_q3_plus_q4 - q3 - q2,
             );
         }
         *valid = all_valid;
-        ::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)
+        ::dh_robot::runtime::batched::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

@@ -362,8 +362,8 @@ impl Youbot {
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 5],
         };
         let task = ::dh_robot::runtime::Task::Axis(p, z);
@@ -416,8 +416,8 @@ impl Youbot {
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 5],
         };
         let task = ::dh_robot::runtime::Task::Axis(p, z);
@@ -472,8 +472,8 @@ impl Youbot {
     ) -> ::core::option::Option<[f64; 5]> {
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [
                 ::core::option::Option::None,
                 ::core::option::Option::None,
@@ -718,8 +718,8 @@ impl Youbot {
         );
         let setting = ::dh_robot::runtime::Setting {
             joints: &Self::JOINTS,
-            reach: Self::LENGTH_SCALE,
-            few: true,
+            length_scale: Self::LENGTH_SCALE,
+            rank_deficient: true,
             given: [::core::option::Option::None; 5],
         };
         let task = ::dh_robot::runtime::Task::Axis(p, z);

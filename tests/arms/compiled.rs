@@ -58,8 +58,8 @@ impl<const N: usize> Kinematics<N> for Model<'_> {
         let columns: Vec<Vec<f64>> = (0..N).map(|i| self.0.inverse_drive(unit(i))).collect();
         self.0.chain.is_geared().then(|| Drive {
             rows: std::array::from_fn(|i| std::array::from_fn(|k| self.0.drive[i][k])),
-            motors: std::array::from_fn(|k| std::array::from_fn(|i| columns[i][k])),
-            turns: std::array::from_fn(|i| self.0.inverse.plan.axes.turns(i)),
+            actuators: std::array::from_fn(|k| std::array::from_fn(|i| columns[i][k])),
+            revolute: std::array::from_fn(|i| self.0.inverse.plan.axes.is_revolute(i)),
         })
     }
 }
@@ -169,9 +169,9 @@ impl Compiled {
     fn run<const N: usize, const M: usize>(&self, target: &Matrix, q: &[f64]) -> Solutions<f64, N, M> {
         let joints: &'static [Joint; N] = self.joints.try_into().expect("as many joints as the arm has");
         let plan = &self.inverse.plan;
-        let (reach, redundant) = (plan.axes.reach, &self.spec.redundant);
+        let (reach, redundant) = (plan.axes.length_scale, &self.spec.redundant);
         let given: [Option<f64>; N] = std::array::from_fn(|k| redundant.contains(&k).then(|| q[k]));
-        let setting = Setting { joints, reach, few: plan.few, given };
+        let setting = Setting { joints, length_scale: reach, rank_deficient: plan.rank_deficient, given };
         let t = pose(target);
         let mut frame = t.map(|r| [r[0], r[1], r[2], r[3] / reach]);
         let (p, z) = (frame.map(|r| r[3]), t.map(|r| r[2]));
@@ -200,7 +200,7 @@ impl Compiled {
             let run = self.inverse.attempt(&self.valued, frame, &given, &|i| (sample.angle(i), sample.length(i)));
             for c in &run.candidates {
                 let axes = &plan.axes;
-                let x: Vec<f64> = (0..N).map(|k| if axes.turns(k) { c.x[k] } else { c.x[k] * reach }).collect();
+                let x: Vec<f64> = (0..N).map(|k| if axes.is_revolute(k) { c.x[k] } else { c.x[k] * reach }).collect();
                 let q = self.motors(&x);
                 let forms = c.free.iter().map(|f| &plan.knowledge.known[*f].form);
                 let free = forms.flat_map(|f| (0..N).filter(|k| f[*k] != 0)).fold(FreeJoints::NONE, FreeJoints::with);

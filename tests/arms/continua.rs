@@ -88,7 +88,7 @@ fn every_continuum_is_represented_once_where_several_cross() {
     for (q, count, table) in CASES {
         let arm = Compiled::new(&format!("pub struct Arm; convention = modified; {table}"))
             .unwrap_or_else(|_| panic!("no plan: {table}"));
-        let reach = arm.inverse.plan.axes.reach;
+        let reach = arm.inverse.plan.axes.length_scale;
         let found = arm.invert(&arm.arm.pose(q), q);
         let holds = |(s, free): (&Vec<f64>, &dh_robot::FreeJoints)| {
             (0..q.len()).all(|k| free.contains(k) || apart(&arm, reach, k, s[k], q[k]) < 1e-3)
@@ -110,7 +110,7 @@ fn beside_a_continuum_solutions_stand_alone() {
         | -90deg | 0 | 94.65mm | q5 |
         | 90deg | 0 | 82.3mm | q6 |";
     let arm = Compiled::new(table).unwrap_or_else(|_| panic!("no plan"));
-    let reach = arm.inverse.plan.axes.reach;
+    let reach = arm.inverse.plan.axes.length_scale;
     for off in [1e-9, 1e-8, 1e-7, 1e-6, 1e-3] {
         let q = [0.934_523_563, 0.008_718_051, -0.720_461_907, -2.747_860_587, off, -1.352_896_528];
         let target = arm.arm.pose(&q);

@@ -82,7 +82,7 @@ const CASES: &[(&[f64], &str)] = &[
 fn what_was_lost_once_is_found() {
     for (q, table) in CASES {
         let arm = Compiled::new(&format!("pub struct Arm; {table}")).unwrap_or_else(|_| panic!("no plan: {table}"));
-        let reach = arm.inverse.plan.axes.reach;
+        let reach = arm.inverse.plan.axes.length_scale;
         let found = arm.invert(&arm.arm.pose(q), q);
         // A root of multiplicity four is good to 1e-4, times what the arm's shape makes of it.
         let holds = |(s, free): (&Vec<f64>, &dh_robot::FreeJoints)| {

@@ -27,7 +27,7 @@ fn judged(class: &str, draws: &[f64], values: &[f64]) {
     let mut next = draws.iter().cycle();
     let text = table(class, &mut || next.next().copied().unwrap_or(0.0));
     let arm = Compiled::new(&text).unwrap_or_else(|r| panic!("{class}: refused: {r:?}\n{text}"));
-    let reach = arm.inverse.plan.axes.reach;
+    let reach = arm.inverse.plan.axes.length_scale;
     let value = |(slides, x): (&bool, &f64)| if *slides { x * reach } else { x * PI };
     let q: Vec<f64> = arm.slides.iter().zip(values).map(value).collect();
     let target = arm.arm.pose(&q);

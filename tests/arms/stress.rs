@@ -319,7 +319,7 @@ pub(super) fn run(class: &str, seeds: Range<u64>, count: usize, verbose: bool) {
                 continue;
             };
             let general = arm.inverse.plan.steps.iter().any(|s| s.kind == StepKind::General);
-            let reach = arm.inverse.plan.axes.reach;
+            let reach = arm.inverse.plan.axes.length_scale;
             for (kind, q) in poses(&arm, reach, if general { count.div_ceil(4) } else { count }, &mut random) {
                 let target = arm.arm.pose(&q);
                 let problem =

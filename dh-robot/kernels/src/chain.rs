@@ -5,7 +5,7 @@ use super::polish::Kinematics;
 use super::pose::{IDENTITY, Pose, compose, slide, turn};
 use super::vector::cross;
 
-/// A serial chain `J1(q1) C1 J2(q2) C2 ... JN(qN) CN` with `J = Rz` (or `Tz` where `slides`) and constant transforms `C`.
+/// A serial chain `J1(q1) C1 J2(q2) C2 ... JN(qN) CN` with `J = Rz` (or `Tz` where `prismatic`) and constant transforms `C`.
 ///
 /// Every Denavit-Hartenberg table has this form: the constant in front of the first joint is taken over to the target's side.
 #[derive(Clone, Copy, Debug)]
@@ -13,12 +13,12 @@ pub struct Chain<const N: usize> {
     /// The constant transform after each joint.
     pub links: [Pose; N],
     /// Which joints are prismatic.
-    pub slides: [bool; N],
+    pub prismatic: [bool; N],
 }
 
 impl<const N: usize> Chain<N> {
     /// A length of the arm's size: the sum of its constant offsets; 1 where there are none.
-    pub fn reach(&self) -> f64 {
+    pub fn length_scale(&self) -> f64 {
         let mut sum = 0.0;
         for c in &self.links {
             sum += sqrt(c[0][3] * c[0][3] + c[1][3] * c[1][3] + c[2][3] * c[2][3]);
@@ -29,7 +29,7 @@ impl<const N: usize> Chain<N> {
     /// The transform of joint `i` and its link, applied to `before`.
     #[inline]
     fn step(&self, before: &Pose, i: usize, q: f64) -> Pose {
-        let moved = if self.slides[i] {
+        let moved = if self.prismatic[i] {
             slide(before, q)
         } else {
             let (s, c) = sin_cos(q);
@@ -59,7 +59,7 @@ impl<const N: usize> Kinematics<N> for Chain<N> {
         for i in 0..N {
             let (z, p) = axes[i];
             let arm = [t[0][3] - p[0], t[1][3] - p[1], t[2][3] - p[2]];
-            let (linear, angular) = if self.slides[i] { (z, [0.0; 3]) } else { (cross(z, arm), z) };
+            let (linear, angular) = if self.prismatic[i] { (z, [0.0; 3]) } else { (cross(z, arm), z) };
             for k in 0..3 {
                 j[k][i] = linear[k];
                 j[3 + k][i] = angular[k];
@@ -79,7 +79,7 @@ mod tests {
     fn jacobian_of_a_chain_is_its_derivative() {
         let mut rng = Rng::new(6);
         let links = [(); 5].map(|()| random_pose(&mut rng));
-        let chain = Chain { links, slides: [false, true, false, false, true] };
+        let chain = Chain { links, prismatic: [false, true, false, false, true] };
         let q = [(); 5].map(|()| rng.angle());
         let (_, j) = chain.forward_and_jacobian(&q);
         for i in 0..5 {

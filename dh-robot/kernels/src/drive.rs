@@ -1,19 +1,19 @@
-//! Drives where one joint turn is not a whole number of motor turns.
+//! Drives where one joint turn is not a whole number of actuator turns.
 
 use super::elementary::floor;
 
-/// How motors move the rows of a table: row = `rows` times motor values, motors = `motors` times row values.
+/// How actuators move the rows of a table: row = `rows` times actuator values, actuators = `actuators` times row values.
 ///
-/// A whole turn of a row that turns leaves the arm where it was. What the motors do meanwhile is a column of `motors`, times 2 pi; joint
+/// A whole turn of a row that turns leaves the arm where it was. What the actuators do meanwhile is a column of `actuators`, times 2 pi; joint
 /// values that differ by such columns are one solution.
 #[derive(Clone, Copy, Debug)]
 pub struct Drive<const N: usize> {
-    /// From motors to rows.
+    /// From actuators to rows.
     pub rows: [[f64; N]; N],
-    /// From rows to motors.
-    pub motors: [[f64; N]; N],
+    /// From rows to actuators.
+    pub actuators: [[f64; N]; N],
     /// The rows that turn.
-    pub turns: [bool; N],
+    pub revolute: [bool; N],
 }
 
 const TAU: f64 = core::f64::consts::TAU;
@@ -21,31 +21,31 @@ const TAU: f64 = core::f64::consts::TAU;
 const EDGE: f64 = 1e-9;
 
 impl<const N: usize> Drive<N> {
-    /// A difference of motor values without whole turns of the rows: each row turns by at most half a turn.
+    /// A difference of actuator values without whole turns of the rows: each row turns by at most half a turn.
     #[must_use]
     pub fn shortest(&self, difference: [f64; N]) -> [f64; N] {
         let mut out = difference;
-        for (i, row) in self.rows.iter().enumerate().filter(|(i, _)| self.turns[*i]) {
+        for (i, row) in self.rows.iter().enumerate().filter(|(i, _)| self.revolute[*i]) {
             let angle: f64 = row.iter().zip(&difference).map(|(k, x)| k * x).sum();
             self.turn(&mut out, i, -floor(angle / TAU + 0.5));
         }
         out
     }
 
-    /// The same motor values but for whole turns of the rows: each row is turned by an angle in (-pi, pi], except those that would
-    /// move a motor whose value is `given`.
+    /// The same actuator values but for whole turns of the rows: each row is turned by an angle in (-pi, pi], except those that would
+    /// move an actuator whose value is `given`.
     #[must_use]
     pub fn principal(&self, q: [f64; N], given: &[Option<f64>; N]) -> [f64; N] {
         let mut out = q;
-        let stays = |i: usize| given.iter().zip(&self.motors).any(|(g, motor)| g.is_some() && motor[i] != 0.0);
-        for (i, row) in self.rows.iter().enumerate().filter(|(i, _)| self.turns[*i] && !stays(*i)) {
+        let stays = |i: usize| given.iter().zip(&self.actuators).any(|(g, actuator)| g.is_some() && actuator[i] != 0.0);
+        for (i, row) in self.rows.iter().enumerate().filter(|(i, _)| self.revolute[*i] && !stays(*i)) {
             let angle: f64 = row.iter().zip(&q).map(|(k, x)| k * x).sum();
             self.turn(&mut out, i, floor(0.5 - angle / TAU));
         }
         out
     }
 
-    /// Turns rows by whole turns, as few as possible, so that all motors come into their ranges, where that can be done one row after the
+    /// Turns rows by whole turns, as few as possible, so that all actuators come into their ranges, where that can be done one row after the
     /// other.
     pub fn into_ranges(&self, ranges: &[Option<(f64, f64)>; N], q: &mut [f64; N]) {
         let outside = |q: &[f64; N]| {
@@ -58,17 +58,17 @@ impl<const N: usize> Drive<N> {
             return;
         }
         let mut out = *q;
-        let mut open = self.turns;
+        let mut open = self.revolute;
         for _ in 0..N {
-            // A row that alone still moves some motor with a range; without one, the first.
-            let others = |k: usize, i: usize| (0..N).any(|j| j != i && open[j] && self.motors[k][j] != 0.0);
-            let decides = |k: usize, i: usize| ranges[k].is_some() && self.motors[k][i] != 0.0 && !others(k, i);
+            // A row that alone still moves some actuator with a range; without one, the first.
+            let others = |k: usize, i: usize| (0..N).any(|j| j != i && open[j] && self.actuators[k][j] != 0.0);
+            let decides = |k: usize, i: usize| ranges[k].is_some() && self.actuators[k][i] != 0.0 && !others(k, i);
             let next = (0..N).find(|i| open[*i] && (0..N).any(|k| decides(k, *i)));
             let Some(i) = next.or_else(|| (0..N).find(|i| open[*i])) else { break };
             let (mut fewest, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
             for k in (0..N).filter(|k| decides(*k, i)) {
                 let Some((least, greatest)) = ranges[k] else { continue };
-                let turn = TAU * self.motors[k][i];
+                let turn = TAU * self.actuators[k][i];
                 let (a, b) = ((least - EDGE - out[k]) / turn, (greatest + EDGE - out[k]) / turn);
                 fewest = fewest.max(-floor(-a.min(b)));
                 most = most.min(floor(a.max(b)));
@@ -86,7 +86,7 @@ impl<const N: usize> Drive<N> {
 
     /// Turns a row by whole turns.
     fn turn(&self, q: &mut [f64; N], row: usize, turns: f64) {
-        for (x, k) in q.iter_mut().zip(&self.motors) {
+        for (x, k) in q.iter_mut().zip(&self.actuators) {
             *x += TAU * turns * k[row];
         }
     }
@@ -100,13 +100,13 @@ mod tests {
 
     /// theta1 = q1 / 2, theta2 = q2 + q1 / 2.
     const GEARS: Drive<2> =
-        Drive { rows: [[0.5, 0.0], [0.5, 1.0]], motors: [[2.0, 0.0], [-1.0, 1.0]], turns: [true, true] };
+        Drive { rows: [[0.5, 0.0], [0.5, 1.0]], actuators: [[2.0, 0.0], [-1.0, 1.0]], revolute: [true, true] };
 
     #[test]
     fn a_whole_turn_of_a_row_is_nothing() {
         let far = GEARS.shortest([0.25 + 4.0 * PI, 0.5 - 2.0 * PI]);
         assert!((far[0] - 0.25).abs() < 1e-12 && (far[1] - 0.5).abs() < 1e-12, "{far:?}");
-        // A whole turn of the first motor is half a turn of both rows.
+        // A whole turn of the first actuator is half a turn of both rows.
         let half = GEARS.shortest([2.0 * PI - 0.1, 0.0]);
         assert!((half[0].abs() - 2.0 * PI + 0.1).abs() < 1e-12, "{half:?}");
     }

@@ -57,7 +57,7 @@ pub fn solve_quadratic(a: f64, b: f64, c: f64, tol: f64) -> Roots<f64, 2> {
 /// All `(d, v)` with `sum_ij e[3 i + j] D_i V_j = 0` for both equations, `D = (1, d, d^2)`, `V = (1, cos v, sin v)`.
 ///
 /// The resultant of two quadratics in `d` is a trigonometric polynomial of degree 4 in `v`: up to eight solutions.
-/// Lengths should be of order one (divide by the reach).
+/// Lengths should be of order one (divide by the length scale).
 ///
 /// - Where `d` is linear in both equations, the degree is 2. Where an equation has no `d` at all, it is solved first.
 /// - Each solution is polished on both equations and dropped if it misses them by more than [`ACCEPT`].

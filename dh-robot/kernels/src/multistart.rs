@@ -19,14 +19,14 @@ const STEPS: usize = 40;
 /// neighbours lie on both sides, at two distances.
 pub fn solve_nearby<const N: usize, const R: usize>(
     target: &Pose,
-    reach: f64,
+    length_scale: f64,
     solve: impl Fn(&Pose) -> (List<[f64; N], R>, bool),
     mut found: impl FnMut([f64; N]),
 ) {
     let mut complete = 0;
     for direction in DIRECTIONS {
         for distance in [1e-3, -1e-3, 2e-5, -2e-5] {
-            let (solutions, all) = solve(&displaced(target, reach, direction, distance));
+            let (solutions, all) = solve(&displaced(target, length_scale, direction, distance));
             for &q in &solutions {
                 found(q);
             }
@@ -49,11 +49,11 @@ const DIRECTIONS: [[f64; 6]; 3] = [
 ];
 
 /// A pose near `pose`.
-fn displaced(pose: &Pose, reach: f64, direction: [f64; 6], distance: f64) -> Pose {
+fn displaced(pose: &Pose, length_scale: f64, direction: [f64; 6], distance: f64) -> Pose {
     let [turns @ .., x, y, z] = direction;
     let mut small = IDENTITY;
     for (row, way) in small.iter_mut().zip([x, y, z]) {
-        row[3] = way * distance * reach;
+        row[3] = way * distance * length_scale;
     }
     for angle in turns {
         let (s, c) = sin_cos(angle * distance);
@@ -64,12 +64,12 @@ fn displaced(pose: &Pose, reach: f64, direction: [f64; 6], distance: f64) -> Pos
 }
 
 /// Looks for solutions of `task` from `starts` starting points that fill the joint space evenly, and adds what is new to `known`;
-/// stops when `known` holds `enough`. `slides` tells the prismatic joints, whose starting points lie within `reach` on both sides of zero.
+/// stops when `known` holds `enough`. `prismatic` tells the prismatic joints, whose starting points lie within `length_scale` on both sides of zero.
 pub fn solve_from_everywhere<const N: usize, const R: usize>(
     arm: &impl Kinematics<N>,
-    slides: &[bool; N],
+    prismatic: &[bool; N],
     task: &Task,
-    reach: f64,
+    length_scale: f64,
     starts: usize,
     enough: usize,
     known: &mut List<[f64; N], R>,
@@ -84,16 +84,16 @@ pub fn solve_from_everywhere<const N: usize, const R: usize>(
             let prime = [2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0][j % 8];
             let x = (k + 1) as f64 * sqrt(prime);
             let centred = 2.0 * (x - floor(x)) - 1.0;
-            *q = centred * if slides[j] { reach } else { core::f64::consts::PI };
+            *q = centred * if prismatic[j] { length_scale } else { core::f64::consts::PI };
         }
-        let reached = polish(arm, &mut q, task, reach, STEPS).reaches(REACHED);
+        let reached = polish(arm, &mut q, task, length_scale, STEPS).reaches(REACHED);
         if reached {
-            for (q, slides) in q.iter_mut().zip(slides) {
-                if !slides {
+            for (q, prismatic) in q.iter_mut().zip(prismatic) {
+                if !prismatic {
                     *q = super::elementary::wrapped(*q);
                 }
             }
-            if !known.iter().any(|p| same_solution(arm, task, reach, p, &q)) {
+            if !known.iter().any(|p| same_solution(arm, task, length_scale, p, &q)) {
                 known.push(q);
             }
         }

@@ -23,7 +23,7 @@ pub trait Kinematics<const N: usize> {
         ""
     }
 
-    /// How motors move rows, where a whole turn of a row is no whole turn of the motors.
+    /// How actuators move rows, where a whole turn of a row is no whole turn of the actuators.
     #[inline]
     fn drive(&self) -> Option<Drive<N>> {
         None
@@ -44,11 +44,12 @@ pub enum Task {
 }
 
 impl Task {
-    /// What is missing from `pose` to the target: position over `reach` (rows 0..3) and rotation in radians (rows 3..6), in
+    /// What is missing from `pose` to the target: position over the length scale` (rows 0..3) and rotation in radians (rows 3..6), in
     /// base axes. Rows that the task doesn't ask for are zero.
-    pub fn error(&self, pose: &Pose, reach: f64) -> [f64; 6] {
+    pub fn error(&self, pose: &Pose, length_scale: f64) -> [f64; 6] {
         let p = [pose[0][3], pose[1][3], pose[2][3]];
-        let miss = |t: [f64; 3]| [(t[0] - p[0]) / reach, (t[1] - p[1]) / reach, (t[2] - p[2]) / reach];
+        let miss =
+            |t: [f64; 3]| [(t[0] - p[0]) / length_scale, (t[1] - p[1]) / length_scale, (t[2] - p[2]) / length_scale];
         match self {
             Self::Pose(target) => {
                 let m = miss([target[0][3], target[1][3], target[2][3]]);
@@ -76,17 +77,24 @@ impl Task {
             Self::Planar(x, y, phi) => {
                 let (s, c) = super::elementary::sin_cos(*phi);
                 let (ps, pc) = (pose[1][0], pose[0][0]);
-                [(x - p[0]) / reach, (y - p[1]) / reach, 0.0, 0.0, 0.0, atan2(s * pc - c * ps, c * pc + s * ps)]
+                [
+                    (x - p[0]) / length_scale,
+                    (y - p[1]) / length_scale,
+                    0.0,
+                    0.0,
+                    0.0,
+                    atan2(s * pc - c * ps, c * pc + s * ps),
+                ]
             }
         }
     }
 
-    /// Entry by entry, without angles: position over `reach` (three entries), then the rotation's nine, each less the target's. Entries that
+    /// Entry by entry, without angles: position over the length scale` (three entries), then the rotation's nine, each less the target's. Entries that
     /// the task doesn't ask for are zero.
-    pub fn difference(&self, pose: &Pose, reach: f64) -> [f64; 12] {
+    pub fn difference(&self, pose: &Pose, length_scale: f64) -> [f64; 12] {
         let mut out = [0.0; 12];
         let mut set = |i: usize, j: usize, target: f64| {
-            let (place, scale) = if j == 3 { (i, reach) } else { (3 + 3 * j + i, 1.0) };
+            let (place, scale) = if j == 3 { (i, length_scale) } else { (3 + 3 * j + i, 1.0) };
             out[place] = (pose[i][j] - target) / scale;
         };
         match self {
@@ -108,10 +116,10 @@ impl Task {
     }
 
     /// The rows of the Jacobian that belong to [`Task::error`], scaled like it.
-    pub fn rows<const N: usize>(&self, pose: &Pose, mut j: [[f64; N]; 6], reach: f64) -> [[f64; N]; 6] {
+    pub fn rows<const N: usize>(&self, pose: &Pose, mut j: [[f64; N]; 6], length_scale: f64) -> [[f64; N]; 6] {
         for row in &mut j[..3] {
             for x in row {
-                *x /= reach;
+                *x /= length_scale;
             }
         }
         match self {
@@ -135,7 +143,7 @@ impl Task {
 /// What polishing ended with.
 #[derive(Clone, Copy, Debug)]
 pub struct Polished {
-    /// Distance to the target's position, over the reach.
+    /// Distance to the target's position, over the length scale.
     pub position: f64,
     /// Angle to the target's orientation, in radians.
     pub rotation: f64,
@@ -144,31 +152,31 @@ pub struct Polished {
 }
 
 impl Polished {
-    /// Does the arm reach its target within `tol`, in position (over reach) and rotation (rad)? `false` for NaN.
+    /// Does the arm reach its target within `tol`, in position (over the length scale) and rotation (rad)? `false` for NaN.
     pub fn reaches(&self, tol: f64) -> bool {
         self.position <= tol && self.rotation <= tol
     }
 }
 
-/// Improves `q` by at most `steps` damped Newton steps towards `task`; `reach` is a length of the arm's size.
+/// Improves `q` by at most `steps` damped Newton steps towards `task`; `length_scale` is a length of the arm's size.
 ///
 /// Nothing is computed but one forward kinematics where `q` is exact already. `q` never gets worse.
 pub fn polish<const N: usize>(
     arm: &impl Kinematics<N>,
     q: &mut [f64; N],
     task: &Task,
-    reach: f64,
+    length_scale: f64,
     steps: usize,
 ) -> Polished {
-    polish_to(arm, q, task, reach, steps, POLISHED)
+    polish_to(arm, q, task, length_scale, steps, POLISHED)
 }
 
-/// The same, content with a residual of `goal` (position over reach, and radians).
+/// The same, content with a residual of `goal` (position over the length scale, and radians).
 pub fn polish_to<const N: usize>(
     arm: &impl Kinematics<N>,
     q: &mut [f64; N],
     task: &Task,
-    reach: f64,
+    length_scale: f64,
     steps: usize,
     goal: f64,
 ) -> Polished {
@@ -176,10 +184,10 @@ pub fn polish_to<const N: usize>(
         q,
         steps,
         goal,
-        |q| task.error(&arm.forward(q), reach),
+        |q| task.error(&arm.forward(q), length_scale),
         |q| {
             let (pose, j) = arm.forward_and_jacobian(q);
-            task.rows(&pose, j, reach)
+            task.rows(&pose, j, length_scale)
         },
     );
     let norm = |e: &[f64]| sqrt(e.iter().map(|x| x * x).sum());
@@ -193,7 +201,7 @@ pub fn polish_to<const N: usize>(
 pub fn same_solution<const N: usize>(
     arm: &impl Kinematics<N>,
     task: &Task,
-    reach: f64,
+    length_scale: f64,
     p: &[f64; N],
     q: &[f64; N],
 ) -> bool {
@@ -219,7 +227,7 @@ pub fn same_solution<const N: usize>(
         middle[i] += 0.5 * step[i];
     }
     // As well as the two ends do: near a root that was not polished to the last digit, what lies between is no better.
-    let miss = |x: &[f64; N]| task.error(&arm.forward(x), reach).iter().fold(0.0f64, |m, e| m.max(e.abs()));
+    let miss = |x: &[f64; N]| task.error(&arm.forward(x), length_scale).iter().fold(0.0f64, |m, e| m.max(e.abs()));
     let enough = 4.0 * miss(p).max(miss(q)) + BLURRED;
     // The way between them may be bent: steps that are damped so much that they don't lead along it lead back to it.
     for _ in 0..BACK {
@@ -227,8 +235,8 @@ pub fn same_solution<const N: usize>(
             return true;
         }
         let (pose, j) = arm.forward_and_jacobian(&middle);
-        let error = task.error(&pose, reach);
-        let back = solve_damped(&task.rows(&pose, j, reach), &error, VALLEY * VALLEY);
+        let error = task.error(&pose, length_scale);
+        let back = solve_damped(&task.rows(&pose, j, length_scale), &error, VALLEY * VALLEY);
         for i in 0..N {
             middle[i] += back[i];
         }
@@ -384,7 +392,7 @@ mod tests {
             let truth = [(); 6].map(|()| rng.angle());
             let target = arm.forward(&truth);
             let mut q = truth.map(|x| x + 1e-4 * rng.symmetric());
-            let done = polish(&arm, &mut q, &Task::Pose(target), arm.reach(), 8);
+            let done = polish(&arm, &mut q, &Task::Pose(target), arm.length_scale(), 8);
             assert!(done.reaches(1e-13), "{done:?}");
         }
     }
@@ -394,7 +402,7 @@ mod tests {
         let arm = general_6r();
         let mut q = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6];
         let before = q;
-        let done = polish(&arm, &mut q, &Task::Pose(arm.forward(&before)), arm.reach(), 5);
+        let done = polish(&arm, &mut q, &Task::Pose(arm.forward(&before)), arm.length_scale(), 5);
         assert_eq!((done.steps, q), (0, before));
     }
 
@@ -403,7 +411,7 @@ mod tests {
         // Stretched out planar arm (two of three joints suffice): J has rank one less at the start.
         let mut link = crate::pose::IDENTITY;
         link[0][3] = 1.0;
-        let arm = Chain { links: [link; 3], slides: [false; 3] };
+        let arm = Chain { links: [link; 3], prismatic: [false; 3] };
         let mut q = [0.0; 3];
         let done = polish(&arm, &mut q, &Task::Position([2.0, 0.5, 0.0]), 3.0, 50);
         assert!(done.reaches(1e-12), "{done:?}");
@@ -412,14 +420,14 @@ mod tests {
     #[test]
     fn redundant_and_partial_tasks_converge() {
         let mut rng = Rng::new(8);
-        let arm = Chain { links: [(); 7].map(|()| random_pose(&mut rng)), slides: [false; 7] };
+        let arm = Chain { links: [(); 7].map(|()| random_pose(&mut rng)), prismatic: [false; 7] };
         for _ in 0..100 {
             let truth = [(); 7].map(|()| rng.angle());
             let pose = arm.forward(&truth);
             let p = [pose[0][3], pose[1][3], pose[2][3]];
             for task in [Task::Pose(pose), Task::Position(p), Task::Axis(p, [pose[0][2], pose[1][2], pose[2][2]])] {
                 let mut q = truth.map(|x| x + 0.02 * rng.symmetric());
-                let done = polish(&arm, &mut q, &task, arm.reach(), 60);
+                let done = polish(&arm, &mut q, &task, arm.length_scale(), 60);
                 assert!(done.reaches(1e-12), "{done:?}");
             }
         }
@@ -429,7 +437,7 @@ mod tests {
     fn planar_task_wraps_its_angle() {
         let mut link = crate::pose::IDENTITY;
         link[0][3] = 1.0;
-        let arm = Chain { links: [link; 3], slides: [false; 3] };
+        let arm = Chain { links: [link; 3], prismatic: [false; 3] };
         let truth = [1.0, 1.0, 1.1];
         let pose = arm.forward(&truth);
         for turns in [-1.0, 0.0, 2.0] {
@@ -446,7 +454,7 @@ mod tests {
         let mut q = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6];
         let mut target = arm.forward(&q);
         target[0][3] += 100.0;
-        let done = polish(&arm, &mut q, &Task::Pose(target), arm.reach(), 20);
+        let done = polish(&arm, &mut q, &Task::Pose(target), arm.length_scale(), 20);
         assert!(!done.reaches(1e-6) && q.iter().all(|x| x.is_finite()));
     }
 

@@ -76,7 +76,7 @@ pub(crate) fn general_6r() -> Chain<6> {
             link(0.05, 0.2, -85.0),
             link(0.3, 0.15, 25.0),
         ],
-        slides: [false; 6],
+        prismatic: [false; 6],
     }
 }
 

@@ -1,6 +1,6 @@
 //! The tolerances that several kernels share, each with its reason.
 //!
-//! All of them are relative: to the size of the coefficients of an equation, or to the reach of the arm. Absolute
+//! All of them are relative: to the size of the coefficients of an equation, or to the length scale of the arm. Absolute
 //! sizes ("this coefficient counts as zero") are arguments of the kernels, because only the caller knows the scale.
 
 /// Relative size below which a computed coefficient is taken for rounding noise, for callers that need an argument `tol`:
@@ -10,7 +10,7 @@ pub const ZERO: f64 = 1e-12;
 
 /// How far (relative) a right-hand side may exceed the amplitude of `a cos t + b sin t` and still count as touching:
 /// an arm stretched out to the boundary of its workspace, whose target was rounded. A false solution of this size misses
-/// the pose by about this much times the reach, and is then moved onto the target or rejected by forward kinematics.
+/// the pose by about this much times the length scale, and is then moved onto the target or rejected by forward kinematics.
 pub const BOUNDARY: f64 = 1e-9;
 
 /// Two solutions whose discriminant is below this (relative) are one: the square root of a rounding error. They
@@ -32,7 +32,7 @@ pub const RANK: f64 = 1e-9;
 /// led to them has no solution. Generous, because a wrong candidate costs one forward kinematics and a lost one is lost.
 pub const CONTRADICTION: f64 = 1e-3;
 
-/// Absolute size of the coefficients (rotation entries, lengths over the reach) of an equation below which a contradiction says
+/// Absolute size of the coefficients (rotation entries, lengths over the length scale) of an equation below which a contradiction says
 /// nothing: a root of multiplicity four in a step before is good to the fourth root of rounding, and what vanishes there is as large
 /// as this. The unknown counts as free then, and forward kinematics has the last word.
 pub const BLUR: f64 = 1e-4;
@@ -41,14 +41,14 @@ pub const BLUR: f64 = 1e-4;
 /// for targets that lie on the boundary up to rounding; forward kinematics has the last word.
 pub const ACCEPT: f64 = 1e-8;
 
-/// Residual at which polishing stops early: position over reach, and radians.
+/// Residual at which polishing stops early: position over the length scale, and radians.
 pub const POLISHED: f64 = 1e-15;
 
-/// Largest residual of a solution after polishing (position over reach, and radians): the noise of forward kinematics in
+/// Largest residual of a solution after polishing (position over the length scale, and radians): the noise of forward kinematics in
 /// `f64` is a hundred times smaller, a false branch a million times larger.
 pub const REACHED: f64 = 1e-10;
 
-/// Residual (position over reach, and radians) that says nothing: rounding of forward kinematics. Half-way between two solutions near a
+/// Residual (position over the length scale, and radians) that says nothing: rounding of forward kinematics. Half-way between two solutions near a
 /// double root the target is missed by the square of their distance, more than this unless they are nearer than [`SAME`].
 pub const BLURRED: f64 = 1e-14;
 

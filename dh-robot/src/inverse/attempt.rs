@@ -12,10 +12,10 @@ use dh_kernels::{List, Outcome, Status};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
     nth: u8,
-    /// Coefficients up to this size (rotation entries, lengths over the reach) count as zero; a right-hand side beyond its amplitude by no
+    /// Coefficients up to this size (rotation entries, lengths over the length scale) count as zero; a right-hand side beyond its amplitude by no
     /// more than this (relative) counts as reached.
     pub tolerance: f64,
-    /// The values of steps that have one of their own: an angle in radians, or a length over the reach.
+    /// The values of steps that have one of their own: an angle in radians, or a length over the length scale.
     values: [f64; STEPS],
     /// Those steps, a bit each.
     given: u16,
@@ -48,7 +48,7 @@ const BETWEEN: [[f64; 2]; 4] = [
     [0.933_580_426_497_201_7, 0.358_367_949_545_300_3],
     [0.843_391_445_812_885_7, 0.537_299_608_346_823_9],
 ];
-/// Lengths over the reach.
+/// Lengths over the length scale.
 const LENGTHS: [f64; 12] = [0.0, 0.27, -0.23, 0.51, -0.48, 0.76, -0.74, 1.03, -0.97, 1.52, -1.46, 2.1];
 
 impl Sample {
@@ -120,7 +120,7 @@ impl Sample {
         [c * x - s * y, s * x + c * y]
     }
 
-    /// The length of a step, over the reach.
+    /// The length of a step, over the length scale.
     #[must_use]
     pub fn length(&self, step: usize) -> f64 {
         let listed = LENGTHS.get(self.place(step)).copied().unwrap_or(0.0) + 0.061 * f64::from(self.nth / 12);
@@ -177,7 +177,7 @@ impl Attempt {
         }
     }
 
-    /// The same for a law of cosines, with the parts of [`Outcome::distances`] in units of the reach. Reports distances.
+    /// The same for a law of cosines, with the parts of [`Outcome::distances`] in units of the length scale. Reports distances.
     #[cold]
     #[allow(clippy::too_many_arguments)] // one call per step of generated code
     pub fn note_law(
@@ -187,14 +187,14 @@ impl Attempt {
         step: &'static str,
         [base, rest]: [f64; 2],
         grows: bool,
-        reach: f64,
+        length_scale: f64,
         unit: &'static str,
     ) {
         let Some([distance, limit]) = outcome.distances([base, rest], grows) else {
             return self.note(outcome, path, step, 1.0, unit);
         };
         self.status.note(outcome, path.is_chosen());
-        let (needs, has) = (distance * reach, limit * reach);
+        let (needs, has) = (distance * length_scale, limit * length_scale);
         self.why = self.why.or_nearer(Why::OutOfReach { step, needs, has, unit });
     }
 

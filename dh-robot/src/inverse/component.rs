@@ -8,14 +8,14 @@ use dh_kernels::{Drive, Kinematics};
 
 /// Most steps along a continuum.
 const WALK: usize = 40;
-/// Longest step (rad, or reach).
+/// Longest step (rad, or length scales).
 const STRIDE: f64 = 0.3;
 /// Turns beyond this (rad) may as well be made the other way round: of three that add up to a whole one the largest is.
 const ROUND: f64 = 2.0;
 /// Joint vectors nearer than this are the same.
 const ARRIVED: f64 = 1e-4;
 
-/// The shortest way from `p` to `q`, in rad and reach.
+/// The shortest way from `p` to `q`, in rad and length scales.
 pub(super) fn apart<T: Real, const N: usize>(
     drive: &Option<Drive<N>>,
     setting: &Setting<T, N>,
@@ -31,21 +31,21 @@ pub(super) fn apart<T: Real, const N: usize>(
         if setting.joints[k].is_revolute() {
             x - core::f64::consts::TAU * math::floor(x / core::f64::consts::TAU + 0.5)
         } else {
-            x / setting.reach
+            x / setting.length_scale
         }
     })
 }
 
 impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, T, N, M> {
-    /// The shortest way from `p` to `q`, in rad and reach.
+    /// The shortest way from `p` to `q`, in rad and length scales.
     pub(super) fn apart(&self, p: &[f64; N], q: &[f64; N]) -> [f64; N] {
         apart(&self.drive, &self.setting, p, q)
     }
 
-    /// `p` after a step in rad and reach.
+    /// `p` after a step in rad and length scales.
     pub(super) fn moved_by(&self, p: &[f64; N], step: &[f64; N], size: f64) -> [f64; N] {
         core::array::from_fn(|k| {
-            let unit = if self.setting.joints[k].is_revolute() { 1.0 } else { self.setting.reach };
+            let unit = if self.setting.joints[k].is_revolute() { 1.0 } else { self.setting.length_scale };
             p[k] + size * unit * step[k]
         })
     }
@@ -154,10 +154,10 @@ mod tests {
     fn joints_on_one_axis_turn_against_each_other() {
         let mut tool = pose::IDENTITY;
         tool[0][3] = 1.0;
-        let arm = Chain { links: [pose::IDENTITY, tool], slides: [false; 2] };
+        let arm = Chain { links: [pose::IDENTITY, tool], prismatic: [false; 2] };
         let (a, b) = ([0.2, 0.3], [1.2, -0.7]);
         let task = Task::Pose(arm.forward(&a));
-        let setting = Setting { joints: &JOINTS, reach: 1.0, few: true, given: [None; 2] };
+        let setting = Setting { joints: &JOINTS, length_scale: 1.0, rank_deficient: true, given: [None; 2] };
         let verifier: Verifier<'_, _, f64, 2, 4> = Verifier::new(&arm, setting, &task);
         assert!(verifier.straight_way(&a, &b).is_some() && verifier.are_joined(&a, &b));
         let off = [1.2, 0.3];

@@ -8,7 +8,7 @@ use super::verifier::Verifier;
 use crate::{Branch, Real};
 use dh_kernels::Kinematics;
 
-/// Length of the steps along a curve (rad, or reach), and their number: a whole turn and a little more.
+/// Length of the steps along a curve (rad, or length scales), and their number: a whole turn and a little more.
 const STRIDE: f64 = 0.3;
 const FOLLOWED: usize = 22;
 /// A volume this much smaller than one of its neighbours may have a zero beside it.

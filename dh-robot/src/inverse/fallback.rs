@@ -25,7 +25,7 @@ const NEAR: f64 = 0.02;
 pub(super) const BLUNT: f64 = 1e-6;
 /// The same for targets in `f32`.
 const SINGLE: f64 = 1e-5;
-/// Length of the trial step along a motion that is not straight (rad, or reach).
+/// Length of the trial step along a motion that is not straight (rad, or length scales).
 const STRIDE: f64 = 0.05;
 
 /// Residual beyond which a step along a motion that is not straight has left the self-motion.
@@ -78,7 +78,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'a, A
     /// Newton steps from `q`; gives back by how much it misses then.
     pub(super) fn newton(&mut self, q: &mut [f64; N], steps: usize) -> f64 {
         let v = &self.verifier;
-        newton::newton(v.arm, v.task, v.setting.reach, q, steps, EXACT, &mut self.work)
+        newton::newton(v.arm, v.task, v.setting.length_scale, q, steps, EXACT, &mut self.work)
     }
 
     /// Brings a candidate onto the target; is it a solution?
@@ -213,14 +213,14 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'a, A
 
     /// Why there is no solution.
     pub(super) fn reason(&mut self, why: Why<f64>) -> Why<f64> {
-        // What a step lacks, over the reach: the reason unless some joint vector comes nearer to the target.
+        // What a step lacks, over the length scale: the reason unless some joint vector comes nearer to the target.
         let gap = match why {
             Why::OutOfReach { needs, has, unit, .. } if !unit.is_empty() => {
-                (needs - has).abs() / self.verifier.setting.reach
+                (needs - has).abs() / self.verifier.setting.length_scale
             }
             _ => f64::INFINITY,
         };
-        if self.verifier.setting.few && (gap.is_infinite() || self.verifier.nearest < gap) {
+        if self.verifier.setting.rank_deficient && (gap.is_infinite() || self.verifier.nearest < gap) {
             for start in 1..=STARTS {
                 if self.verifier.nearest <= NEAR || self.work.is_used_up() {
                     break;

@@ -1,17 +1,17 @@
-//! Targets as the plan wants them: a frame in `f64` with lengths over the reach.
+//! Targets as the plan wants them: a frame in `f64` with lengths over the length scale.
 
 use crate::{Real, Why};
 use dh_kernels::{Pose, pose};
 
-/// A target pose in `f64` with lengths over the reach; orthonormal, if it was rounded.
+/// A target pose in `f64` with lengths over the length scale; orthonormal, if it was rounded.
 ///
 /// # Errors
 /// Numbers that are not finite, a matrix that is no rotation.
 #[inline(always)]
-pub fn frame_of<T: Real>(target: &nalgebra::IsometryMatrix3<T>, reach: f64) -> Result<Pose, Why<T>> {
+pub fn frame_of<T: Real>(target: &nalgebra::IsometryMatrix3<T>, length_scale: f64) -> Result<Pose, Why<T>> {
     // Nearly every target: written into the caller, so that it never goes through memory.
     let wide = T::EPSILON <= T::of(1e-10);
-    if wide && is_exact(target) { Ok(over_reach(target, reach)) } else { rounded(target, reach) }
+    if wide && is_exact(target) { Ok(over_reach(target, length_scale)) } else { rounded(target, length_scale) }
 }
 
 /// A rotation within rounding, and a finite position?
@@ -32,15 +32,17 @@ fn is_exact<T: Real>(target: &nalgebra::IsometryMatrix3<T>) -> bool {
 
 /// The numbers as they are.
 #[inline(always)]
-fn over_reach<T: Real>(target: &nalgebra::IsometryMatrix3<T>, reach: f64) -> Pose {
+fn over_reach<T: Real>(target: &nalgebra::IsometryMatrix3<T>, length_scale: f64) -> Pose {
     let (r, p) = (target.rotation.matrix(), &target.translation.vector);
-    core::array::from_fn(|i| core::array::from_fn(|j| if j < 3 { r[(i, j)].to_f64() } else { p[i].to_f64() / reach }))
+    core::array::from_fn(|i| {
+        core::array::from_fn(|j| if j < 3 { r[(i, j)].to_f64() } else { p[i].to_f64() / length_scale })
+    })
 }
 
 /// A target that has to be looked at.
 #[cold]
 #[inline(never)]
-fn rounded<T: Real>(target: &nalgebra::IsometryMatrix3<T>, reach: f64) -> Result<Pose, Why<T>> {
+fn rounded<T: Real>(target: &nalgebra::IsometryMatrix3<T>, length_scale: f64) -> Result<Pose, Why<T>> {
     let r = target.rotation.matrix();
     let deviation = crate::pose::rotation_deviation(r);
     crate::pose::check(target)?;
@@ -52,13 +54,13 @@ fn rounded<T: Real>(target: &nalgebra::IsometryMatrix3<T>, reach: f64) -> Result
     if T::EPSILON > T::of(1e-10) || deviation > T::of(1e-14) {
         wide = crate::pose::orthonormalized(&wide);
     }
-    Ok(over_reach(&wide, reach))
+    Ok(over_reach(&wide, length_scale))
 }
 
 /// The same pose with lengths in table units: what the task compares with.
 #[must_use]
-pub fn in_units(frame: &Pose, reach: f64) -> Pose {
-    core::array::from_fn(|i| core::array::from_fn(|j| if j < 3 { frame[i][j] } else { frame[i][3] * reach }))
+pub fn in_units(frame: &Pose, length_scale: f64) -> Pose {
+    core::array::from_fn(|i| core::array::from_fn(|j| if j < 3 { frame[i][j] } else { frame[i][3] * length_scale }))
 }
 
 /// A pose of generated forward kinematics as the kernels want it.

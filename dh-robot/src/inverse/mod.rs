@@ -43,16 +43,16 @@ pub struct Setting<T: 'static, const N: usize> {
     /// The joints.
     pub joints: &'static [Joint<T>; N],
     /// Sum of the link lengths, in table units.
-    pub reach: f64,
+    pub length_scale: f64,
     /// Fewer joints than the task has dimensions?
-    pub few: bool,
+    pub rank_deficient: bool,
     /// The values of the joints that the caller gives.
     pub given: [Option<f64>; N],
 }
 
 /// Runs the closed form on a target and verifies what it finds.
 ///
-/// `frame` is the target with lengths over the reach, `task` what of it counts. `candidates` runs the plan with a choice of values for
+/// `frame` is the target with lengths over the length scale, `task` what of it counts. `candidates` runs the plan with a choice of values for
 /// free unknowns, and calls its last argument with every candidate: joint values in table units, branch, joints left free.
 pub fn solve<T: Real, const N: usize, const M: usize>(
     arm: &impl Kinematics<N>,
@@ -69,7 +69,7 @@ pub fn solve<T: Real, const N: usize, const M: usize>(
     }
     verifier.move_into_ranges();
     if verifier.out.is_empty() {
-        let why = if setting.few { verifier.off_the_arm(&attempt.why) } else { None };
+        let why = if setting.rank_deficient { verifier.off_the_arm(&attempt.why) } else { None };
         let why = why.unwrap_or_else(|| {
             let nearest = verifier.nearest;
             let missed = if nearest.is_finite() { Why::NotVerified { error: nearest } } else { Why::NoSolution };

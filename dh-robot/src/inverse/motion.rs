@@ -4,11 +4,11 @@ use super::verifier::Verifier;
 use crate::{FreeJoints, Real};
 use dh_kernels::Kinematics;
 
-/// A pivot below this (position over reach, rotation in rad, per rad or reach) counts as zero: a singular pose.
+/// A pivot below this (position over the length scale, rotation in rad, per rad or length scale) counts as zero: a singular pose.
 const SINGULAR: f64 = 1e-7;
 /// The same for a target in `f32`: rounding moves a double root by the square root of 6e-8 and some more.
 const SINGULAR_SINGLE: f64 = 1e-3;
-/// Length of the first trial step along a motion that isn't straight (rad, or reach): long enough to tell a curve of solutions from a
+/// Length of the first trial step along a motion that isn't straight (rad, or length scales): long enough to tell a curve of solutions from a
 /// double one.
 const FIRST: f64 = 0.05;
 /// Length of the further steps, and their number.
@@ -21,7 +21,7 @@ const STRAIGHT: [f64; 3] = [0.9, -2.2, 1.7];
 /// Steps along several motions at once, of no special length.
 const OBLIQUE: [f64; 3] = [0.41, -0.57, 0.33];
 
-/// Motions that leave the task alone to first order: a basis, each with its largest entry 1; in rad and reach.
+/// Motions that leave the task alone to first order: a basis, each with its largest entry 1; in rad and length scales.
 pub(super) struct Motions<const N: usize> {
     pub(super) list: [[f64; N]; N],
     pub(super) len: usize,
@@ -138,13 +138,13 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
 
     /// The null space of the task's Jacobian, by Gauss-Jordan elimination with full pivoting.
     pub(super) fn motions(&self, q: &[f64; N]) -> Motions<N> {
-        let reach = self.setting.reach;
+        let length_scale = self.setting.length_scale;
         let (pose, j) = self.arm.forward_and_jacobian(q);
-        let mut j = self.task.rows(&pose, j, reach);
+        let mut j = self.task.rows(&pose, j, length_scale);
         for row in &mut j {
             for k in 0..N {
                 if !self.setting.joints[k].is_revolute() {
-                    row[k] *= reach;
+                    row[k] *= length_scale;
                 }
             }
         }

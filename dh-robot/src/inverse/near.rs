@@ -10,9 +10,9 @@ use super::{Attempt, Sample, Setting};
 use crate::{Branch, FreeJoints, Joint, Real, Solution, Solutions, Why};
 use dh_kernels::{Blank, Kinematics, List, Pose, Task};
 
-/// Residual that is let pass where a smaller one would need a jump: beside a singular pose (position over reach, and radians).
+/// Residual that is let pass where a smaller one would need a jump: beside a singular pose (position over the length scale, and radians).
 const LET_PASS: f64 = 1e-9;
-/// Travel (rad, or lengths over the reach) up to which a solution continues from given joints, so that limits of ranges do not stop it.
+/// Travel (rad, or lengths over the length scale) up to which a solution continues from given joints, so that limits of ranges do not stop it.
 pub(super) const CONTINUES: f64 = 0.2;
 /// A miss beyond which Newton steps from the given joints are not tried first.
 const FAR: f64 = 0.3;
@@ -27,7 +27,7 @@ const SHORTEST: f64 = 1e-8;
 struct Nearest<'a, T: 'static, const N: usize> {
     joints: &'static [Joint<T>; N],
     q: &'a [T; N],
-    reach: f64,
+    length_scale: f64,
     /// Whether it continues, is in range or neither; the travel; the solution.
     best: Option<(u8, f64, Solution<T, N>)>,
 }
@@ -38,7 +38,7 @@ impl<T: Real, const N: usize> Nearest<'_, T, N> {
         for ((joint, value), reference) in self.joints.iter().zip(&mut solution.q).zip(self.q) {
             *value = joint.nearest_to(*reference, *value);
             inside &= joint.contains(*value);
-            let unit = if joint.is_revolute() { 1.0 } else { self.reach };
+            let unit = if joint.is_revolute() { 1.0 } else { self.length_scale };
             let way = (*value - *reference).to_f64() / unit;
             travel += way * way;
             let way = joint.difference(*value, *reference).to_f64() / unit;
@@ -64,12 +64,12 @@ impl<T: Real, const N: usize> Nearest<'_, T, N> {
 pub fn nearest<T: Real, const N: usize, const M: usize>(
     list: &Solutions<T, N, M>,
     q: &[T; N],
-    reach: f64,
+    length_scale: f64,
 ) -> Result<Solution<T, N>, Why<T>> {
     if !q.iter().all(|x| x.is_finite()) {
         return Err(Why::NotFinite);
     }
-    let mut nearest = Nearest { joints: list.joints(), q, reach, best: None };
+    let mut nearest = Nearest { joints: list.joints(), q, length_scale, best: None };
     for solution in list {
         nearest.offer(*solution);
     }
@@ -99,7 +99,7 @@ pub fn solve_near<T: Real, const N: usize, const M: usize>(
         *x = given.unwrap_or(*x);
     }
     let mut search: Search<'_, _, T, N, M> = Search::new(arm, setting, task, most);
-    let mut nearest = Nearest { joints: setting.joints, q, reach: setting.reach, best: None };
+    let mut nearest = Nearest { joints: setting.joints, q, length_scale: setting.length_scale, best: None };
     if search.verifier.miss(&from) < FAR {
         let mut x = from;
         let miss = search.newton(&mut x, TRIES);

@@ -13,7 +13,7 @@ const PATIENCE: usize = 4;
 /// Factor between the damping of a step that led away and its repetition.
 const HARDER: f64 = 1e2;
 
-/// By how much a joint vector misses its target: the largest entry of the error (position over the reach, rotation in radians).
+/// By how much a joint vector misses its target: the largest entry of the error (position over the length scale, rotation in radians).
 pub(super) fn size(error: &[f64; 6]) -> f64 {
     // What is not a number is kept.
     error.iter().fold(0.0_f64, |m, x| if x.abs() <= m { m } else { x.abs() })
@@ -73,7 +73,7 @@ pub(super) fn damped_step<const N: usize>(j: &[[f64; N]; 6], error: &[f64; 6], d
 pub(super) fn newton<const N: usize>(
     arm: &impl Kinematics<N>,
     task: &Task,
-    reach: f64,
+    length_scale: f64,
     q: &mut [f64; N],
     steps: usize,
     goal: f64,
@@ -81,8 +81,8 @@ pub(super) fn newton<const N: usize>(
 ) -> f64 {
     let (pose, j) = arm.forward_and_jacobian(q);
     work.evaluations += 1;
-    let mut error = task.error(&pose, reach);
-    let mut j = task.rows(&pose, j, reach);
+    let mut error = task.error(&pose, length_scale);
+    let mut j = task.rows(&pose, j, length_scale);
     let mut now = size(&error);
     let mut harder = 1.0;
     let mut failed = 0;
@@ -96,11 +96,11 @@ pub(super) fn newton<const N: usize>(
         let next: [f64; N] = core::array::from_fn(|k| q[k] + step[k]);
         let (pose, slopes) = arm.forward_and_jacobian(&next);
         work.evaluations += 1;
-        let there = task.error(&pose, reach);
+        let there = task.error(&pose, length_scale);
         let then = size(&there);
         if then < now {
             let slow = then > 0.5 * now;
-            (*q, error, j, now) = (next, there, task.rows(&pose, slopes, reach), then);
+            (*q, error, j, now) = (next, there, task.rows(&pose, slopes, length_scale), then);
             failed = if slow { failed + 1 } else { 0 };
             harder = (1e-2 * harder).max(1.0);
         } else {
@@ -144,7 +144,7 @@ mod tests {
 
     #[test]
     fn a_stretched_arm_is_brought_onto_its_target_and_one_out_of_reach_ends() {
-        let arm = Chain { links: planar(), slides: [false; 3] };
+        let arm = Chain { links: planar(), prismatic: [false; 3] };
         let mut work = Work::new(Work::CLOSED_FORM);
         let mut q = [0.01, 0.0, -0.02];
         let target = Task::Position([2.9, 0.3, 0.0]);

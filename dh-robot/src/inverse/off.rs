@@ -6,7 +6,7 @@ use dh_kernels::{Kinematics, polish};
 
 /// Starts of the search for the nearest pose, where the plan led to none.
 const STARTS: usize = 12;
-/// What is missed by less is a pose beside those of the arm, whichever step found that out (radians, or lengths over the reach).
+/// What is missed by less is a pose beside those of the arm, whichever step found that out (radians, or lengths over the length scale).
 const NEAR: f64 = 0.05;
 /// Steps of each.
 const STEPS: usize = 40;
@@ -18,14 +18,16 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
     #[cold]
     pub(super) fn off_the_arm(&mut self, why: &Why<f64>) -> Option<Why<f64>> {
         let gap = match *why {
-            Why::OutOfReach { needs, has, unit, .. } if !unit.is_empty() => (needs - has).abs() / self.setting.reach,
+            Why::OutOfReach { needs, has, unit, .. } if !unit.is_empty() => {
+                (needs - has).abs() / self.setting.length_scale
+            }
             _ => f64::INFINITY,
         };
         // Beside a singular pose a short distance may be missing, for a small tilt.
         if !self.nearest.is_finite() && (gap.is_infinite() || gap < NEAR) {
             for start in 1..=STARTS {
                 let mut q = self.start(start);
-                let polished = polish(self.arm, &mut q, self.task, self.setting.reach, STEPS);
+                let polished = polish(self.arm, &mut q, self.task, self.setting.length_scale, STEPS);
                 let miss = polished.position.max(polished.rotation);
                 if miss < self.nearest {
                     (self.nearest, self.best) = (miss, q);
@@ -43,13 +45,13 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
         if !self.nearest.is_finite() {
             return None;
         }
-        let e = self.task.error(&self.arm.forward(&self.best), self.setting.reach);
+        let e = self.task.error(&self.arm.forward(&self.best), self.setting.length_scale);
         let size = |v: &[f64]| math::sqrt(v.iter().map(|x| x * x).sum::<f64>());
         let (position, rotation) = (size(&e[..3]), size(&e[3..]));
         Some(if rotation >= position {
             Why::NotOnTask { what: "its orientation", by: rotation, unit: "rad" }
         } else {
-            Why::NotOnTask { what: "its position", by: position * self.setting.reach, unit: self.arm.unit() }
+            Why::NotOnTask { what: "its position", by: position * self.setting.length_scale, unit: self.arm.unit() }
         })
     }
 }

@@ -4,7 +4,7 @@ use super::verifier::Verifier;
 use crate::Real;
 use dh_kernels::Kinematics;
 
-/// Steps along a continuum (rad, or reach), and how many on each side: a whole turn.
+/// Steps along a continuum (rad, or length scales), and how many on each side: a whole turn.
 const STEP: f64 = 0.02;
 const STEPS: u16 = 314;
 /// What is kept from a limit (rad, or table units).
@@ -45,7 +45,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
             let mut best: Option<(f64, [f64; N])> = None;
             for (k, joint) in self.setting.joints.iter().enumerate() {
                 let Some((least, greatest)) = joint.range.filter(|_| v[k].abs() > 1e-6) else { continue };
-                let unit = if joint.is_revolute() { 1.0 } else { self.setting.reach };
+                let unit = if joint.is_revolute() { 1.0 } else { self.setting.length_scale };
                 let inset = EDGE.min(0.25 * (greatest - least).to_f64());
                 for end in [least.to_f64() + inset, greatest.to_f64() - inset] {
                     for turn in if joint.is_revolute() { [0.0, 1.0, -1.0] } else { [0.0; 3] } {

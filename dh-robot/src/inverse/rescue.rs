@@ -10,7 +10,7 @@ const STEPS: usize = 60;
 /// Starts of the search for an arm whose plan chooses a value that no closed form can judge.
 const STARTS: usize = 60;
 
-/// Slides beyond this (over the reach) come out of a division by next to nothing.
+/// Slides beyond this (over the length scale) come out of a division by next to nothing.
 const FAR: f64 = 20.0;
 
 /// The first values for free unknowns, far from each other.
@@ -50,13 +50,13 @@ fn rescue_by_candidates<A: Kinematics<N>, T: Real, const N: usize, const M: usiz
 ) {
     let mut lost = verifier.lost || first.status.lost || verifier.out.is_empty();
     if first.status.degenerate {
-        for (i, pick) in Sample::others().enumerate() {
+        for (i, sample) in Sample::others().enumerate() {
             // Zero may be a special value: another one or two show whether it stands for all of them.
             if i >= PROBES && !lost {
                 break;
             }
             verifier.news = false;
-            let run = candidates(frame, &pick, &mut |q, branch, _| verifier.take_rough(q, branch, i >= FIRST_ROUND));
+            let run = candidates(frame, &sample, &mut |q, branch, _| verifier.take_rough(q, branch, i >= FIRST_ROUND));
             lost |= verifier.news || run.status.lost;
         }
     }
@@ -65,7 +65,7 @@ fn rescue_by_candidates<A: Kinematics<N>, T: Real, const N: usize, const M: usiz
     }
     let mut doubt = first.status.degenerate || first.status.doubt;
     // Few joints cannot follow a motion of the target, but the equations of the plan hold well enough after a small one.
-    for size in if verifier.setting.few { [1e-6, 1e-4] } else { [1e-4, 1e-2] } {
+    for size in if verifier.setting.rank_deficient { [1e-6, 1e-4] } else { [1e-4, 1e-2] } {
         for (motion, nth) in MOTIONS.iter().zip(0..) {
             // A double root has two neighbours on one side and none on the other.
             for side in [1.0, -1.0] {
@@ -79,7 +79,7 @@ fn rescue_by_candidates<A: Kinematics<N>, T: Real, const N: usize, const M: usiz
             }
         }
     }
-    if verifier.out.is_empty() && doubt || verifier.setting.few && first.status.degenerate {
+    if verifier.out.is_empty() && doubt || verifier.setting.rank_deficient && first.status.degenerate {
         search(verifier);
     }
     if verifier.out.is_empty() && doubt {
@@ -98,7 +98,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
             }
             let x = n as f64 * RATIOS[k % 7];
             let x = 2.0 * (x - crate::math::floor(x)) - 1.0;
-            if self.setting.joints[k].is_revolute() { x * core::f64::consts::PI } else { x * self.setting.reach }
+            if self.setting.joints[k].is_revolute() { x * core::f64::consts::PI } else { x * self.setting.length_scale }
         })
     }
 
@@ -106,7 +106,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
     ///
     /// `further`: others of its kind were taken before, and one that a known continuum may hold is not looked at.
     fn take_rough(&mut self, mut q: [f64; N], branch: Branch, further: bool) {
-        let far = FAR * self.setting.reach;
+        let far = FAR * self.setting.length_scale;
         if self.setting.joints.iter().zip(&q).any(|(joint, x)| !joint.is_revolute() && !(x.abs() <= far)) {
             return;
         }

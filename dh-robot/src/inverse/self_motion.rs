@@ -164,7 +164,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'_, A, T,
             if let [Some(a), Some(b), Some(c), Some(d)] = same {
                 self.work.evaluations += 4;
                 let v = &self.verifier;
-                let values = [a, b, c, d].map(|n| v.task.difference(&v.arm.forward(&n.q), v.setting.reach));
+                let values = [a, b, c, d].map(|n| v.task.difference(&v.arm.forward(&n.q), v.setting.length_scale));
                 for root in &common_zeros(ANGLES, &values) {
                     angles.push(crate::math::atan2(root[1], root[0]));
                 }

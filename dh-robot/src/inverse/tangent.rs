@@ -6,7 +6,7 @@ use crate::{Real, Solution};
 use dh_kernels::{Kinematics, Pose, Task};
 
 /// The direction of a solution's self-motion: joint speeds that keep the tool where `task` asks for it, the largest of them 1 (radians, or lengths
-/// over the reach). `None` at a solution without free joints. Of several motions it is one that moves free joints only.
+/// over the length scale). `None` at a solution without free joints. Of several motions it is one that moves free joints only.
 pub fn self_motion<T: Real, const N: usize>(
     arm: &impl Kinematics<N>,
     setting: Setting<T, N>,
@@ -23,6 +23,6 @@ pub fn self_motion<T: Real, const N: usize>(
     let within = |v: &&[f64; N]| (0..N).all(|k| solution.free.contains(k) || v[k].abs() < 1e-6);
     let motion =
         motions.list.iter().take(motions.len).find(within).or(motions.list.first().filter(|_| motions.len > 0))?;
-    let unit = |k: usize| if setting.joints[k].is_revolute() { 1.0 } else { setting.reach };
+    let unit = |k: usize| if setting.joints[k].is_revolute() { 1.0 } else { setting.length_scale };
     Some(core::array::from_fn(|k| T::of(motion[k] * unit(k))))
 }

@@ -4,7 +4,7 @@ use super::Setting;
 use crate::{Branch, FreeJoints, Real, Solution, Solutions};
 use dh_kernels::{Drive, Kinematics, Task, polish, polish_to, same_solution};
 
-/// Residual (position over reach, rotation in rad) up to which a candidate is taken as it is: rounding of a chain of seven links.
+/// Residual (position over the length scale, rotation in rad) up to which a candidate is taken as it is: rounding of a chain of seven links.
 const EXACT: f64 = 1e-13;
 /// Residual up to which a polished candidate is a solution.
 const REACHED: f64 = 1e-10;
@@ -20,7 +20,7 @@ const CREEPING: usize = 600;
 const ROUGH: f64 = 1e-3;
 /// Regular solutions nearer than this in every joint may be one root of high order, seen twice.
 const CLOSE: f64 = 1e-3;
-/// Joint vectors nearer than this in every joint are one solution (rad, or table units over reach).
+/// Joint vectors nearer than this in every joint are one solution (rad, or table units over the length scale).
 pub(super) const SAME: f64 = 1e-6;
 /// Damped Newton steps for a candidate of the plan, which is near a solution if it belongs to one.
 const STEPS: usize = 12;
@@ -30,7 +30,7 @@ pub(super) struct Verifier<'a, A, T: 'static, const N: usize, const M: usize> {
     pub(super) arm: &'a A,
     pub(super) setting: Setting<T, N>,
     pub(super) task: &'a Task,
-    /// How motors are coupled, where whole turns of rows are not whole turns of motors.
+    /// How actuators are coupled, where whole turns of rows are not whole turns of actuators.
     pub(super) drive: Option<Drive<N>>,
     /// Residual up to which a joint vector is a solution.
     pub(super) tolerance: f64,
@@ -50,7 +50,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
     pub(super) fn new(arm: &'a A, setting: Setting<T, N>, task: &'a Task) -> Self {
         let tolerance = if T::EPSILON > T::of(1e-10) {
             REACHED_SINGLE
-        } else if setting.few {
+        } else if setting.rank_deficient {
             REACHED_FEW
         } else {
             REACHED
@@ -64,7 +64,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
     /// By how much a joint vector misses the target.
     #[inline]
     pub(super) fn miss(&self, q: &[f64; N]) -> f64 {
-        let error = self.task.error(&self.arm.forward(q), self.setting.reach);
+        let error = self.task.error(&self.arm.forward(q), self.setting.length_scale);
         error.iter().fold(0.0_f64, |m, x| if x.abs() <= m { m } else { x.abs() })
     }
 
@@ -78,7 +78,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
 
     /// Polishes; says whether the target is reached.
     pub(super) fn polish(&mut self, q: &mut [f64; N], steps: usize) -> bool {
-        let polished = polish(self.arm, q, self.task, self.setting.reach, steps);
+        let polished = polish(self.arm, q, self.task, self.setting.length_scale, steps);
         let miss = polished.position.max(polished.rotation);
         if miss < self.nearest {
             (self.nearest, self.best) = (miss, *q);
@@ -88,7 +88,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
 
     /// Moves a joint vector onto the target, no nearer than needed; says whether that is near enough.
     pub(super) fn brought_back(&self, q: &mut [f64; N], steps: usize, level: f64) -> bool {
-        polish_to(self.arm, q, self.task, self.setting.reach, steps, 0.5 * level).reaches(level)
+        polish_to(self.arm, q, self.task, self.setting.length_scale, steps, 0.5 * level).reaches(level)
     }
 
     /// Where nothing reached the target and something nearly did: a root of high order, to which polishing creeps. It may take its time,
@@ -99,7 +99,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
             return;
         }
         let mut q = self.best;
-        let polished = polish(self.arm, &mut q, self.task, self.setting.reach, CREEPING);
+        let polished = polish(self.arm, &mut q, self.task, self.setting.length_scale, CREEPING);
         if polished.reaches(self.tolerance.max(REACHED_FEW)) {
             self.take_singular(q, Branch::ANY);
         }
@@ -130,7 +130,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
     /// A singular solution: of a continuum, or a double one that stands alone. Gives back the joints that are free.
     #[cold]
     pub(super) fn take_singular(&mut self, q: [f64; N], branch: Branch) -> FreeJoints {
-        let near = |p: &[f64; N], _| same_solution(self.arm, self.task, self.setting.reach, p, &q);
+        let near = |p: &[f64; N], _| same_solution(self.arm, self.task, self.setting.length_scale, p, &q);
         if let Some(i) = self.find(near) {
             self.improve(i, &q);
             return self.out[i].free;
@@ -243,7 +243,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
         // Two ends of the way to a root of high order, seen as regular from both.
         let one = |p: &[f64; N], _| {
             self.apart(p, &q).iter().all(|x| x.abs() <= CLOSE)
-                && same_solution(self.arm, self.task, self.setting.reach, p, &q)
+                && same_solution(self.arm, self.task, self.setting.length_scale, p, &q)
         };
         match self.find(one) {
             Some(i) => self.improve(i, &q),
@@ -276,7 +276,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
         new
     }
 
-    /// Brings rows to less than a turn, and motors into their ranges by whole turns of the rows; is the solution known then?
+    /// Brings rows to less than a turn, and actuators into their ranges by whole turns of the rows; is the solution known then?
     #[cold]
     fn is_another_turn(&mut self, drive: &Drive<N>, solution: &mut Solution<T, N>) -> bool {
         let mut q = drive.principal(solution.q.map(T::to_f64), &self.setting.given);

@@ -1,6 +1,6 @@
 //! What generated code calls, and nobody else: not a stable interface, it changes with the macro from version to version.
 
-pub mod lanes;
+pub mod batched;
 mod slices;
 
 pub use slices::{HasJoints, Joints, OverSlices};

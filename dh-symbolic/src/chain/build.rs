@@ -34,7 +34,7 @@ pub(super) fn build(spec: ChainSpec) -> Chain {
                 matches!(drive.terms.as_slice(), [(v, k)] if *v == number && *k == LengthCell::number(Rational::ONE));
             let name = format!("q{}", number + 1);
             let mut shift = AngleCell::default();
-            let coordinate = if drive.turns {
+            let coordinate = if drive.revolute {
                 let label = if direct { name.clone() } else { b.free_name(&format!("theta{}", i + 1)) };
                 let parallel = since.r[0][2].is_zero() && since.r[1][2].is_zero();
                 let v = match last_angle {

@@ -140,7 +140,7 @@ impl Chain {
         }
     }
 
-    /// Is every motor its own joint?
+    /// Is every actuator its own joint?
     pub fn is_direct(&self) -> bool {
         self.drive
             .iter()
@@ -148,41 +148,41 @@ impl Chain {
             .all(|(i, row)| row.iter().enumerate().all(|(j, p)| if i == j { p.is_one() } else { p.is_zero() }))
     }
 
-    /// The joint coordinates that the motors which the caller chooses move alone, and how far: a coordinate is that factor times the
-    /// motor's position, plus the joint's shift.
+    /// The joint coordinates that the actuators which the caller chooses move alone, and how far: a coordinate is that factor times the
+    /// actuator's position, plus the joint's shift.
     pub fn chosen(&self) -> Vec<(usize, Poly)> {
-        let one = |motor: &usize| {
-            let alone = |row: &[Poly]| row.iter().enumerate().all(|(j, k)| (j == *motor) != k.is_zero());
+        let one = |actuator: &usize| {
+            let alone = |row: &[Poly]| row.iter().enumerate().all(|(j, k)| (j == *actuator) != k.is_zero());
             let joint = self.drive.iter().position(|row| alone(row))?;
-            Some((joint, self.drive.get(joint)?.get(*motor)?.clone()))
+            Some((joint, self.drive.get(joint)?.get(*actuator)?.clone()))
         };
         self.redundant.iter().filter_map(one).collect()
     }
 
-    /// Does a whole turn of this motor leave the arm where it was? Not where it drives a slide, or turns a row by a fraction of a turn.
-    pub fn is_periodic(&self, motor: usize) -> bool {
-        let mut turns = false;
+    /// Does a whole turn of this actuator leave the arm where it was? Not where it drives a prismatic joint, or turns a row by a fraction of a turn.
+    pub fn is_periodic(&self, actuator: usize) -> bool {
+        let mut periodic = false;
         for (joint, row) in self.joints.iter().zip(&self.drive) {
-            let Some(k) = row.get(motor).filter(|k| !k.is_zero()) else { continue };
+            let Some(k) = row.get(actuator).filter(|k| !k.is_zero()) else { continue };
             let whole = k.as_rational().is_some_and(|r| r.to_f64().fract() == 0.0);
             if !(whole && matches!(joint.coordinate, Coordinate::Angle(_))) {
                 return false;
             }
-            turns = true;
+            periodic = true;
         }
-        turns
+        periodic
     }
 
-    /// Is a whole turn of a row something else than whole turns of motors (gears, motors that turn and lift together)?
+    /// Is a whole turn of a row something else than whole turns of actuators (gears, actuators that turn and lift together)?
     pub fn is_geared(&self) -> bool {
-        let turns = |i: usize| matches!(self.joints[i].coordinate, Coordinate::Angle(_));
-        let rows: Vec<usize> = (0..self.dof()).filter(|i| turns(*i)).collect();
-        let motors: Vec<usize> =
+        let revolute = |i: usize| matches!(self.joints[i].coordinate, Coordinate::Angle(_));
+        let rows: Vec<usize> = (0..self.dof()).filter(|i| revolute(*i)).collect();
+        let actuators: Vec<usize> =
             (0..self.dof()).filter(|k| rows.iter().any(|i| !self.drive[*i][*k].is_zero())).collect();
-        let whole = motors.iter().all(|k| self.is_periodic(*k));
+        let whole = actuators.iter().all(|k| self.is_periodic(*k));
         let block: Vec<Vec<Poly>> =
-            rows.iter().map(|i| motors.iter().map(|k| self.drive[*i][*k].clone()).collect()).collect();
-        let unit = rows.len() == motors.len() && {
+            rows.iter().map(|i| actuators.iter().map(|k| self.drive[*i][*k].clone()).collect()).collect();
+        let unit = rows.len() == actuators.len() && {
             let det = determinant(&block, usize::MAX).unwrap_or_default();
             det.is_one() || (-&det).is_one()
         };

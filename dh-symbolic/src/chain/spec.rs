@@ -53,7 +53,7 @@ pub struct RowSpec {
 #[derive(Clone, Debug)]
 pub struct Drive {
     /// True: column `theta` moves; false: column `d`.
-    pub turns: bool,
+    pub revolute: bool,
     /// Combination of variables: (number of the variable from 0, coefficient). An ordinary joint has one term with coefficient 1.
     pub terms: Vec<(usize, LengthCell)>,
 }

@@ -24,7 +24,7 @@ pub(crate) fn mixed_chain(convention: Convention, kinds: &str, rows: &[(i64, &st
             a: length(a),
             d: length(d),
             theta: angle(*theta),
-            moves: Some(Drive { turns: kind == 'R', terms: vec![(i, LengthCell::number(Rational::ONE))] }),
+            moves: Some(Drive { revolute: kind == 'R', terms: vec![(i, LengthCell::number(Rational::ONE))] }),
             ..RowSpec::default()
         })
         .collect();

@@ -138,7 +138,7 @@ fn numbers(spec: &ChainSpec) -> Result<Vec<Row>, Problem> {
         .map(|row| {
             let columns =
                 [angle(spec, &row.alpha)?, length(spec, &row.a)?, length(spec, &row.d)?, angle(spec, &row.theta)?];
-            Ok(Row { columns, turns: row.moves.as_ref().map(|m| m.turns) })
+            Ok(Row { columns, turns: row.moves.as_ref().map(|m| m.revolute) })
         })
         .collect()
 }

@@ -61,7 +61,7 @@ pub struct BlockJoint {
     /// Index of the joint.
     pub joint: usize,
     /// Does it turn (or slide)?
-    pub turns: bool,
+    pub revolute: bool,
     /// Is its axis opposite to the block's z (after an odd number of half turns about x)?
     pub opposite: bool,
     /// Number of pieces before it.
@@ -195,8 +195,8 @@ impl Cutter {
         }
     }
 
-    fn joint(&mut self, joint: usize, turns: bool) {
-        self.now.joints.push(BlockJoint { joint, turns, opposite: self.half_turn, pieces: self.now.pieces.len() });
+    fn joint(&mut self, joint: usize, revolute: bool) {
+        self.now.joints.push(BlockJoint { joint, revolute, opposite: self.half_turn, pieces: self.now.pieces.len() });
     }
 
     fn mark(&mut self, row: usize) {

@@ -11,12 +11,12 @@ use crate::algebra::{Angle, AngleVar, LinearAngle, Poly, Rational, Ring, Transfo
 use crate::chain::{Chain, Coordinate, Elementary, Handle, Task};
 use dh_kernels::pose::{self, Pose};
 
-/// One hop from a frame to the next: a constant transform, then perhaps a joint.
+/// One link, from a frame to the next: a constant transform, then perhaps a joint.
 #[derive(Clone, Debug)]
-pub struct Hop {
+pub struct LinkTransform {
     /// The constant transform.
     pub before: Transform,
-    /// Its value, lengths over the reach.
+    /// Its value, lengths over the length scale.
     pub number: Pose,
     /// The joint after it.
     pub joint: Option<usize>,
@@ -25,8 +25,8 @@ pub struct Hop {
 /// The axes of an arm, virtual ones included.
 #[derive(Clone, Debug)]
 pub struct Axes {
-    /// Hops from frame 0 on; frame k is reached by hops 0..k.
-    pub hops: Vec<Hop>,
+    /// Link transforms from frame 0 on; frame k is reached by links 0..k.
+    pub links: Vec<LinkTransform>,
     /// Coordinates: the real joints in order of the chain, then virtual ones.
     pub coordinates: Vec<Coordinate>,
     /// Number of real joints.
@@ -37,13 +37,13 @@ pub struct Axes {
     pub end: Transform,
     /// All motions from the base to the tip in order, with the places of the table's frames among them.
     pub items: Vec<Item>,
-    /// For each frame of the hops, frame 0 first, the item before which it stands.
+    /// For each frame of the links, frame 0 first, the item before which it stands.
     pub places: Vec<usize>,
     /// Names: the chain's, the virtual joints' and those that plans introduce.
     pub ring: Ring,
     /// Sum of the lengths of all constant shifts (table units), 1 if there are none.
-    pub reach: f64,
-    /// Products of hops: see [`Axes::between`].
+    pub length_scale: f64,
+    /// Products of links: see [`Axes::between`].
     products: Vec<OnceLock<Transform>>,
     /// Their inverses: see [`Axes::back`].
     inverses: Vec<OnceLock<Transform>>,
@@ -72,11 +72,11 @@ pub(crate) fn generic_value(chain: &Chain, p: &Poly) -> f64 {
     })
 }
 
-pub(crate) fn numeric(chain: &Chain, t: &Transform, reach: f64) -> Pose {
+pub(crate) fn numeric(chain: &Chain, t: &Transform, length_scale: f64) -> Pose {
     std::array::from_fn(|i| {
         std::array::from_fn(|j| {
             let x = generic_value(chain, &t.entry(i, j));
-            if j == 3 { x / reach } else { x }
+            if j == 3 { x / length_scale } else { x }
         })
     })
 }
@@ -146,7 +146,7 @@ impl Axes {
         let mut start = Transform::identity();
         let mut pending = Transform::identity();
         let mut along = true; // only shifts along and turns about the last axis so far
-        let mut hops: Vec<(Transform, Option<usize>)> = Vec::new();
+        let mut links: Vec<(Transform, Option<usize>)> = Vec::new();
         let mut places = vec![0];
         let mut first = true;
         for (place, item) in items.iter().enumerate() {
@@ -158,7 +158,7 @@ impl Axes {
                         places = vec![place];
                         first = false;
                     }
-                    hops.push((std::mem::replace(&mut pending, Transform::identity()), Some(*j)));
+                    links.push((std::mem::replace(&mut pending, Transform::identity()), Some(*j)));
                     places.push(place + 1);
                     along = true;
                 }
@@ -167,7 +167,7 @@ impl Axes {
                     if !first && along && !on_axis {
                         along = false;
                         if !pending.p[2].is_zero() {
-                            hops.push((std::mem::replace(&mut pending, Transform::identity()), None));
+                            links.push((std::mem::replace(&mut pending, Transform::identity()), None));
                             places.push(place);
                         }
                     }
@@ -175,25 +175,38 @@ impl Axes {
                 }
             }
         }
-        let reach: f64 = hops
+        let length_scale: f64 = links
             .iter()
             .map(|(t, _)| t)
             .chain([&pending])
             .map(|t| (0..3).map(|i| generic_value(chain, &t.p[i]).powi(2)).sum::<f64>().sqrt())
             .sum();
-        let reach = if reach > 0.0 { reach } else { 1.0 };
-        let hops: Vec<Hop> = hops
+        let length_scale = if length_scale > 0.0 { length_scale } else { 1.0 };
+        let links: Vec<LinkTransform> = links
             .into_iter()
-            .map(|(before, joint)| Hop { number: numeric(chain, &before, reach), before, joint })
+            .map(|(before, joint)| LinkTransform { number: numeric(chain, &before, length_scale), before, joint })
             .collect();
-        let products = vec![OnceLock::new(); (hops.len() + 1).pow(2)];
+        let products = vec![OnceLock::new(); (links.len() + 1).pow(2)];
         let inverses = products.clone();
         let squares = vec![OnceLock::new(); products.len()];
-        Axes { hops, coordinates, real, start, end: pending, items, places, ring, reach, products, inverses, squares }
+        Axes {
+            links,
+            coordinates,
+            real,
+            start,
+            end: pending,
+            items,
+            places,
+            ring,
+            length_scale,
+            products,
+            inverses,
+            squares,
+        }
     }
 
     /// Does coordinate `k` turn?
-    pub fn turns(&self, k: usize) -> bool {
+    pub fn is_revolute(&self, k: usize) -> bool {
         matches!(self.coordinates.get(k), Some(Coordinate::Angle(_)))
     }
 
@@ -212,13 +225,13 @@ impl Axes {
     /// # Panics
     /// Where there is no frame `b`, or `a` stands behind it.
     pub fn between(&self, a: usize, b: usize) -> &Transform {
-        self.products[a * (self.hops.len() + 1) + b].get_or_init(|| {
+        self.products[a * (self.links.len() + 1) + b].get_or_init(|| {
             if a == b {
                 return Transform::identity();
             }
-            let (t, hop) = (self.between(a, b - 1), &self.hops[b - 1]);
-            let t = if hop.before == Transform::identity() { t.clone() } else { t.times(&hop.before) };
-            match hop.joint.map(|j| self.motion(j)) {
+            let (t, link) = (self.between(a, b - 1), &self.links[b - 1]);
+            let t = if link.before == Transform::identity() { t.clone() } else { t.times(&link.before) };
+            match link.joint.map(|j| self.motion(j)) {
                 Some(m) => t.times(&m),
                 None => t,
             }
@@ -231,13 +244,13 @@ impl Axes {
     /// # Panics
     /// As [`Axes::between`].
     pub fn back(&self, a: usize, b: usize) -> &Transform {
-        self.inverses[a * (self.hops.len() + 1) + b].get_or_init(|| {
+        self.inverses[a * (self.links.len() + 1) + b].get_or_init(|| {
             if a == b {
                 return Transform::identity();
             }
-            let hop = &self.hops[b - 1];
-            let before = hop.before.inverse();
-            let last = hop.joint.map_or(before.clone(), |j| self.motion(j).inverse().times(&before));
+            let link = &self.links[b - 1];
+            let before = link.before.inverse();
+            let last = link.joint.map_or(before.clone(), |j| self.motion(j).inverse().times(&before));
             last.times(self.back(a, b - 1))
         })
     }
@@ -249,14 +262,14 @@ impl Axes {
     /// # Panics
     /// As [`Axes::between`].
     pub fn square(&self, a: usize, b: usize) -> &Poly {
-        self.squares[a * (self.hops.len() + 1) + b].get_or_init(|| {
+        self.squares[a * (self.links.len() + 1) + b].get_or_init(|| {
             if a == b {
                 return Poly::zero();
             }
-            let hop = &self.hops[b - 1];
-            let way = match hop.joint {
-                Some(j) if !self.turns(j) => hop.before.times(&self.motion(j)).p,
-                _ => hop.before.p.clone(),
+            let link = &self.links[b - 1];
+            let way = match link.joint {
+                Some(j) if !self.is_revolute(j) => link.before.times(&self.motion(j)).p,
+                _ => link.before.p.clone(),
             };
             let across = dot(&self.back(a, b - 1).p, &way).scale(&Rational::int(2));
             &(self.square(a, b - 1) + &dot(&way, &way)) - &across
@@ -274,22 +287,22 @@ impl Axes {
         }
     }
 
-    /// A hop in numbers.
-    pub fn hop_number(&self, hop: usize, x: &[f64]) -> Pose {
-        let h = &self.hops[hop];
+    /// A link in numbers.
+    pub fn link_pose(&self, link: usize, x: &[f64]) -> Pose {
+        let h = &self.links[link];
         match h.joint {
             None => h.number,
-            Some(j) if self.turns(j) => pose::turn(&h.number, [x[j].cos(), x[j].sin()]),
+            Some(j) if self.is_revolute(j) => pose::turn(&h.number, [x[j].cos(), x[j].sin()]),
             Some(j) => pose::slide(&h.number, x[j]),
         }
     }
 
-    /// Frames seen from frame 0, in numbers (lengths over the reach).
+    /// Frames seen from frame 0, in numbers (lengths over the length scale).
     pub fn frames_number(&self, x: &[f64]) -> Vec<Pose> {
         let mut t = pose::IDENTITY;
         let mut all = vec![t];
-        for hop in 0..self.hops.len() {
-            t = pose::compose(&t, &self.hop_number(hop, x));
+        for link in 0..self.links.len() {
+            t = pose::compose(&t, &self.link_pose(link, x));
             all.push(t);
         }
         all
@@ -339,8 +352,8 @@ mod tests {
             | 4 | 60deg | 0.2 | d4 | q4 |";
         let parsed = table::parse(text.parse().expect("it lexes"));
         let axes = Axes::new(&Chain::new(parsed.spec.expect("a table")));
-        for a in 0..=axes.hops.len() {
-            for b in a..=axes.hops.len() {
+        for a in 0..=axes.links.len() {
+            for b in a..=axes.links.len() {
                 let p = &axes.between(a, b).p;
                 assert_eq!(*axes.square(a, b), dot(p, p), "{a} {b}");
             }

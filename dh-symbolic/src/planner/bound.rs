@@ -37,9 +37,9 @@ pub(super) fn bound(
 /// where three do (Raghavan and Roth 1990). A loop of fewer joints is one of six where the others, which turn, happen to stand still.
 fn most(axes: &Axes, knowledge: &Knowledge, steps: &[Step]) -> usize {
     let open = |k: &usize| steps.iter().any(|s| s.unknown.iter().any(|f| f[*k] != 0));
-    let slides = (0..axes.count()).filter(|k| !axes.turns(*k) && open(k)).count();
+    let prismatic = (0..axes.count()).filter(|k| !axes.is_revolute(*k) && open(k)).count();
     let chosen = steps.iter().any(|s| s.kind == StepKind::Choose); // an arm that is singular everywhere
-    match slides {
+    match prismatic {
         2 if !chosen && knowledge.known.len() <= 6 => 8,
         3 if !chosen && knowledge.known.len() <= 6 => 2,
         _ => 16,
@@ -76,7 +76,7 @@ fn independent_all_round(rows: &[Collected], chain: &Chain, knowledge: &Knowledg
     let (Some(angle), None) = (of.next(), of.next()) else { return false };
     let known =
         |s: &Symbol| angle.symbols.contains(s) || chain.parameters.iter().any(|p| p.handle == Handle::Length(*s));
-    if !angle.turns || !symbols.iter().all(known) {
+    if !angle.is_angle || !symbols.iter().all(known) {
         return false;
     }
     let determinant = |x: f64| -> f64 {

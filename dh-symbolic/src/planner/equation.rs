@@ -2,8 +2,8 @@
 
 use super::axes::Axes;
 use super::known::Knowledge;
+use super::prismatic;
 use super::scalar::{Equation, Scalar, fold};
-use super::slides;
 use crate::algebra::{Poly, Transform, Vector, dot};
 
 /// About how many terms the products of an equation have before any are put together.
@@ -21,8 +21,8 @@ pub(super) fn weight(axes: &Axes, knowledge: &mut Knowledge, e: &Equation) -> us
             let (before, after) = sides();
             before * after
         }
-        Scalar::Across(j) => slides::across_weight(axes, knowledge, e, usize::from(j)),
-        Scalar::Bridge(i, j) => slides::bridge_weight(axes, knowledge, e, [i, j].map(usize::from)),
+        Scalar::Across(j) => prismatic::across_weight(axes, knowledge, e, usize::from(j)),
+        Scalar::Bridge(i, j) => prismatic::bridge_weight(axes, knowledge, e, [i, j].map(usize::from)),
     }
 }
 
@@ -77,8 +77,8 @@ pub(super) fn exact(axes: &Axes, knowledge: &mut Knowledge, e: &Equation) -> Pol
             .sum();
             axes.square(e.a, e.b) - &other
         }
-        Scalar::Across(j) => slides::across_exact(axes, knowledge, e, usize::from(j)),
-        Scalar::Bridge(i, j) => slides::bridge_exact(axes, knowledge, e, [i, j].map(usize::from)),
+        Scalar::Across(j) => prismatic::across_exact(axes, knowledge, e, usize::from(j)),
+        Scalar::Bridge(i, j) => prismatic::bridge_exact(axes, knowledge, e, [i, j].map(usize::from)),
     }
 }
 

@@ -14,7 +14,7 @@ pub struct Known {
     /// Symbols of its cosine and sine; for a sliding joint its own symbol twice.
     pub symbols: [Symbol; 2],
     /// Does it turn?
-    pub turns: bool,
+    pub is_angle: bool,
     /// Name for readers: `q1`, `q2 + q3`.
     pub name: String,
     /// The same as one word: `q2_plus_q3`.
@@ -107,9 +107,9 @@ impl Knowledge {
     pub fn learn(&mut self, axes: &Axes, form: &[i8]) -> &Known {
         let single =
             form.iter().position(|k| *k != 0).filter(|i| form.iter().enumerate().all(|(j, k)| j == *i || *k == 0));
-        let turns = form.iter().position(|k| *k != 0).is_some_and(|i| axes.turns(i));
+        let is_angle = form.iter().position(|k| *k != 0).is_some_and(|i| axes.is_revolute(i));
         let name = self.form_name(axes, form);
-        let symbols = match (turns, single.map(|i| axes.coordinates[i])) {
+        let symbols = match (is_angle, single.map(|i| axes.coordinates[i])) {
             (false, Some(Coordinate::Length(s))) => [s, s],
             _ => {
                 let tail: String = form
@@ -132,7 +132,7 @@ impl Knowledge {
         };
         self.span.add(&numbers(form));
         let label = self.joined(axes, form, ["minus_", "_minus_", "_plus_"], "x");
-        self.known.push(Known { form: form.to_vec(), symbols, turns, name, label });
+        self.known.push(Known { form: form.to_vec(), symbols, is_angle, name, label });
         &self.known[self.known.len() - 1]
     }
 
@@ -151,14 +151,14 @@ impl Knowledge {
         self.span.contains(&unit)
     }
 
-    /// How many hops from frame 0 hold only known joints.
+    /// How many links from frame 0 hold only known joints.
     pub fn prefix(&self, axes: &Axes) -> usize {
-        axes.hops.iter().take_while(|h| h.joint.is_none_or(|j| self.has(axes, j))).count()
+        axes.links.iter().take_while(|h| h.joint.is_none_or(|j| self.has(axes, j))).count()
     }
 
     /// The first frame behind which all joints are known.
     pub fn suffix(&self, axes: &Axes) -> usize {
-        axes.hops.len() - axes.hops.iter().rev().take_while(|h| h.joint.is_none_or(|j| self.has(axes, j))).count()
+        axes.links.len() - axes.links.iter().rev().take_while(|h| h.joint.is_none_or(|j| self.has(axes, j))).count()
     }
 
     /// The known pose between two frames; new symbols on first use.
@@ -315,7 +315,7 @@ impl Known {
     /// Cosine and sine, or the length twice, at given coordinates.
     pub fn value(&self, x: &[f64]) -> [f64; 2] {
         let u: f64 = self.form.iter().zip(x).map(|(k, x)| f64::from(*k) * x).sum();
-        if self.turns { [u.cos(), u.sin()] } else { [u, u] }
+        if self.is_angle { [u.cos(), u.sin()] } else { [u, u] }
     }
 }
 

@@ -41,7 +41,7 @@ impl Mobility {
             .collect();
         let mut tool = *axes.frames_number(&x).last().unwrap_or(&pose::IDENTITY);
         if chain.task == Task::Pose {
-            tool = pose::compose(&tool, &super::numeric(chain, &axes.end, axes.reach));
+            tool = pose::compose(&tool, &super::numeric(chain, &axes.end, axes.length_scale));
         }
         let rank = |twists: &[Twist]| {
             let mut span = Subspace::default();

@@ -3,15 +3,15 @@
 //! For frames a <= b of the arm, the part of the chain between them equals the target brought back over the two ends:
 //! M(a, b) = M(0, a)^-1 W M(b, n)^-1. From both sides are read the nine direction cosines, the position p, the position seen from
 //! the other end -R^T p, and p.p: sixteen scalar equations per pair of frames (Pieper 1968; Paul 1981; Raghavan and Roth 1990).
-//! Those that no sliding length occurs in come from `planner/slides.rs`.
+//! Those that no sliding length occurs in come from `planner/prismatic.rs`.
 //!
 //! On which joints an equation depends is measured (derivatives at random points, the space they span); what the plan then uses
 //! is derived exactly.
 
 use super::axes::Axes;
+use super::prismatic;
 use super::random::Random;
 use super::scalar::{Equation, Scalar};
-use super::slides;
 use super::subspace::Subspace;
 use dh_kernels::pose::{self, Pose};
 
@@ -74,7 +74,7 @@ fn scalars(t: &Pose) -> [f64; 16] {
 /// All equations, sorted into families.
 pub fn families(axes: &Axes) -> Vec<Family> {
     let n = axes.count();
-    let frames = axes.hops.len() + 1;
+    let frames = axes.links.len() + 1;
     let pairs: Vec<(usize, usize)> = (0..frames).flat_map(|a| (a + 1..frames).map(move |b| (a, b))).collect();
     let mut spans: Vec<[Subspace; 16]> = vec![Default::default(); pairs.len()];
     let mut random = Random::new(7);
@@ -92,14 +92,14 @@ pub fn families(axes: &Axes) -> Vec<Family> {
             let tail = pose::compose(&pose::inverse(&f[f.len() - 1]), &f[*b]);
             let right = pose::compose(&inverse_a, &pose::compose(&target, &tail));
             for (k, slope) in slopes.iter_mut().enumerate() {
-                let Some(hop) = axes.hops.iter().position(|h| h.joint == Some(k)) else { continue };
+                let Some(link) = axes.links.iter().position(|h| h.joint == Some(k)) else { continue };
                 // A joint's motion is a screw about its axis in frame 0: d(f) = S f for frames behind it.
                 let screw = &rate[k];
-                let change = if hop >= *a && hop < *b {
+                let change = if link >= *a && link < *b {
                     // Left side moves: d(M) = f_a^-1 S f_b.
                     let s = conjugate(screw, &inverse_a);
                     difference(&left, &apply(&s, &left), 1.0)
-                } else if hop < *a {
+                } else if link < *a {
                     // d(f_a^-1) = -f_a^-1 S: d(right) = -(f_a^-1 S f_a) right.
                     let s = conjugate(screw, &inverse_a);
                     difference(&right, &apply(&s, &right), 1.0)
@@ -117,7 +117,7 @@ pub fn families(axes: &Axes) -> Vec<Family> {
             }
         }
     }
-    collect(&pairs, spans, slides::equations(axes))
+    collect(&pairs, spans, prismatic::equations(axes))
 }
 
 /// Joint screws in frame 0: (direction, moment; or zero and direction for a slide).
@@ -125,11 +125,11 @@ pub(super) fn rates(axes: &Axes, x: &[f64]) -> Vec<[[f64; 4]; 3]> {
     let f = axes.frames_number(x);
     (0..axes.count())
         .map(|k| {
-            let hop = axes.hops.iter().position(|h| h.joint == Some(k)).unwrap_or(0);
-            let t = &f[hop + 1];
+            let link = axes.links.iter().position(|h| h.joint == Some(k)).unwrap_or(0);
+            let t = &f[link + 1];
             let z = [t[0][2], t[1][2], t[2][2]];
             let p = [t[0][3], t[1][3], t[2][3]];
-            if axes.turns(k) {
+            if axes.is_revolute(k) {
                 let m = [p[1] * z[2] - p[2] * z[1], p[2] * z[0] - p[0] * z[2], p[0] * z[1] - p[1] * z[0]];
                 [[0.0, -z[2], z[1], m[0]], [z[2], 0.0, -z[0], m[1]], [-z[1], z[0], 0.0, m[2]]]
             } else {
@@ -233,7 +233,7 @@ fn collect(pairs: &[(usize, usize)], spans: Vec<[Subspace; 16]>, more: Vec<(Equa
 #[cfg(test)]
 pub(super) fn residual(axes: &Axes, e: &Equation, x: &[f64], target: &Pose) -> f64 {
     let f = axes.frames_number(x);
-    if let Some(x) = slides::number(axes, e, &f, target) {
+    if let Some(x) = prismatic::number(axes, e, &f, target) {
         return x;
     }
     let inverse_a = pose::inverse(&f[e.a]);

@@ -6,7 +6,7 @@ use crate::algebra::{AngleVar, Point, Poly, Symbol};
 use crate::chain::{Chain, Coordinate, Handle};
 use dh_kernels::pose;
 
-/// Values at one joint vector; lengths over the reach.
+/// Values at one joint vector; lengths over the length scale.
 pub(super) struct Sample<'a> {
     chain: &'a Chain,
     axes: &'a Axes,
@@ -49,7 +49,7 @@ impl<'a> Sample<'a> {
             if let Some(i) = self.axes.coordinates.iter().position(|c| *c == Coordinate::Length(s)) {
                 return self.x[i];
             }
-            generic_parameter(self.chain, Handle::Length(s)) / self.axes.reach
+            generic_parameter(self.chain, Handle::Length(s)) / self.axes.length_scale
         };
         let angle = |v: AngleVar| match self.axes.index_of_angle(v) {
             Some(i) => self.x[i],
@@ -66,7 +66,7 @@ pub(crate) fn joint_vectors(axes: &Axes, generic: usize, special: usize) -> Vec<
     let mut all: Vec<Vec<f64>> = (0..generic).map(|_| (0..n).map(|_| 2.7 * random.next()).collect()).collect();
     for _ in 0..special {
         let quarter = |r: f64| (r * 2.0).round() * std::f64::consts::FRAC_PI_2;
-        all.push((0..n).map(|k| if axes.turns(k) { quarter(random.next()) } else { random.next() }).collect());
+        all.push((0..n).map(|k| if axes.is_revolute(k) { quarter(random.next()) } else { random.next() }).collect());
     }
     all
 }

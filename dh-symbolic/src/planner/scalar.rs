@@ -14,9 +14,9 @@ pub enum Scalar {
     Back(u8),
     /// Squared distance of the origins.
     Distance,
-    /// Component of the position across two sliding axes: the one that frame `a` stands on, and that of this hop.
+    /// Component of the position across two sliding axes: the one that frame `a` stands on, and that of this link.
     Across(u8),
-    /// The same for the slides of two hops, where the way from the turning axis of hop `a` to that of hop `b - 1` is taken apart along
+    /// The same for the slides of two links, where the way from the turning axis of link `a` to that of link `b - 1` is taken apart along
     /// these axes, so that neither angle occurs.
     Bridge(u8, u8),
 }

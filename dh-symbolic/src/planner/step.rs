@@ -37,5 +37,5 @@ pub struct Plan {
     /// Bound of the number of solutions.
     pub max_solutions: usize,
     /// Has the task directions in which the arm cannot move the tool at all? Then its targets lie on what it reaches up to rounding only.
-    pub few: bool,
+    pub rank_deficient: bool,
 }

@@ -39,13 +39,13 @@ impl Structure {
     /// Reads the relations off the exact transforms between the axes.
     pub fn new(chain: &Chain, axes: &Axes) -> Structure {
         let mut neighbours = Vec::new();
-        // Where on the second axis the first one meets it, lengths over the reach.
+        // Where on the second axis the first one meets it, lengths over the length scale.
         let mut meeting: Vec<Option<(f64, f64)>> = Vec::new();
         for first in 0..axes.real.saturating_sub(1) {
-            let Some((from, to)) = hop_of(axes, first).zip(hop_of(axes, first + 1)) else { continue };
+            let Some((from, to)) = link_of(axes, first).zip(link_of(axes, first + 1)) else { continue };
             let mut t = crate::algebra::Transform::identity();
-            for hop in &axes.hops[from + 1..=to] {
-                t = t.times(&hop.before);
+            for link in &axes.links[from + 1..=to] {
+                t = t.times(&link.before);
             }
             let (d, p) = (t.column(2), &t.p);
             let moment = &(&p[0] * &d[1]) - &(&p[1] * &d[0]);
@@ -60,7 +60,7 @@ impl Structure {
             neighbours.push(Neighbours { first, pair, cells: cells(chain, first, pair) });
             meeting.push((pair == Pair::Meeting).then(|| {
                 // z_i s = p + d u: solve in the plane of both.
-                let n = numeric(chain, &t, axes.reach);
+                let n = numeric(chain, &t, axes.length_scale);
                 let k = if n[0][2].abs() > n[1][2].abs() { 0 } else { 1 };
                 let u = -n[k][3] / n[k][2];
                 (n[2][3] + n[2][2] * u, u)
@@ -76,8 +76,8 @@ impl Structure {
     }
 }
 
-fn hop_of(axes: &Axes, joint: usize) -> Option<usize> {
-    axes.hops.iter().position(|h| h.joint == Some(joint))
+fn link_of(axes: &Axes, joint: usize) -> Option<usize> {
+    axes.links.iter().position(|h| h.joint == Some(joint))
 }
 
 /// The cells between two joints that a relation rests on.

@@ -138,8 +138,8 @@ pub fn test_identities(forward: &super::Forward, chain: &Chain, kinematics: &Kin
                 }
             })
             .collect();
-        for motor in 0..chain.dof() {
-            let drive: Vec<Element> = chain.drive.iter().map(|row| at.value(&row[motor])).collect();
+        for actuator in 0..chain.dof() {
+            let drive: Vec<Element> = chain.drive.iter().map(|row| at.value(&row[actuator])).collect();
             for part in 0..2 {
                 for i in 0..3 {
                     want.push(columns.iter().zip(&drive).fold(Element::ZERO, |s, (c, k)| s.plus(c[part][i].times(*k))));

@@ -157,7 +157,7 @@ fn build(chain: &Chain, blocks: &[Block], way: Way) -> Option<Program> {
         let inner = g.turn_by(&block.exit, tip);
         for joint in block.joints.iter().rev() {
             let signed = |v: Value| if joint.opposite { -v } else { v };
-            if joint.turns {
+            if joint.revolute {
                 let r = lever(&mut g, block, joint.pieces, inner);
                 let turned =
                     lever_after_turn(&mut g, block, joint.pieces, inner).map(|w| [signed(-w[1]), signed(w[0]), ZERO]);
@@ -231,16 +231,16 @@ fn textbook(chain: &Chain, blocks: &[Block], shifts: Option<Shifts>) -> Program 
     Program { graph: g, outputs }
 }
 
-/// Columns per motor: J_q = J_x * drive.
+/// Columns per actuator: J_q = J_x * drive.
 fn motor_columns(g: &mut Graph, chain: &Chain, columns: &[[V3; 2]]) -> Vec<Value> {
     if chain.is_direct() {
         return columns.iter().flat_map(|c| c.concat()).collect();
     }
     let mut all = Vec::new();
-    for motor in 0..chain.dof() {
+    for actuator in 0..chain.dof() {
         let mut sum = [[ZERO; 3]; 2];
         for (joint, column) in columns.iter().enumerate() {
-            let k = g.polynomial(&chain.drive[joint][motor]);
+            let k = g.polynomial(&chain.drive[joint][actuator]);
             for part in 0..2 {
                 let scaled = g.times(k, column[part]);
                 sum[part] = g.plus(sum[part], scaled);

@@ -48,7 +48,7 @@ pub struct Forward {
     pub pose: Program,
     /// One pose per row: 12 outputs each.
     pub frames: Program,
-    /// Pose (12 outputs), then per motor 6: linear, angular.
+    /// Pose (12 outputs), then per actuator 6: linear, angular.
     pub jacobian: Program,
 }
 

@@ -113,16 +113,16 @@ pub fn prove_jacobian(program: &Program, chain: &Chain, kinematics: &Kinematics)
     let got = program.expand();
     compare_pose(&got, &kinematics.pose(), "the pose beside the Jacobian")?;
     let columns = jacobian(chain, kinematics);
-    for motor in 0..chain.dof() {
+    for actuator in 0..chain.dof() {
         for row in 0..6 {
             let entry = |joint: usize| if row < 3 { &columns[joint].0[row] } else { &columns[joint].1[row - 3] };
             let want = if chain.is_direct() {
-                entry(motor).clone()
+                entry(actuator).clone()
             } else {
-                (0..chain.dof()).map(|joint| entry(joint) * &chain.drive[joint][motor]).sum()
+                (0..chain.dof()).map(|joint| entry(joint) * &chain.drive[joint][actuator]).sum()
             };
-            let got = got.get(12 + 6 * motor + row).cloned().unwrap_or_default();
-            compare(&got, &want, || format!("Jacobian entry ({}, {})", row + 1, motor + 1))?;
+            let got = got.get(12 + 6 * actuator + row).cloned().unwrap_or_default();
+            compare(&got, &want, || format!("Jacobian entry ({}, {})", row + 1, actuator + 1))?;
         }
     }
     Ok(())

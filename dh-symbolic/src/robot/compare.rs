@@ -155,17 +155,17 @@ impl Common {
     }
 
     /// The name of a coordinate that is this combination of joint variables; a new one is parallel to `neighbour`.
-    fn coordinate(&mut self, turns: bool, row: Vec<Poly>, neighbour: Option<AngleVar>) -> Coordinate {
-        if let Some((_, _, known)) = self.coordinates.iter().find(|c| c.0 == turns && c.1 == row) {
+    fn coordinate(&mut self, revolute: bool, row: Vec<Poly>, neighbour: Option<AngleVar>) -> Coordinate {
+        if let Some((_, _, known)) = self.coordinates.iter().find(|c| c.0 == revolute && c.1 == row) {
             return *known;
         }
         let name = format!("coordinate{}", self.coordinates.len() + 1);
-        let new = match (turns, neighbour) {
+        let new = match (revolute, neighbour) {
             (true, Some(v)) => Coordinate::Angle(self.ring.angle_parallel_to(v, &name)),
             (true, None) => Coordinate::Angle(self.ring.angle(&name)),
             (false, _) => Coordinate::Length(self.ring.symbol(&name)),
         };
-        self.coordinates.push((turns, row, new));
+        self.coordinates.push((revolute, row, new));
         new
     }
 

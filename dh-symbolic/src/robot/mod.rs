@@ -199,13 +199,13 @@ impl Robot {
     pub fn jacobian(&self) -> Matrix {
         let chain = &self.arm.chain;
         let columns = kinematics::jacobian(chain, &self.kinematics);
-        let entry = |i: usize, motor: usize| -> Poly {
+        let entry = |i: usize, actuator: usize| -> Poly {
             let column = |(linear, angular): &(_, _)| -> Poly {
                 let list: &[Poly; 3] = if i < 3 { linear } else { angular };
                 list[i % 3].clone()
             };
             let driven = columns.iter().zip(&chain.drive);
-            driven.filter_map(|(c, row)| row.get(motor).map(|k| &column(c) * k)).sum()
+            driven.filter_map(|(c, row)| row.get(actuator).map(|k| &column(c) * k)).sum()
         };
         let rows = (0..6).map(|i| (0..chain.dof()).map(|k| entry(i, k)).collect()).collect();
         Matrix::new(&self.arm, rows)

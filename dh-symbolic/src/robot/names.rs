@@ -13,24 +13,24 @@ pub(super) struct Arm {
     pub(super) notation: Notation,
     pub(super) order: Order,
     /// The joint variables as factors: they occur in derivatives by the coefficients of coupled drives.
-    motors: Vec<Symbol>,
+    actuators: Vec<Symbol>,
 }
 
 impl Arm {
     pub(super) fn new(mut chain: Chain) -> Arm {
         let mut notation = Notation::textbook(&chain);
         let order = Order::of(&chain);
-        let mut motors = Vec::new();
+        let mut actuators = Vec::new();
         if !chain.is_direct() {
             for k in 1..=chain.dof() {
                 let name = format!("q{k}");
                 if chain.ring.find_symbol(&name).is_none() {
                     notation.set_symbol(chain.ring.symbol(&name), Name::of(&name).math());
                 }
-                motors.push(chain.ring.symbol(&name));
+                actuators.push(chain.ring.symbol(&name));
             }
         }
-        Arm { chain, notation, order, motors }
+        Arm { chain, notation, order, actuators }
     }
 
     /// Do formulas of these two arms mean the same?
@@ -75,13 +75,13 @@ impl Arm {
     fn rate(&self, i: usize, name: &str) -> Poly {
         let (chain, mut sum) = (&self.chain, Poly::zero());
         let Some((joint, row)) = chain.joints.get(i).zip(chain.drive.get(i)) else { return sum };
-        for (motor, factor) in chain.joints.iter().zip(row) {
-            if motor.name == name {
+        for (actuator, factor) in chain.joints.iter().zip(row) {
+            if actuator.name == name {
                 sum = &sum + factor;
             }
         }
         if let Some(s) = chain.ring.find_symbol(name) {
-            for (factor, q) in row.iter().zip(&self.motors) {
+            for (factor, q) in row.iter().zip(&self.actuators) {
                 sum = &sum + &(&factor.derivative_by_symbol(s) * &Poly::symbol(*q));
             }
         }
@@ -152,7 +152,7 @@ impl Values<'_> {
         }
     }
 
-    /// A symbol or angle of the ring: for a joint what its motors and its constant part make of it.
+    /// A symbol or angle of the ring: for a joint what its actuators and its constant part make of it.
     fn coordinate(&mut self, coordinate: Coordinate) -> f64 {
         let chain = &self.arm.chain;
         let Some(i) = self.arm.joint(coordinate) else {
@@ -168,12 +168,12 @@ impl Values<'_> {
                 sum += f64::from(*times) * self.name(&p.name);
             }
         }
-        for (factor, motor) in chain.drive[i].iter().zip(&chain.joints) {
+        for (factor, actuator) in chain.drive[i].iter().zip(&chain.joints) {
             if !factor.is_zero() {
                 let numbers: Vec<(Symbol, f64)> =
                     factor.symbols().into_iter().map(|s| (s, self.name(chain.ring.symbol_name(s)))).collect();
                 let symbol = |s: Symbol| numbers.iter().find(|x| x.0 == s).map_or(f64::NAN, |x| x.1);
-                sum += factor.evaluate(&Point { symbol: &symbol, angle: &|_| f64::NAN }) * self.name(&motor.name);
+                sum += factor.evaluate(&Point { symbol: &symbol, angle: &|_| f64::NAN }) * self.name(&actuator.name);
             }
         }
         sum

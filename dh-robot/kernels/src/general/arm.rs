@@ -1,4 +1,4 @@
-//! The arm of the general elimination: six joints, lengths over its reach.
+//! The arm of the general elimination: six joints, lengths over its length scale.
 
 use super::super::chain::Chain;
 use super::super::elementary::wrapped;
@@ -8,9 +8,9 @@ use super::choice::Choice;
 /// A six-joint arm without usable structure.
 #[derive(Clone, Copy, Debug)]
 pub struct General6R {
-    /// With lengths over the reach.
+    /// With lengths over the length scale.
     pub(super) arm: Chain<6>,
-    pub(super) reach: f64,
+    pub(super) length_scale: f64,
     /// The best choices first.
     pub(super) choices: [Choice; 3],
 }
@@ -19,38 +19,38 @@ impl General6R {
     /// The arm `Rz(q1) C1 ... Rz(q6) C6` with the constant transforms `links`. `choices` are the best of
     /// [`rank`](super::rank); the second and third one are only used where the first one meets a degenerate root.
     pub fn new(links: &[Pose; 6], choices: [Choice; 3]) -> Self {
-        Self::with_slides(links, &[false; 6], choices)
+        Self::with_prismatic(links, &[false; 6], choices)
     }
 
-    /// The same with `Tz(q)` instead of `Rz(q)` where `slides`: one joint, or two neighbours in the closed loop (1 and 6 are neighbours
+    /// The same with `Tz(q)` instead of `Rz(q)` where `prismatic`: one joint, or two neighbours in the closed loop (1 and 6 are neighbours
     /// too). Other arms have no usable choice.
-    pub fn with_slides(links: &[Pose; 6], slides: &[bool; 6], choices: [Choice; 3]) -> Self {
-        let mut arm = Chain { links: shortened(links), slides: *slides };
-        let reach = arm.reach();
+    pub fn with_prismatic(links: &[Pose; 6], prismatic: &[bool; 6], choices: [Choice; 3]) -> Self {
+        let mut arm = Chain { links: shortened(links), prismatic: *prismatic };
+        let length_scale = arm.length_scale();
         for link in &mut arm.links {
-            *link = shrunk(link, reach);
+            *link = shrunk(link, length_scale);
         }
-        Self { arm, reach, choices }
+        Self { arm, length_scale, choices }
     }
 
-    /// The arm with lengths over its reach.
+    /// The arm with lengths over its length scale.
     pub(super) fn scaled_arm(&self) -> &Chain<6> {
         &self.arm
     }
 
-    /// A joint vector with lengths over the reach.
+    /// A joint vector with lengths over the length scale.
     pub(super) fn scaled(&self, q: &[f64; 6]) -> [f64; 6] {
-        core::array::from_fn(|j| if self.arm.slides[j] { q[j] / self.reach } else { q[j] })
+        core::array::from_fn(|j| if self.arm.prismatic[j] { q[j] / self.length_scale } else { q[j] })
     }
 
-    /// A target with lengths over the reach.
+    /// A target with lengths over the length scale.
     pub(super) fn scaled_target(&self, target: &Pose) -> Pose {
-        shrunk(target, self.reach)
+        shrunk(target, self.length_scale)
     }
 
     /// The same joint vector with angles in (-pi, pi].
     pub(super) fn wrapped(&self, q: [f64; 6]) -> [f64; 6] {
-        core::array::from_fn(|j| if self.arm.slides[j] { q[j] } else { wrapped(q[j]) })
+        core::array::from_fn(|j| if self.arm.prismatic[j] { q[j] } else { wrapped(q[j]) })
     }
 }
 
@@ -70,7 +70,7 @@ fn shortened(links: &[Pose; 6]) -> [Pose; 6] {
     out
 }
 
-/// A pose with lengths over `reach`.
-fn shrunk(pose: &Pose, reach: f64) -> Pose {
-    pose.map(|[a, b, c, d]| [a, b, c, d / reach])
+/// A pose with lengths over the length scale`.
+fn shrunk(pose: &Pose, length_scale: f64) -> Pose {
+    pose.map(|[a, b, c, d]| [a, b, c, d / length_scale])
 }

@@ -51,7 +51,7 @@ impl General6R {
         }
         let closure = Closure::new(self.scaled_arm(), target, choice);
         let dialytic = Dialytic::new(&closure, choice);
-        if choice.has_least_degree() && self.scaled_arm().slides == [false; 6] {
+        if choice.has_least_degree() && self.scaled_arm().prismatic == [false; 6] {
             let determinant = Determinant::<8, 17, 20>::new(&dialytic);
             self.solutions_of(&determinant, &dialytic, &closure, target, choice, solutions)
         } else {
@@ -163,7 +163,7 @@ impl General6R {
         let mut values = [[1.0, 0.0]; 6];
         for (part, &[x, y]) in linear.iter().chain(&middle).enumerate() {
             let j = joints[part];
-            values[j] = match (choice.reversed(), self.scaled_arm().slides[j]) {
+            values[j] = match (choice.reversed(), self.scaled_arm().prismatic[j]) {
                 (false, _) => [x, y],
                 (true, false) => [x, -y],
                 (true, true) => [-x, y],
@@ -171,7 +171,7 @@ impl General6R {
         }
         // The joint that dropped out: what is missing from the product of the joints before and after it.
         let moved = |pose: &Pose, j: usize| {
-            let joint = if self.scaled_arm().slides[j] { slide(pose, values[j][0]) } else { turn(pose, values[j]) };
+            let joint = if self.scaled_arm().prismatic[j] { slide(pose, values[j][0]) } else { turn(pose, values[j]) };
             compose(&joint, &self.scaled_arm().links[j])
         };
         let drop = joints[5];
@@ -179,9 +179,9 @@ impl General6R {
         let after = (drop + 1..6).fold(self.scaled_arm().links[drop], |t, j| moved(&t, j));
         let rest = compose(&compose(&inverse(&before), target), &inverse(&after));
         values[drop] = [rest[0][0] + rest[1][1], rest[1][0] - rest[0][1]];
-        core::array::from_fn(
-            |j| if self.scaled_arm().slides[j] { values[j][0] } else { atan2(values[j][1], values[j][0]) },
-        )
+        core::array::from_fn(|j| {
+            if self.scaled_arm().prismatic[j] { values[j][0] } else { atan2(values[j][1], values[j][0]) }
+        })
     }
 }
 

@@ -69,9 +69,9 @@ impl Choice {
     }
 
     /// Is the choice possible if these joints slide? The hidden one, the one that doubles and the one that drops out must turn.
-    pub(super) fn allows(self, slides: &[bool; 6]) -> bool {
+    pub(super) fn allows(self, prismatic: &[bool; 6]) -> bool {
         let (joints, [hidden, double, _]) = (self.joints(), self.middle());
-        ![joints[2 + hidden], joints[2 + double], joints[5]].iter().any(|j| slides[*j])
+        ![joints[2 + hidden], joints[2 + double], joints[5]].iter().any(|j| prismatic[*j])
     }
 
     /// The joint (counted from 0) whose angle is found first.

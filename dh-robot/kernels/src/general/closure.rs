@@ -25,26 +25,26 @@ pub(super) struct Closure {
     upper: [[f64; LINEAR]; MONOMIALS],
     triangle: [[f64; LINEAR]; LINEAR],
     /// Which joints slide, in the order of their parts.
-    pub(super) slides: [bool; 6],
+    pub(super) prismatic: [bool; 6],
 }
 
 impl Closure {
     /// `arm` and `target` with lengths of order one.
     pub(super) fn new(arm: &Chain<6>, target: &Pose, choice: Choice) -> Self {
         let links = loop_links(arm, target, choice);
-        let slides = choice.joints().map(|joint| arm.slides[joint]);
+        let prismatic = choice.joints().map(|joint| arm.prismatic[joint]);
         // Columns: 27 monomials of the left side, then 8 of the right side; the right side's constant goes to the left.
         let mut columns = [[0.0; EXPRESSIONS]; MONOMIALS + LINEAR];
-        for (k, x) in Axis::Z.moved(&links[4]).joined(slides[4]).iter().enumerate() {
-            for (j, x) in x.moved(&links[3]).joined(slides[3]).iter().enumerate() {
-                for (i, x) in x.moved(&links[2]).joined(slides[2]).iter().enumerate() {
+        for (k, x) in Axis::Z.moved(&links[4]).joined(prismatic[4]).iter().enumerate() {
+            for (j, x) in x.moved(&links[3]).joined(prismatic[3]).iter().enumerate() {
+                for (i, x) in x.moved(&links[2]).joined(prismatic[2]).iter().enumerate() {
                     columns[9 * i + 3 * j + k] = x.expressions();
                 }
             }
         }
         let [drop, first, second] = [5, 0, 1].map(|i| inverse(&links[i]));
-        for (i, x) in Axis::Z.moved(&drop).joined_backwards(slides[0]).iter().enumerate() {
-            for (j, x) in x.moved(&first).joined_backwards(slides[1]).iter().enumerate() {
+        for (i, x) in Axis::Z.moved(&drop).joined_backwards(prismatic[0]).iter().enumerate() {
+            for (j, x) in x.moved(&first).joined_backwards(prismatic[1]).iter().enumerate() {
                 let x = x.moved(&second).expressions();
                 match 3 * i + j {
                     0 => {
@@ -56,10 +56,10 @@ impl Closure {
                 }
             }
         }
-        Self::triangularised(columns, slides)
+        Self::triangularised(columns, prismatic)
     }
 
-    fn triangularised(mut columns: [[f64; EXPRESSIONS]; MONOMIALS + LINEAR], slides: [bool; 6]) -> Self {
+    fn triangularised(mut columns: [[f64; EXPRESSIONS]; MONOMIALS + LINEAR], prismatic: [bool; 6]) -> Self {
         for k in 0..LINEAR {
             // Householder reflection 1 - v v^T / h that clears column k below the diagonal.
             let mut v = [0.0; EXPRESSIONS];
@@ -97,7 +97,7 @@ impl Closure {
             equations: [[0.0; MONOMIALS]; EQUATIONS],
             upper: [[0.0; LINEAR]; MONOMIALS],
             triangle: [[0.0; LINEAR]; LINEAR],
-            slides,
+            prismatic,
         };
         for (r, equation) in out.equations.iter_mut().enumerate() {
             let mut norm = 0.0;
@@ -133,7 +133,7 @@ impl Closure {
 
     /// The values of the first two joints for given middle ones, as `[cos, sin]` or `[d, _]`. Meaningless where the triangle is singular.
     pub(super) fn linear_values(&self, middle: &[[f64; 2]; 3]) -> [[f64; 2]; 2] {
-        let basis = [0, 1, 2].map(|i| monomials(middle[i], self.slides[2 + i]));
+        let basis = [0, 1, 2].map(|i| monomials(middle[i], self.prismatic[2 + i]));
         let mut right = [0.0; LINEAR];
         for i in 0..3 {
             for j in 0..3 {
@@ -154,8 +154,8 @@ impl Closure {
                 right[e] -= right[k] * self.triangle[k][e];
             }
         }
-        let value = |v: [f64; 2], slides: bool| if slides { v } else { unit(v) };
-        [value([right[2], right[5]], self.slides[0]), value([right[0], right[1]], self.slides[1])]
+        let value = |v: [f64; 2], prismatic: bool| if prismatic { v } else { unit(v) };
+        [value([right[2], right[5]], self.prismatic[0]), value([right[0], right[1]], self.prismatic[1])]
     }
 }
 
@@ -166,8 +166,8 @@ pub(super) fn unit([x, y]: [f64; 2]) -> [f64; 2] {
 }
 
 /// The monomials of a joint's value: `(1, cos, sin)` of an angle, `(1, d, d^2)` of a slide, whose value is `[d, _]`.
-pub(super) fn monomials([x, y]: [f64; 2], slides: bool) -> [f64; 3] {
-    if slides { [1.0, x, x * x] } else { [1.0, x, y] }
+pub(super) fn monomials([x, y]: [f64; 2], prismatic: bool) -> [f64; 3] {
+    if prismatic { [1.0, x, x * x] } else { [1.0, x, y] }
 }
 
 /// The link transforms `D` of the loop in the order of the choice; the pose is part of the one after joint 6.

@@ -79,15 +79,15 @@ impl Axis {
 
     /// What a joint makes of the axis: [`Axis::slid`] or [`Axis::turned`].
     #[inline]
-    pub(super) fn joined(&self, slides: bool) -> [Self; 3] {
-        if slides { self.slid() } else { self.turned() }
+    pub(super) fn joined(&self, prismatic: bool) -> [Self; 3] {
+        if prismatic { self.slid() } else { self.turned() }
     }
 
     /// The same for the joint's inverse, still as coefficients for the joint's own value.
     #[inline]
-    pub(super) fn joined_backwards(&self, slides: bool) -> [Self; 3] {
-        let [a, b, c] = self.joined(slides);
-        if slides { [a, b.negated(), c] } else { [a, b, c.negated()] }
+    pub(super) fn joined_backwards(&self, prismatic: bool) -> [Self; 3] {
+        let [a, b, c] = self.joined(prismatic);
+        if prismatic { [a, b.negated(), c] } else { [a, b, c.negated()] }
     }
 
     /// All expressions with the opposite sign.

@@ -26,7 +26,7 @@ pub(super) struct Dialytic {
     /// For each equation the coefficients of `1`, `2 cos x` and `2 sin x`, each by the single joint's three monomials.
     parts: [[[f64; 9]; EQUATIONS]; 3],
     /// Does the single joint slide?
-    slides: bool,
+    prismatic: bool,
 }
 
 /// What is known at a root of the determinant.
@@ -75,7 +75,7 @@ impl Dialytic {
                 }
             }
         }
-        Self { parts, slides: closure.slides[2 + choice.middle()[2]] }
+        Self { parts, prismatic: closure.prismatic[2 + choice.middle()[2]] }
     }
 
     /// The matrix at a hidden angle `[cos, sin]`.
@@ -147,7 +147,7 @@ impl Dialytic {
                 break;
             }
         }
-        let (others, misfit) = values(&x, self.slides);
+        let (others, misfit) = values(&x, self.prismatic);
         Refined { hidden: at, others, step, misfit }
     }
 
@@ -215,7 +215,7 @@ impl Dialytic {
                 for (v, b) in v.iter_mut().zip(&b) {
                     *v = *v * x + b * y;
                 }
-                let (others, misfit) = values(&normalised(&v), self.slides);
+                let (others, misfit) = values(&normalised(&v), self.prismatic);
                 pair.push(Refined { hidden: at, others, step: 0.0, misfit });
             }
         }
@@ -277,19 +277,19 @@ impl Eliminant for Dialytic {
 
 /// The angle `x` and the value `y` of a null vector (of length one) `(cos 3x/2, sin 3x/2, cos x/2, sin x/2) x (1, cos y, sin y)`, in the
 /// sense of least squares, and the squared distance of the vector from that form. `(1, y, y^2)` for a joint that slides.
-fn values(v: &[f64; SIZE], slides: bool) -> ([[f64; 2]; 2], f64) {
+fn values(v: &[f64; SIZE], prismatic: bool) -> ([[f64; 2]; 2], f64) {
     let (mut one, mut cos, mut sin) = (0.0, 0.0, 0.0);
     for i in 0..4 {
         one += v[3 * i] * v[3 * i];
         cos += v[3 * i] * v[3 * i + 1];
         sin += v[3 * i] * v[3 * i + 2];
     }
-    let y = match (slides, one > 0.0) {
+    let y = match (prismatic, one > 0.0) {
         (_, false) => [1.0, 0.0],
         (true, _) => [cos / one, 0.0],
         (false, _) => unit([cos, sin]),
     };
-    let g = monomials(y, slides);
+    let g = monomials(y, prismatic);
     let length = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
     let g = g.map(|g| g / length);
     let [a, b, c, d] = [0, 3, 6, 9].map(|i| v[i] * g[0] + v[i + 1] * g[1] + v[i + 2] * g[2]);

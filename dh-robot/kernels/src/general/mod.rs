@@ -1,7 +1,7 @@
 //! The general six-axis arm, all joints turning or one of them sliding: all of its up to sixteen solutions, whatever its constants.
 //!
 //! ```text
-//! arm         six joints, lengths over the reach, links shortened
+//! arm         six joints, lengths over the length scale, links shortened
 //! conformal   what a rigid transform does to an axis: fourteen numbers, linear in the sine and cosine of every joint
 //! closure     the loop, cut at a joint: 14 equations in 5 angles; two of them eliminated linearly, 6 equations are left
 //! dialytic    those six as a 12 x 12 matrix in one angle, whose determinant vanishes at solutions

@@ -24,7 +24,7 @@ use super::choice::Choice;
 use super::closure::{loop_links, unit};
 use super::determinant::{Determinant, Eliminant, Root};
 
-/// Constants that differ from zero (or twists from parallel) by less, in radians and lengths over the reach, are rounding errors of a
+/// Constants that differ from zero (or twists from parallel) by less, in radians and lengths over the length scale, are rounding errors of a
 /// table's right angles.
 const ROUNDING: f64 = 1e-14;
 /// Axes that are nearer to parallel than this have no usable common normal.
@@ -410,7 +410,7 @@ pub(super) fn fits(arm: &Chain<6>, choice: Choice) -> bool {
     // Against the order of the joints, a link belongs to the joint before.
     let link = |part: usize| if choice.reversed() { (joints[part] + 5) % 6 } else { joints[part] };
     // The link to the target has no structure, whatever it looks like without one.
-    if arm.slides != [false; 6] || link(1) == 5 || link(3) == 5 {
+    if arm.prismatic != [false; 6] || link(1) == 5 || link(3) == 5 {
         return false;
     }
     let [between, meeting] = [&arm.links[link(1)], &arm.links[link(3)]];

@@ -106,7 +106,7 @@ impl Ranked {
             return;
         }
         for (arm, q) in samples {
-            let arm = General6R::with_slides(&arm.links, &arm.slides, [self.choice; 3]);
+            let arm = General6R::with_prismatic(&arm.links, &arm.prismatic, [self.choice; 3]);
             let mut solutions = List::new();
             let q = arm.scaled(q);
             let attempt = arm.attempt(&arm.scaled_arm().forward(&q), self.choice, &mut solutions);
@@ -131,7 +131,7 @@ fn structured(samples: &[(Chain<6>, [f64; 6])]) -> List<Ranked, 4> {
     let mut fitting = List::new();
     for choice in (Choice::GENERAL..Choice::COUNT).map(Choice::new) {
         let fits = |(arm, _): &(Chain<6>, [f64; 6])| {
-            let arm = General6R::with_slides(&arm.links, &arm.slides, [choice; 3]);
+            let arm = General6R::with_prismatic(&arm.links, &arm.prismatic, [choice; 3]);
             pairs::fits(arm.scaled_arm(), choice)
         };
         if samples.iter().all(fits) {
@@ -149,7 +149,7 @@ fn by_condition(samples: &[(Chain<6>, [f64; 6])]) -> [Ranked; Choice::GENERAL as
     }
     let mut hopeless = USELESS;
     for (arm, q) in samples {
-        let arm = General6R::with_slides(&arm.links, &arm.slides, [Choice::BLANK; 3]);
+        let arm = General6R::with_prismatic(&arm.links, &arm.prismatic, [Choice::BLANK; 3]);
         // Six choices share the equations.
         for ranked in all.chunks_exact_mut(6) {
             condition(arm.scaled_arm(), &arm.scaled(q), ranked, hopeless);
@@ -189,10 +189,10 @@ fn condition(arm: &Chain<6>, q: &[f64; 6], group: &mut [Ranked], hopeless: i32) 
     let closure = Closure::new(arm, &arm.forward(q), first.choice);
     let [one, two, ..] = first.choice.joints();
     // Two slides make some of the linear monomials vanish, but not those that are read off.
-    let shared = if arm.slides[one] && arm.slides[two] { 1.0 } else { closure.condition() };
+    let shared = if arm.prismatic[one] && arm.prismatic[two] { 1.0 } else { closure.condition() };
     for ranked in group {
         let choice = ranked.choice;
-        if !choice.allows(&arm.slides) {
+        if !choice.allows(&arm.prismatic) {
             ranked.condition = NONE;
         }
         ranked.condition = ranked.condition.min(exponent(shared));

@@ -55,8 +55,8 @@ impl General6R {
             }
         }
         for q in solved.solutions.as_mut_slice() {
-            for (q, slides) in q.iter_mut().zip(self.arm.slides) {
-                *q = if slides { *q * self.reach } else { wrapped(*q) };
+            for (q, prismatic) in q.iter_mut().zip(self.arm.prismatic) {
+                *q = if prismatic { *q * self.length_scale } else { wrapped(*q) };
             }
         }
         solved
@@ -105,7 +105,7 @@ impl General6R {
             }
         });
         if solutions.is_empty() {
-            solve_from_everywhere(&self.arm, &self.arm.slides, &task, 1.0, STARTS, 1, solutions);
+            solve_from_everywhere(&self.arm, &self.arm.prismatic, &task, 1.0, STARTS, 1, solutions);
         }
     }
 
@@ -117,7 +117,7 @@ impl General6R {
         for q in solved.solutions.as_slice() {
             roots.push(core::array::from_fn(|j| {
                 let (s, c) = sin_cos(q[j]);
-                if self.arm.slides[j] { [q[j]; 2] } else { [c, s] }
+                if self.arm.prismatic[j] { [q[j]; 2] } else { [c, s] }
             }));
         }
         let outcome = match (roots.as_slice().is_empty(), solved.clean) {
@@ -156,9 +156,9 @@ impl General6R {
     /// A cheap look before [`same_solution`]; angles in (-pi, pi].
     fn may_be_same(&self, p: &[f64; 6], q: &[f64; 6]) -> bool {
         let turn = 2.0 * core::f64::consts::PI;
-        p.iter().zip(q).zip(self.arm.slides).all(|((p, q), slides)| {
+        p.iter().zip(q).zip(self.arm.prismatic).all(|((p, q), prismatic)| {
             let apart = (p - q).abs();
-            slides || apart.min(turn - apart) < 2.0 * NEAR
+            prismatic || apart.min(turn - apart) < 2.0 * NEAR
         })
     }
 }
@@ -201,5 +201,5 @@ pub fn solve_general(
     prismatic: &[bool; 6],
     cuts: [u8; 3],
 ) -> Roots<[[f64; 2]; 6], 16> {
-    General6R::with_slides(links, prismatic, cuts.map(Choice::new)).find(target)
+    General6R::with_prismatic(links, prismatic, cuts.map(Choice::new)).find(target)
 }

@@ -13,7 +13,7 @@ use super::pairs::{Candidate, Pairs};
 /// A root whose best candidate misses by more is computed anew from the function itself.
 const SLOPPY: f64 = 1e-8;
 
-/// A loop that closes as well as this (in lengths over the reach and radians) needs no polishing.
+/// A loop that closes as well as this (in lengths over the length scale and radians) needs no polishing.
 const CLOSED: f64 = 1e-13;
 
 impl General6R {

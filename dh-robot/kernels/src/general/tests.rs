@@ -10,7 +10,7 @@ use crate::{Chain, Kinematics, List, Task, polish};
 mod locked;
 
 fn arm(links: [Pose; 6]) -> Chain<6> {
-    Chain { links, slides: [false; 6] }
+    Chain { links, prismatic: [false; 6] }
 }
 
 /// A link of the modified convention: Tz(d) of this joint, then Rx(alpha) Tx(a) before the next one.
@@ -61,7 +61,7 @@ fn solver(arm: &Chain<6>) -> General6R {
     let samples: [(Chain<6>, [f64; 6]); 4] = [(); 4].map(|()| (*arm, [(); 6].map(|()| rng.angle())));
     let best = rank::<3>(&samples);
     let at = |i: usize| best.get(i).or(best.first()).map_or(Choice::default(), |r| r.choice);
-    General6R::with_slides(&arm.links, &arm.slides, [at(0), at(1), at(2)])
+    General6R::with_prismatic(&arm.links, &arm.prismatic, [at(0), at(1), at(2)])
 }
 
 fn apart(p: &[f64; 6], q: &[f64; 6]) -> f64 {
@@ -71,9 +71,9 @@ fn apart(p: &[f64; 6], q: &[f64; 6]) -> f64 {
 /// Every solution reaches the target, and no two are the same.
 fn assert_sound(arm: &Chain<6>, target: &Pose, solved: &Solved) {
     for (i, q) in solved.solutions.iter().enumerate() {
-        let miss = polish(arm, &mut q.clone(), &Task::Pose(*target), arm.reach(), 0);
+        let miss = polish(arm, &mut q.clone(), &Task::Pose(*target), arm.length_scale(), 0);
         assert!(miss.reaches(2.0 * REACHED), "{miss:?}");
-        assert!((0..6).all(|j| arm.slides[j] || q[j].abs() <= core::f64::consts::PI));
+        assert!((0..6).all(|j| arm.prismatic[j] || q[j].abs() <= core::f64::consts::PI));
         assert!(solved.solutions[..i].iter().all(|p| apart(p, q) > 1e-7));
     }
 }
@@ -140,10 +140,10 @@ fn choices_that_do_not_fit_the_arm_are_replaced() {
 #[test]
 fn joints_that_slide() {
     // On a rail; with a telescope; with two slides in a row.
-    for slides in [[0, 0], [2, 2], [5, 5], [0, 1], [3, 2]] {
+    for prismatic in [[0, 0], [2, 2], [5, 5], [0, 1], [3, 2]] {
         let mut arm = general_6r();
-        for j in slides {
-            arm.slides[j] = true;
+        for j in prismatic {
+            arm.prismatic[j] = true;
         }
         generated_poses_come_back(&arm, 74, 4);
     }
@@ -256,7 +256,7 @@ fn a_calibrated_arm_with_distant_normals_keeps_its_digits() {
     ]);
     let solver = solver(&arm);
     let mut rng = Rng::new(78);
-    let scale = General6R::new(&arm.links, [Choice::default(); 3]).scaled_arm().reach();
+    let scale = General6R::new(&arm.links, [Choice::default(); 3]).scaled_arm().length_scale();
     assert!((scale - 1.0).abs() < 1e-9);
     for _ in 0..20 {
         let q = [(); 6].map(|()| rng.angle());

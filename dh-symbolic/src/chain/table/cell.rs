@@ -148,7 +148,7 @@ pub(super) fn moves(sum: &Sum) -> bool {
 }
 
 /// Splits a moving cell into its drive and the constant rest.
-pub(super) fn split(sum: &Sum, scope: &Scope, turns: bool, place: Place) -> Result<(Drive, Sum), Error> {
+pub(super) fn split(sum: &Sum, scope: &Scope, revolute: bool, place: Place) -> Result<(Drive, Sum), Error> {
     let mut rest = Sum::default();
     let mut terms: Vec<(usize, LengthCell)> = Vec::new();
     for t in &sum.terms {
@@ -159,7 +159,7 @@ pub(super) fn split(sum: &Sum, scope: &Scope, turns: bool, place: Place) -> Resu
         if t.angle.is_some() {
             return Err(Error::new(t.place, "the coefficient of a joint variable is a number, no angle"));
         }
-        if turns && t.literal_length {
+        if revolute && t.literal_length {
             return Err(Error::new(t.place, "the coefficient of a turning joint is a number, no length"));
         }
         // Constants are put in place: a coefficient of 1 must be seen as such.
@@ -181,7 +181,7 @@ pub(super) fn split(sum: &Sum, scope: &Scope, turns: bool, place: Place) -> Resu
     if terms.is_empty() {
         return Err(Error::new(place, "the joint variables cancel out here, so the row does not move"));
     }
-    Ok((Drive { turns, terms }, rest))
+    Ok((Drive { revolute, terms }, rest))
 }
 
 /// The kind of a `let` value that does not name its kind.

@@ -1,4 +1,4 @@
-//! Which motor drives which row: the numbering of variables, and coupled drives.
+//! Which actuator drives which row: the numbering of variables, and coupled drives.
 //!
 //! With N moving rows the variables are q1 to qN. In a table without coupling (each moving cell holds one variable with the
 //! coefficient 1) the k-th moving row holds qk; fixed rows do not count. As soon as one cell holds anything else (a sum of variables,
@@ -26,13 +26,13 @@ pub(super) fn plain(drive: &Drive) -> Option<usize> {
     }
 }
 
-/// What the variable of the row of joint `joint` (from 0) measures. The unit of a motor behind a declared coefficient, or in a
+/// What the variable of the row of joint `joint` (from 0) measures. The unit of an actuator behind a declared coefficient, or in a
 /// sliding cell behind any, is not known.
 pub(super) fn measure(drive: &Drive, joint: usize) -> Measure {
     let numeric = |k: &LengthCell| k.terms.iter().all(|t| t.1.is_empty());
     match drive.terms.iter().find(|t| t.0 == joint) {
-        Some((_, k)) if drive.turns && numeric(k) => Measure::Angle,
-        _ if !drive.turns && plain(drive) == Some(joint) => Measure::Length,
+        Some((_, k)) if drive.revolute && numeric(k) => Measure::Angle,
+        _ if !drive.revolute && plain(drive) == Some(joint) => Measure::Length,
         // One wrong variable is an error; its range is not another one.
         _ => Measure::Either,
     }

@@ -220,13 +220,13 @@ fn variable(word: &str, place: Place, joints: usize, others: &[usize]) -> Result
     }
 }
 
-/// A motor that the caller chooses must fix a joint, whatever the other motors do.
-fn moves_alone(motor: usize, place: Place, rows: &[super::RowSpec]) -> Result<usize, Error> {
+/// An actuator that the caller chooses must fix a joint, whatever the other actuators do.
+fn moves_alone(actuator: usize, place: Place, rows: &[super::RowSpec]) -> Result<usize, Error> {
     let mut drives = rows.iter().filter_map(|row| row.moves.as_ref());
-    if drives.any(|d| matches!(d.terms.as_slice(), [(v, _)] if *v == motor)) {
-        return Ok(motor);
+    if drives.any(|d| matches!(d.terms.as_slice(), [(v, _)] if *v == actuator)) {
+        return Ok(actuator);
     }
-    let text = format!("no row is moved by `q{}` alone, so choosing it fixes no joint", motor + 1);
+    let text = format!("no row is moved by `q{}` alone, so choosing it fixes no joint", actuator + 1);
     Err(Error::new(place, text).help("choose a variable that stands alone in a cell"))
 }
 

@@ -13,11 +13,11 @@ use proc_macro2::TokenTree;
 /// What the variable of a row measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Measure {
-    /// A turning joint that has its own motor.
+    /// A turning joint that has its own actuator.
     Angle,
-    /// A sliding joint that has its own motor.
+    /// A sliding joint that has its own actuator.
     Length,
-    /// A motor that drives several joints, or through a gear: angle or length, as written.
+    /// An actuator that drives several joints, or through a gear: angle or length, as written.
     Either,
     /// Nothing moves.
     Fixed,

@@ -175,7 +175,7 @@ fn names_and_their_roles() {
 fn joints_slide_turn_and_stand() {
     let rows = "| 0 | 0 | 0 | -90deg + q1 | - | | 0 | 0 | 1 | 0 | - | | 0 | 0 | q2 + 0.05 | 30deg | 0.1..=20cm |";
     let spec = spec("", rows);
-    let drive = |i: usize| spec.rows[i].moves.as_ref().map(|d| (d.turns, d.terms.clone()));
+    let drive = |i: usize| spec.rows[i].moves.as_ref().map(|d| (d.revolute, d.terms.clone()));
     let one = number(1, 1);
     assert_eq!(drive(0), Some((true, vec![(0, one.clone())])));
     assert_eq!(drive(1).is_none(), spec.rows[1].range.is_none());
@@ -392,7 +392,7 @@ fn tables_as_people_publish_them() {
     assert_eq!((spec.rows[1].alpha.clone(), spec.rows[2].alpha.clone()), (half_turns(1, 2), half_turns(-1, 2)));
     assert_eq!((spec.rows[1].a.clone(), spec.rows[1].d.clone()), (number(280, 1), number(30, 1)));
     assert_eq!((spec.rows[1].theta.clone(), spec.rows[2].theta.clone()), (half_turns(1, 2), half_turns(-1, 2)));
-    assert!(spec.rows.iter().all(|r| r.moves.as_ref().is_some_and(|m| m.turns)));
+    assert!(spec.rows.iter().all(|r| r.moves.as_ref().is_some_and(|m| m.revolute)));
 }
 
 #[test]

@@ -8,7 +8,7 @@ use super::super::random::Random;
 use super::super::scalar::{Equation, Scalar};
 use dh_kernels::pose::{self, Pose};
 
-/// Equations whose values (lengths over the reach) differ by less at joint vectors and targets of no special kind are one.
+/// Equations whose values (lengths over the length scale) differ by less at joint vectors and targets of no special kind are one.
 const EQUAL: f64 = 1e-10;
 
 /// Joint vectors and targets that have nothing to do with each other.
@@ -71,7 +71,7 @@ mod tests {
         let probes = Probes::new(&axes);
         let values = |a, b, scalar| probes.values(&Equation { a, b, scalar }).expect("no slides");
         // Frames 1 and 2 stand on the first axis, before and after the shift along it.
-        assert!(axes.hops[1].joint.is_none());
+        assert!(axes.links[1].joint.is_none());
         let [before, after] = [1, 2].map(|a| values(a, 6, Scalar::Position(2)));
         assert!(is_same(&before, &after) && is_same(&before, &after.iter().map(|x| -x).collect()));
         let [before, after] = [1, 2].map(|a| values(a, 6, Scalar::Distance));

@@ -68,8 +68,8 @@ pub fn search(chain: &Chain) -> Result<Plan, Refusal> {
     }
     let mobility = Mobility::new(chain, &s.axes);
     let max_solutions = bound(chain, &mobility, &s.axes, &s.knowledge, &s.steps, &s.scene().samples(4, 0));
-    let few = mobility.misses_its_task();
-    Ok(Plan { axes: s.axes, knowledge: s.knowledge, given, steps: s.steps, max_solutions, few })
+    let rank_deficient = mobility.misses_its_task();
+    Ok(Plan { axes: s.axes, knowledge: s.knowledge, given, steps: s.steps, max_solutions, rank_deficient })
 }
 
 struct Search<'a> {
@@ -144,7 +144,7 @@ impl Search<'_> {
         for f in families {
             for e in &self.families[*f].equations {
                 let joints = |a: usize, b: usize| {
-                    self.axes.hops.get(a..b).unwrap_or(&[]).iter().filter(|h| h.joint.is_some()).count()
+                    self.axes.links.get(a..b).unwrap_or(&[]).iter().filter(|h| h.joint.is_some()).count()
                 };
                 // Joints written out: those between a and b, and those outside that are not folded into the known pose.
                 let outside = joints(prefix.min(e.a), e.a) + joints(e.b, suffix.max(e.b));
@@ -193,14 +193,14 @@ impl Search<'_> {
     /// The candidates for an unknown: plain joint coordinates and the sums that the equations name.
     fn unknowns(&self, rest: &Subspace, families: &[usize]) -> Vec<JointCombination> {
         let mut forms: Vec<JointCombination> = Vec::new();
-        let mut reach = self.knowledge.span.clone();
+        let mut spanned = self.knowledge.span.clone();
         for row in rest.rows() {
-            reach.add(row);
+            spanned.add(row);
         }
         for f in families {
             for row in self.families[*f].span.integer_basis().unwrap_or_default() {
                 if !self.knowledge.span.contains(&numbers(&row))
-                    && reach.contains(&numbers(&row))
+                    && spanned.contains(&numbers(&row))
                     && !forms.contains(&row)
                 {
                     forms.push(row);
@@ -209,13 +209,13 @@ impl Search<'_> {
         }
         for k in 0..self.axes.count() {
             let unit = self.unit(k);
-            if !self.knowledge.has(&self.axes, k) && reach.contains(&numbers(&unit)) && !forms.contains(&unit) {
+            if !self.knowledge.has(&self.axes, k) && spanned.contains(&numbers(&unit)) && !forms.contains(&unit) {
                 forms.push(unit);
             }
         }
         let pure = |f: &JointCombination| {
             let kinds: Vec<bool> =
-                f.iter().enumerate().filter(|(_, k)| **k != 0).map(|(i, _)| self.axes.turns(i)).collect();
+                f.iter().enumerate().filter(|(_, k)| **k != 0).map(|(i, _)| self.axes.is_revolute(i)).collect();
             kinds.iter().all(|t| *t) || kinds.len() == 1
         };
         let small = |f: &JointCombination| f.iter().all(|k| k.abs() <= 1);

@@ -39,8 +39,8 @@ impl Search<'_> {
         // An equation that follows from what is known already has no slope where it holds.
         let samples = scene.samples(2, 0);
         rows.retain(|r| samples.iter().all(|s| r.gradient([form], s)[0].abs() > 1e-6));
-        let turns = form.iter().position(|k| *k != 0).is_none_or(|k| self.axes.turns(k));
-        let at = SingleUnknown { scene, form, turns, rows };
+        let is_angle = form.iter().position(|k| *k != 0).is_none_or(|k| self.axes.is_revolute(k));
+        let at = SingleUnknown { scene, form, is_angle, rows };
         StepKind::ALL.iter().flat_map(|kind| kind.for_one_unknown(&at)).collect()
     }
 }

@@ -34,11 +34,11 @@ impl Search<'_> {
     /// Independent unknowns: a slide before an angle, two of a kind in either order once. Where real coordinates were tried before, one of
     /// them at least is virtual.
     fn pairs(&self, forms: &[JointCombination], virtual_too: bool) -> Vec<[JointCombination; 2]> {
-        let turns = |f: &JointCombination| f.iter().position(|k| *k != 0).is_some_and(|i| self.axes.turns(i));
+        let is_angle = |f: &JointCombination| f.iter().position(|k| *k != 0).is_some_and(|i| self.axes.is_revolute(i));
         let mut pairs = Vec::new();
         for (i, first) in forms.iter().enumerate() {
             for (j, second) in forms.iter().enumerate() {
-                let ordered = if turns(first) == turns(second) { i < j } else { !turns(first) };
+                let ordered = if is_angle(first) == is_angle(second) { i < j } else { !is_angle(first) };
                 if !ordered || virtual_too != (self.is_virtual(first) || self.is_virtual(second)) {
                     continue;
                 }
@@ -85,8 +85,8 @@ impl Search<'_> {
             }
         }
         let (_, i, j) = best?;
-        let slides = pair[0].iter().position(|k| *k != 0).is_some_and(|i| !self.axes.turns(i));
-        let at = TwoUnknowns { scene, pair, slides, rows: [&rows[i], &rows[j]] };
+        let prismatic = pair[0].iter().position(|k| *k != 0).is_some_and(|i| !self.axes.is_revolute(i));
+        let at = TwoUnknowns { scene, pair, prismatic, rows: [&rows[i], &rows[j]] };
         StepKind::ALL.iter().find_map(|kind| kind.for_two_unknowns(&at))
     }
 }

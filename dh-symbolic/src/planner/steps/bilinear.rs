@@ -25,7 +25,7 @@ pub(super) struct Bilinear;
 impl Kind for Bilinear {
     fn for_two_unknowns(&self, at: &TwoUnknowns<'_>) -> Option<Offer> {
         let [first, second] = at.rows;
-        (!at.slides).then(|| at.offer(StepKind::Bilinear, roots(&first.collected, &second.collected)))
+        (!at.prismatic).then(|| at.offer(StepKind::Bilinear, roots(&first.collected, &second.collected)))
     }
 
     fn columns(&self) -> Vec<Vec<Part>> {

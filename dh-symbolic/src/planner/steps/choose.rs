@@ -23,8 +23,8 @@ impl Kind for Choose {
     }
 
     /// An equation that says nothing.
-    fn call(&self, _: usize, turns: bool) -> Call<Coefficient> {
-        Call { kernel: if turns { &SIN_COS } else { &QUADRATIC }, arguments: vec![zero(), zero(), zero()] }
+    fn call(&self, _: usize, is_angle: bool) -> Call<Coefficient> {
+        Call { kernel: if is_angle { &SIN_COS } else { &QUADRATIC }, arguments: vec![zero(), zero(), zero()] }
     }
 
     fn words(&self, _: bool) -> Words {

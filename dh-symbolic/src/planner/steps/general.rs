@@ -34,8 +34,8 @@ impl Kind for General {
     /// are filled up with joints that have to come out as zero.
     fn fallback(&self, at: &Scene<'_>) -> Option<Step> {
         let open: Vec<usize> = (0..at.axes.count()).filter(|k| !at.knowledge.has(at.axes, *k)).collect();
-        let slides: Vec<usize> = (0..open.len()).filter(|i| !at.axes.turns(open[*i])).collect();
-        let fits = match slides.as_slice() {
+        let prismatic: Vec<usize> = (0..open.len()).filter(|i| !at.axes.is_revolute(open[*i])).collect();
+        let fits = match prismatic.as_slice() {
             [] | [_] => true,
             [i, j] => j - i == 1 || (*i == 0 && *j == 5),
             _ => false,

@@ -3,7 +3,7 @@
 
 use dh_kernels::Outcome;
 
-/// Cosine and sine of an angle; of a displacement the length (over the reach) twice.
+/// Cosine and sine of an angle; of a displacement the length (over the length scale) twice.
 pub type Unknown = [f64; 2];
 
 /// What a kernel found: values of all unknowns per root, and why there are as many.

@@ -25,7 +25,7 @@ pub(super) struct LengthAndAngle;
 
 impl Kind for LengthAndAngle {
     fn for_two_unknowns(&self, at: &TwoUnknowns<'_>) -> Option<Offer> {
-        at.slides.then(|| at.offer(StepKind::LengthAndAngle, 8))
+        at.prismatic.then(|| at.offer(StepKind::LengthAndAngle, 8))
     }
 
     fn columns(&self) -> Vec<Vec<Part>> {

@@ -10,7 +10,7 @@ pub(super) struct Linear;
 
 impl Kind for Linear {
     fn for_one_unknown(&self, at: &SingleUnknown<'_>) -> Vec<Offer> {
-        let linear = at.rows.iter().filter(|r| !at.turns && r.degree() == 1);
+        let linear = at.rows.iter().filter(|r| !at.is_angle && r.degree() == 1);
         linear
             .map(|r| {
                 let firm = r.collected.get(&vec![Part::Power(1)]).is_some_and(|p| at.scene.is_constant(p));

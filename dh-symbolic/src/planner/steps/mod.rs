@@ -93,8 +93,8 @@ trait Kind: Sync {
     /// What the coefficients of one equation belong to, in their order.
     fn columns(&self) -> Vec<Vec<Part>>;
 
-    /// The call of its kernel for so many equations; `turns`: is the (first) unknown an angle?
-    fn call(&self, equations: usize, turns: bool) -> Call<Coefficient>;
+    /// The call of its kernel for so many equations; `is_angle`: is the (first) unknown an angle?
+    fn call(&self, equations: usize, is_angle: bool) -> Call<Coefficient>;
 
     /// The kernel that solves it for many branches side by side, if there is one. `constant` gives the coefficients that are 1, 0 or -1.
     fn batched(&self, _equations: usize, _constant: &dyn Fn(usize, usize) -> Option<i8>) -> Option<BatchedKernel> {
@@ -138,9 +138,9 @@ impl StepKind {
         self.kind().columns()
     }
 
-    /// The call of its kernel for so many equations; `turns`: is the (first) unknown an angle?
-    pub fn call(self, equations: usize, turns: bool) -> Call<Coefficient> {
-        self.kind().call(equations, turns)
+    /// The call of its kernel for so many equations; `is_angle`: is the (first) unknown an angle?
+    pub fn call(self, equations: usize, is_angle: bool) -> Call<Coefficient> {
+        self.kind().call(equations, is_angle)
     }
 
     /// The kernel that solves it for many branches side by side. `constant` gives the coefficients that are 1, 0 or -1, by equation and

@@ -24,7 +24,7 @@ pub(super) struct Quadratic;
 
 impl Kind for Quadratic {
     fn for_one_unknown(&self, at: &SingleUnknown<'_>) -> Vec<Offer> {
-        let rows = at.rows.iter().filter(|r| !at.turns && r.degree() == 2);
+        let rows = at.rows.iter().filter(|r| !at.is_angle && r.degree() == 2);
         rows.map(|r| at.offer(Rank::Quadratic, StepKind::Quadratic, 2, &[r])).collect()
     }
 

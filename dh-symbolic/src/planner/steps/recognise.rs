@@ -94,13 +94,13 @@ impl<'a> Scene<'a> {
         let known =
             self.knowledge.known.iter().filter(|k| k.symbols.iter().any(|s| symbols.binary_search(s).is_ok())).count();
         let joints =
-            |a: usize, b: usize| self.axes.hops.get(a..b).unwrap_or(&[]).iter().filter(|h| h.joint.is_some()).count();
+            |a: usize, b: usize| self.axes.links.get(a..b).unwrap_or(&[]).iter().filter(|h| h.joint.is_some()).count();
         let folded = self
             .knowledge
             .poses
             .iter()
             .filter(|k| k.symbols().any(|s| symbols.binary_search(&s).is_ok()))
-            .map(|k| joints(0, k.left) + joints(k.right, self.axes.hops.len()))
+            .map(|k| joints(0, k.left) + joints(k.right, self.axes.links.len()))
             .max()
             .unwrap_or(0);
         terms + 4 * (known + folded) + unusual
@@ -189,7 +189,7 @@ pub(in crate::planner) struct SingleUnknown<'a> {
     /// The unknown.
     pub(in crate::planner) form: &'a JointCombination,
     /// Is it an angle?
-    pub(in crate::planner) turns: bool,
+    pub(in crate::planner) is_angle: bool,
     /// The equations, none of which follows from what is known.
     pub(in crate::planner) rows: Vec<Row>,
 }
@@ -197,7 +197,7 @@ pub(in crate::planner) struct SingleUnknown<'a> {
 impl SingleUnknown<'_> {
     /// The equations a cos u + b sin u + c = 0.
     pub(super) fn first_harmonics(&self) -> impl Iterator<Item = &Row> {
-        self.rows.iter().filter(|r| self.turns && r.degree() == 1)
+        self.rows.iter().filter(|r| self.is_angle && r.degree() == 1)
     }
 
     /// The offer to solve some of the equations.
@@ -221,7 +221,7 @@ pub(in crate::planner) struct TwoUnknowns<'a> {
     /// The unknowns.
     pub(in crate::planner) pair: &'a [JointCombination; 2],
     /// Is the first one a length?
-    pub(in crate::planner) slides: bool,
+    pub(in crate::planner) prismatic: bool,
     /// The equations.
     pub(in crate::planner) rows: [&'a Row; 2],
 }

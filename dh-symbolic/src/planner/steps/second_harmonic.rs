@@ -24,7 +24,7 @@ pub(super) struct SecondHarmonic;
 
 impl Kind for SecondHarmonic {
     fn for_one_unknown(&self, at: &SingleUnknown<'_>) -> Vec<Offer> {
-        let rows = at.rows.iter().filter(|r| at.turns && r.degree() == 2);
+        let rows = at.rows.iter().filter(|r| at.is_angle && r.degree() == 2);
         rows.map(|r| at.offer(Rank::SecondHarmonic, StepKind::SecondHarmonic, 4, &[r])).collect()
     }
 

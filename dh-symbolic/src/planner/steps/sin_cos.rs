@@ -98,7 +98,7 @@ fn reach_limit(plan: &Plan, step: &Step) -> Option<ReachLimit> {
     }
     let mut unknown = (0..axes.count()).filter(|k| form[*k] != 0);
     let (Some(joint), None) = (unknown.next(), unknown.next()) else { return None };
-    let hop = axes.hops.iter().position(|h| h.joint == Some(joint))?;
-    let (arm, still) = if hop < *a { squared(hop + 1, *a) } else { squared(*b, hop + 1) }?;
+    let link = axes.links.iter().position(|h| h.joint == Some(joint))?;
+    let (arm, still) = if link < *a { squared(link + 1, *a) } else { squared(*b, link + 1) }?;
     still.then(|| ReachLimit { base: &direct - &arm, grows: true })
 }

@@ -14,7 +14,7 @@ use dh_kernels::vector::{cross, dot};
 const PARTS: usize = 3;
 /// Poses that are looked at.
 const POSES: usize = 2;
-/// Lengths over the reach below which two axes meet, and sines below which they are parallel.
+/// Lengths over the length scale below which two axes meet, and sines below which they are parallel.
 const NOTHING: f64 = 1e-9;
 
 /// The indicators in their order.
@@ -87,7 +87,7 @@ impl Inverse {
         // Votes for the first root having the first name: as it is, flipped by the shoulder's second root, of how many.
         let mut votes = [[0usize; 3]; PARTS];
         for x in joint_vectors(axes, POSES, 0) {
-            let constant = |t| numeric(chain, t, axes.reach);
+            let constant = |t| numeric(chain, t, axes.length_scale);
             let Some(last) = axes.frames_number(&x).pop() else { continue };
             let compose = dh_kernels::pose::compose;
             let target = compose(&compose(&constant(&axes.start), &last), &constant(&axes.end));
@@ -123,7 +123,7 @@ impl Inverse {
     fn upright(&self, chain: &Chain) -> [f64; 3] {
         let axes = &self.plan.axes;
         let base = chain.base.iter().fold(Transform::identity(), |t, e| t.times(&e.transform()));
-        let (base, start) = (numeric(chain, &base, axes.reach), numeric(chain, &axes.start, axes.reach));
+        let (base, start) = (numeric(chain, &base, axes.length_scale), numeric(chain, &axes.start, axes.length_scale));
         [0, 1, 2].map(|j| (0..3).map(|i| start[i][j] * base[i][2]).sum())
     }
 
@@ -134,8 +134,8 @@ impl Inverse {
         // Point and direction of each axis.
         let axis = |place: usize| {
             let joint = *solved.get(place)?;
-            let hop = axes.hops.iter().position(|h| h.joint == Some(joint))?;
-            let t = frames.get(hop + 1).filter(|_| axes.turns(joint))?;
+            let link = axes.links.iter().position(|h| h.joint == Some(joint))?;
+            let t = frames.get(link + 1).filter(|_| axes.is_revolute(joint))?;
             Some(([t[0][3], t[1][3], t[2][3]], [t[0][2], t[1][2], t[2][2]]))
         };
         let mut sides = [None; PARTS];
@@ -170,18 +170,18 @@ impl Inverse {
         }
         let offset = dot(minus(shoulder.0, waist.0), ahead) / length;
         let first =
-            axes.hops.iter().position(|h| h.joint == solved.first().copied()).and_then(|hop| frames.get(hop + 1));
+            axes.links.iter().position(|h| h.joint == solved.first().copied()).and_then(|link| frames.get(link + 1));
         let along_x = first.map_or(0.0, |t| dot([t[0][0], t[1][0], t[2][0]], ahead) / length);
         let sign = if offset.abs() > NOTHING { offset } else { along_x };
         if sign.abs() <= NOTHING {
             return sides;
         }
         let forward = ahead.map(|x| if sign < 0.0 { -x / length } else { x / length });
-        let reach = dot(minus(hand, waist.0), forward);
-        let facing = if reach < 0.0 { forward.map(|x| -x) } else { forward };
+        let ahead_of_waist = dot(minus(hand, waist.0), forward);
+        let facing = if ahead_of_waist < 0.0 { forward.map(|x| -x) } else { forward };
         let left = cross(waist.1, facing);
         let aside = dot(minus(hand, waist.0), left);
-        sides[0] = Some(if aside.abs() > NOTHING { aside > 0.0 } else { reach > 0.0 });
+        sides[0] = Some(if aside.abs() > NOTHING { aside > 0.0 } else { ahead_of_waist > 0.0 });
         if let Some(elbow) = elbow {
             let turned = cross(minus(elbow.0, shoulder.0), minus(wrist, shoulder.0));
             sides[1] = Some(dot(turned, left) > 0.0);

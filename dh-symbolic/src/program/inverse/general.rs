@@ -15,10 +15,10 @@ impl Lower<'_> {
         let none = Pose { columns: identity(), p: [ZERO; 3] };
         // Constants between open joints; what stands before the first one is taken off the target.
         let mut list: Vec<Pose> = vec![none];
-        for hop in self.plan.axes.hops.clone() {
+        for link in self.plan.axes.links.clone() {
             let last = list.len() - 1;
-            list[last] = self.times(list[last], &hop.before);
-            match hop.joint {
+            list[last] = self.times(list[last], &link.before);
+            match link.joint {
                 Some(j) if !open(j) => list[last] = self.moved(list[last], j, before),
                 Some(_) => list.push(none),
                 None => {}
@@ -47,7 +47,7 @@ impl Lower<'_> {
     }
 }
 
-/// A transform without any structure, lengths over the reach, in front of the k-th joint of the general elimination.
+/// A transform without any structure, lengths over the length scale, in front of the k-th joint of the general elimination.
 fn filler(k: usize) -> Transform {
     let angle = |degrees: i64| {
         let (c, s) = Angle::degrees(&Rational::int(degrees)).cos_sin().unwrap_or_default();

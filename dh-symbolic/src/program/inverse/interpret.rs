@@ -13,7 +13,7 @@ use ik::{Pose, Status};
 /// One candidate of the inverse.
 #[derive(Clone, Debug)]
 pub struct Candidate {
-    /// Joint coordinates; lengths over the reach.
+    /// Joint coordinates; lengths over the length scale.
     pub x: Vec<f64>,
     /// Which root each step took.
     pub branch: Vec<usize>,
@@ -57,12 +57,12 @@ impl Shortfall {
 }
 
 /// The value that a step takes for a free unknown: as an angle, and as a length.
-type Pick<'a> = &'a dyn Fn(usize) -> (Unknown, f64);
+type Sample<'a> = &'a dyn Fn(usize) -> (Unknown, f64);
 
 /// Zero for whatever is free.
 const ZERO: fn(usize) -> (Unknown, f64) = |_| ([1.0, 0.0], 0.0);
 
-/// Absolute size (lengths over the reach) below which a computed coefficient counts as zero.
+/// Absolute size (lengths over the length scale) below which a computed coefficient counts as zero.
 pub const TOLERANCE: f64 = 1e-11;
 
 /// Arms on which the cuts of the general elimination are tried.
@@ -77,7 +77,7 @@ impl Inverse {
         let samples: Vec<(ik::Chain<6>, [f64; 6])> = crate::planner::joint_vectors(&self.plan.axes, TRIALS, 0)
             .into_iter()
             .map(|x| {
-                let machine = Machine { inverse: self, chain, target: &ik::pose::IDENTITY, pick: &ZERO };
+                let machine = Machine { inverse: self, chain, target: &ik::pose::IDENTITY, sample: &ZERO };
                 let known: Vec<Unknown> =
                     self.plan.knowledge.known[..step.before].iter().map(|k| k.value(&x)).collect();
                 let mut values = vec![0.0; self.graph.nodes().len()];
@@ -95,7 +95,7 @@ impl Inverse {
                 for (q, x) in q.iter_mut().zip(open) {
                     *q = x;
                 }
-                (ik::Chain { links: std::array::from_fn(pose), slides: prismatic }, q)
+                (ik::Chain { links: std::array::from_fn(pose), prismatic }, q)
             })
             .collect();
         let ranked = ik::general::rank::<3>(&samples);
@@ -108,14 +108,14 @@ impl Inverse {
         }
     }
 
-    /// All candidates for a target (lengths over the reach) and given values of the known combinations.
+    /// All candidates for a target (lengths over the length scale) and given values of the known combinations.
     pub fn solve(&self, chain: &Chain, target: &Pose, given: &[f64]) -> Vec<Candidate> {
         self.attempt(chain, target, given, &ZERO).candidates
     }
 
-    /// The same, with a choice of values for what steps leave free: step to `[cos, sin]` and length over the reach.
-    pub fn attempt(&self, chain: &Chain, target: &Pose, given: &[f64], pick: Pick<'_>) -> Attempt {
-        let machine = Machine { inverse: self, chain, target, pick };
+    /// The same, with a choice of values for what steps leave free: step to `[cos, sin]` and length over the length scale.
+    pub fn attempt(&self, chain: &Chain, target: &Pose, given: &[f64], sample: Sample<'_>) -> Attempt {
+        let machine = Machine { inverse: self, chain, target, sample };
         let mut attempt = Attempt::default();
         let values = vec![0.0; self.graph.nodes().len()];
         machine.run(&self.body, State { values, given, ..State::default() }, &mut attempt);
@@ -134,19 +134,19 @@ impl Inverse {
         for x in &vectors {
             let frames = axes.frames_number(x);
             let Some(last) = frames.last() else { continue };
-            let constant = |t| crate::planner::numeric(chain, t, axes.reach);
+            let constant = |t| crate::planner::numeric(chain, t, axes.length_scale);
             let target = ik::pose::compose(&ik::pose::compose(&constant(&axes.start), last), &constant(&axes.end));
             let known = &self.plan.knowledge.known;
             let given: Vec<f64> = known[..self.plan.given].iter().map(|k| k.at(x)).collect();
             // What the plan chooses is chosen as in the generating joint vector, so that it must come back.
-            let pick = |step: usize| {
+            let sample = |step: usize| {
                 let value = solves.get(step).and_then(|s| s.finds.first()).map_or(0.0, |k| known[*k].at(x));
                 ([value.cos(), value.sin()], value)
             };
-            let found = self.attempt(chain, &target, &given, &pick).candidates.iter().any(|c| {
+            let found = self.attempt(chain, &target, &given, &sample).candidates.iter().any(|c| {
                 (0..axes.real).all(|k| {
                     let d = c.x[k] - x[k];
-                    if axes.turns(k) { (1.0 - d.cos()) < 1e-7 } else { d.abs() < 1e-4 }
+                    if axes.is_revolute(k) { (1.0 - d.cos()) < 1e-7 } else { d.abs() < 1e-4 }
                 })
             });
             missed += usize::from(!found);
@@ -160,7 +160,7 @@ struct Machine<'a> {
     inverse: &'a Inverse,
     chain: &'a Chain,
     target: &'a Pose,
-    pick: Pick<'a>,
+    sample: Sample<'a>,
 }
 
 /// What is known in a branch.
@@ -181,8 +181,8 @@ impl Machine<'_> {
             match instruction {
                 Instruction::Given { known } => {
                     let x = state.given.get(*known).copied().unwrap_or(0.0);
-                    let turns = self.inverse.plan.knowledge.known[*known].turns;
-                    state.known.push(if turns { [x.cos(), x.sin()] } else { [x, x] });
+                    let is_angle = self.inverse.plan.knowledge.known[*known].is_angle;
+                    state.known.push(if is_angle { [x.cos(), x.sin()] } else { [x, x] });
                 }
                 Instruction::Compute { nodes, .. } => self.compute(nodes, &state.known, &mut state.values),
                 Instruction::Solve(solve) => last = Some(self.solve(solve, &state)),
@@ -226,8 +226,8 @@ impl Machine<'_> {
             .iter()
             .enumerate()
             .map(|(i, k)| {
-                let (angle, length) = (self.pick)(solve.step + i);
-                if known[*k].turns { angle } else { [length; 2] }
+                let (angle, length) = (self.sample)(solve.step + i);
+                if known[*k].is_angle { angle } else { [length; 2] }
             })
             .collect();
         solve.call.map(&|v| number(*v, &state.values)).run(&free, TOLERANCE)
@@ -235,7 +235,7 @@ impl Machine<'_> {
 
     /// Computes nodes from what is known.
     fn compute(&self, nodes: &[u32], known: &[Unknown], x: &mut [f64]) {
-        let (inverse, reach) = (self.inverse, self.inverse.plan.axes.reach);
+        let (inverse, length_scale) = (self.inverse, self.inverse.plan.axes.length_scale);
         let symbol = |s: Symbol| -> f64 {
             if let Some(i) = inverse.target.iter().position(|t| *t == s) {
                 return if i < 9 { self.target[i / 3][i % 3] } else { self.target[i - 9][3] };
@@ -245,7 +245,7 @@ impl Machine<'_> {
                     return value[i];
                 }
             }
-            crate::planner::generic_parameter(self.chain, Handle::Length(s)) / reach
+            crate::planner::generic_parameter(self.chain, Handle::Length(s)) / length_scale
         };
         let angle = |v: AngleVar| crate::planner::generic_parameter(self.chain, Handle::Angle(v));
         let at = Point { symbol: &symbol, angle: &angle };
@@ -258,7 +258,7 @@ impl Machine<'_> {
         let known = &self.inverse.plan.knowledge.known;
         let value = |i: usize| {
             let [x, y] = state.known[i];
-            if known[i].turns { y.atan2(x) } else { x }
+            if known[i].is_angle { y.atan2(x) } else { x }
         };
         let joint = |form: &Vec<i8>| -> f64 {
             form.iter().enumerate().filter(|(_, k)| **k != 0).map(|(i, k)| f64::from(*k) * value(i)).sum()

@@ -34,8 +34,8 @@ impl Lower<'_> {
         let count = self.plan.axes.count();
         // From the left: the rotation waits until an axis of another direction comes.
         let mut pending: JointCombination = vec![0; count];
-        for hop in 0..left {
-            let h = self.plan.axes.hops[hop].clone();
+        for link in 0..left {
+            let h = self.plan.axes.links[link].clone();
             if is_shift(&h.before) {
                 let shift = self.vector(&h.before.p);
                 t.p = self.g.minus(t.p, shift);
@@ -60,8 +60,8 @@ impl Lower<'_> {
             }
         }
         t = self.flush(t, &mut pending, before);
-        for hop in (right..self.plan.axes.hops.len()).rev() {
-            let h = self.plan.axes.hops[hop].clone();
+        for link in (right..self.plan.axes.links.len()).rev() {
+            let h = self.plan.axes.links[link].clone();
             if let Some(j) = h.joint {
                 match self.plan.axes.coordinates[j] {
                     Coordinate::Angle(_) => {

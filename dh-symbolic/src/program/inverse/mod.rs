@@ -1,6 +1,6 @@
 //! A plan as a program: values computed from the target and from what is known, and the tree that solves for the rest.
 //!
-//! All lengths are over the arm's reach, so that one tolerance fits all. Known combinations enter as symbols of their cosine and
+//! All lengths are over the arm's length scale, so that one tolerance fits all. Known combinations enter as symbols of their cosine and
 //! sine; which symbols an instruction needs tells at which depth of the search it is computed.
 
 mod batched;
@@ -38,7 +38,7 @@ pub struct Inverse {
     pub target: [Symbol; 12],
     /// What is done with them.
     pub body: Sequence,
-    /// The pose that the known combinations give (12 values, columns first, lengths over the reach): what a branch is confirmed by.
+    /// The pose that the known combinations give (12 values, columns first, lengths over the length scale): what a branch is confirmed by.
     pub confirmation: Vec<Value>,
 }
 

@@ -21,17 +21,17 @@ impl Lower<'_> {
             step.collected.iter().map(|c| self.row(&step.kind.columns(), c)).collect()
         };
         let axes = &plan.axes;
-        let turns = finds.first().is_some_and(|k| plan.knowledge.known[*k].turns);
+        let is_angle = finds.first().is_some_and(|k| plan.knowledge.known[*k].is_angle);
         let value = |c: &Coefficient| match *c {
             Coefficient::Plus(row, place) => equations[row][place],
             Coefficient::Minus(row, place) => -equations[row][place],
             Coefficient::Zero => ZERO,
         };
-        let mut call = step.kind.call(equations.len(), turns).map(&value);
+        let mut call = step.kind.call(equations.len(), is_angle).map(&value);
         for argument in &mut call.arguments {
             if let Argument::Elimination { prismatic, .. } = argument {
-                for (slides, form) in prismatic.iter_mut().zip(&step.unknown) {
-                    *slides = form.iter().position(|k| *k != 0).is_some_and(|k| !axes.turns(k));
+                for (prismatic, form) in prismatic.iter_mut().zip(&step.unknown) {
+                    *prismatic = form.iter().position(|k| *k != 0).is_some_and(|k| !axes.is_revolute(k));
                 }
             }
         }

@@ -51,7 +51,7 @@ impl Inverse {
         let one = |k: &usize| {
             let known = &self.plan.knowledge.known[*k];
             let [c, s] = known.symbols.map(|s| self.plan.knowledge.ring.symbol_name(s));
-            if known.turns { format!("{} ({c}, {s})", known.name) } else { format!("{} ({c})", known.name) }
+            if known.is_angle { format!("{} ({c}, {s})", known.name) } else { format!("{} ({c})", known.name) }
         };
         list.iter().map(one).collect::<Vec<_>>().join(", ")
     }

@@ -1,10 +1,10 @@
-//! From the coordinates of the table to the motors: the drive, inverted, as formulas of the robust way.
+//! From the coordinates of the table to the actuators: the drive, inverted, as formulas of the fallback path.
 
 use super::shift_expression;
 use crate::algebra::{Poly, adjugate};
 use crate::chain::{Chain, Coordinate, Scalar};
 
-/// Expression of the joint coordinate that a motor moves whose position is the expression `given`: the one numbered `index` among
+/// Expression of the joint coordinate that an actuator moves whose position is the expression `given`: the one numbered `index` among
 /// those that the caller chooses.
 pub(in crate::render) fn chosen(chain: &Chain, index: usize, given: &str) -> String {
     let Some((joint, factor)) = chain.chosen().into_iter().nth(index) else { return given.into() };
@@ -17,7 +17,7 @@ pub(in crate::render) fn chosen(chain: &Chain, index: usize, given: &str) -> Str
 }
 
 /// Expression of each joint variable from the coordinates x.
-pub(in crate::render) fn motors(chain: &Chain, x: &[String]) -> Vec<String> {
+pub(in crate::render) fn actuators(chain: &Chain, x: &[String]) -> Vec<String> {
     let shifted: Vec<String> = chain
         .joints
         .iter()
@@ -48,7 +48,7 @@ pub(in crate::render) fn motors(chain: &Chain, x: &[String]) -> Vec<String> {
         .collect()
 }
 
-/// Expression of each coordinate of the table from the motors' values `q`, in parentheses where it is a sum.
+/// Expression of each coordinate of the table from the actuators' values `q`, in parentheses where it is a sum.
 pub(in crate::render) fn coordinates(chain: &Chain) -> Vec<String> {
     let shifted = |moved: String, i: usize| {
         let shift = chain.joints.get(i).and_then(|j| shift_expression(chain, &j.shift, Scalar::F64));
@@ -65,19 +65,19 @@ pub(in crate::render) fn coordinates(chain: &Chain) -> Vec<String> {
     chain.drive.iter().enumerate().map(|(i, r)| shifted(row(r), i)).collect()
 }
 
-/// How motors move rows, as expressions.
+/// How actuators move rows, as expressions.
 pub(in crate::render) struct Matrices {
     /// The determinant, which the second matrix calls `det`.
     pub(in crate::render) det: String,
-    /// From motors to rows.
+    /// From actuators to rows.
     pub(in crate::render) rows: String,
-    /// From rows to motors.
-    pub(in crate::render) motors: String,
+    /// From rows to actuators.
+    pub(in crate::render) actuators: String,
     /// Which rows turn.
-    pub(in crate::render) turns: String,
+    pub(in crate::render) revolute: String,
 }
 
-/// How motors move rows, where drives are coupled.
+/// How actuators move rows, where drives are coupled.
 pub(in crate::render) fn matrices(chain: &Chain) -> Option<Matrices> {
     if chain.is_direct() {
         return None;
@@ -90,25 +90,25 @@ pub(in crate::render) fn matrices(chain: &Chain) -> Option<Matrices> {
             m.iter().map(|row| format!("[{}]", row.iter().map(entry).collect::<Vec<_>>().join(", "))).collect();
         format!("[{}]", rows.join(", "))
     };
-    let turns: Vec<String> =
+    let revolute: Vec<String> =
         chain.joints.iter().map(|j| matches!(j.coordinate, Coordinate::Angle(_)).to_string()).collect();
     Some(Matrices {
         det: value(&det),
         rows: matrix(&chain.drive, ""),
-        motors: matrix(&adjugate, " / det"),
-        turns: format!("[{}]", turns.join(", ")),
+        actuators: matrix(&adjugate, " / det"),
+        revolute: format!("[{}]", revolute.join(", ")),
     })
 }
 
-/// The function that says so, where whole turns of rows are not whole turns of motors.
+/// The function that says so, where whole turns of rows are not whole turns of actuators.
 pub(super) fn drive(chain: &Chain) -> String {
     if !chain.is_geared() {
         return String::new();
     }
-    let Some(Matrices { det, rows, motors, turns }) = matrices(chain) else { return String::new() };
+    let Some(Matrices { det, rows, actuators, revolute }) = matrices(chain) else { return String::new() };
     let n = chain.dof();
     format!(
         "fn drive(&self) -> ::core::option::Option<::dh_robot::runtime::Drive<{n}>> {{\nlet det = {det};\n\
-         ::core::option::Option::Some(::dh_robot::runtime::Drive {{ rows: {rows}, motors: {motors}, turns: {turns} }})\n}}\n"
+         ::core::option::Option::Some(::dh_robot::runtime::Drive {{ rows: {rows}, actuators: {actuators}, revolute: {revolute} }})\n}}\n"
     )
 }

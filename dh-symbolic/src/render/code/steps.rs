@@ -10,9 +10,9 @@ use crate::planner::{Argument, Call, Representative};
 use crate::program::{Choice, Indicator, Inverse, Report, Solve, Value};
 
 /// Names that generated functions use for something else.
-const RESERVED: [&str; 23] = [
-    "q", "s", "c", "self", "t", "angles", "found", "attempt", "given", "free", "pick", "sample", "path", "branch",
-    "valid", "margin", "error", "frame", "target", "lane", "take", "setting", "task",
+const RESERVED: [&str; 22] = [
+    "q", "s", "c", "self", "t", "angles", "found", "attempt", "given", "free", "sample", "path", "branch", "valid",
+    "margin", "error", "frame", "target", "lane", "take", "setting", "task",
 ];
 
 /// The variables of a combination of joints.
@@ -23,7 +23,7 @@ pub(in crate::render) struct Variable {
     /// The joint value: `q3`, `q2_plus_q3`.
     pub(in crate::render) value: String,
     /// Is it an angle?
-    pub(in crate::render) turns: bool,
+    pub(in crate::render) is_angle: bool,
 }
 
 /// The variables of a step.
@@ -60,14 +60,14 @@ impl Variables {
             .map(|k| {
                 let value = names.take(&identifier(&k.label));
                 let [c, s] = k.symbols;
-                let pair = if k.turns {
+                let pair = if k.is_angle {
                     [c, s].map(|s| names.take(&identifier(knowledge.ring.symbol_name(s))))
                 } else {
                     let scaled = names.take(&format!("{value}_scaled"));
                     [scaled.clone(), scaled]
                 };
                 symbols.extend([c, s].into_iter().zip(pair.clone()));
-                Variable { pair, value, turns: k.turns }
+                Variable { pair, value, is_angle: k.is_angle }
             })
             .collect();
         let step = |solve: &Solve| {
@@ -81,7 +81,7 @@ impl Variables {
 
     /// What the program calls its inputs.
     pub(in crate::render) fn inputs(&self) -> Vec<(Symbol, Code)> {
-        let is_angle = |name: &String| self.known.iter().any(|k| k.turns && k.pair.contains(name));
+        let is_angle = |name: &String| self.known.iter().any(|k| k.is_angle && k.pair.contains(name));
         let code = |name: &String| if is_angle(name) { Code::trigonometric(name) } else { Code::atom(name) };
         self.symbols.iter().map(|(s, name)| (*s, code(name))).collect()
     }
@@ -153,9 +153,8 @@ pub(in crate::render) fn argument<N>(
 /// What the unknowns of a step take where they are free.
 fn representatives(dialect: Dialect, variables: &Variables, solve: &Solve) -> String {
     let one = |(i, k): (usize, &usize)| {
-        let kind = if variables.known[*k].turns { "angle" } else { "length" };
-        let sample = if dialect == Dialect::Rust { "sample" } else { "pick" };
-        format!("{sample}.{kind}({})", solve.step + i)
+        let kind = if variables.known[*k].is_angle { "angle" } else { "length" };
+        format!("sample.{kind}({})", solve.step + i)
     };
     let all: Vec<String> = solve.finds.iter().enumerate().map(one).collect();
     grouped(dialect, variables, solve, &all)
@@ -163,7 +162,7 @@ fn representatives(dialect: Dialect, variables: &Variables, solve: &Solve) -> St
 
 /// One thing per unknown of a step, as its kernel groups them: alone, an array, or a tuple of a length and an angle.
 fn grouped(dialect: Dialect, variables: &Variables, solve: &Solve, all: &[String]) -> String {
-    let mixed = solve.finds.len() == 2 && solve.finds.iter().any(|k| !variables.known[*k].turns);
+    let mixed = solve.finds.len() == 2 && solve.finds.iter().any(|k| !variables.known[*k].is_angle);
     match all {
         [one] if solve.call.kernel.unknowns == 1 => one.clone(),
         _ if mixed && dialect == Dialect::Rust => format!("({})", all.join(", ")),
@@ -190,8 +189,8 @@ pub(in crate::render) fn with_representative(dialect: Dialect, variables: &Varia
 pub(in crate::render) fn pattern(dialect: Dialect, variables: &Variables, solve: &Solve) -> String {
     let unknowns = solve.call.kernel.unknowns;
     let one = |k: &usize| {
-        let Variable { pair: [c, s], turns, .. } = &variables.known[*k];
-        match (turns, unknowns) {
+        let Variable { pair: [c, s], is_angle, .. } = &variables.known[*k];
+        match (is_angle, unknowns) {
             (true, _) => format!("[{c}, {s}]"),
             (false, 6) => format!("[{c}, _]"),
             (false, _) => c.clone(),
@@ -205,8 +204,8 @@ pub(in crate::render) fn pattern(dialect: Dialect, variables: &Variables, solve:
 /// The statements for what the caller gives: its coordinate, cosine and sine (or the length over the length scale).
 pub(super) fn given(chain: &Chain, index: usize, variable: &Variable) -> String {
     let name = if chain.redundant.len() == 1 { "given".to_string() } else { format!("given[{index}]") };
-    let (Variable { pair: [c, s], value, turns }, known) = (variable, chosen(chain, index, &name));
-    let bound = if *turns {
+    let (Variable { pair: [c, s], value, is_angle }, known) = (variable, chosen(chain, index, &name));
+    let bound = if *is_angle {
         format!("let ({s}, {c}) = ::dh_robot::runtime::sin_cos({value});\n")
     } else {
         format!("let {c} = {value} / {LENGTH_SCALE};\n")
@@ -228,7 +227,7 @@ pub(super) fn length_scale(chain: &Chain, inverse: &Inverse) -> String {
         "/// The sum of the arm's lengths, in {}: equations are solved for lengths over it, so that one tolerance fits all.\n\
          const LENGTH_SCALE: f64 = {};\n/// What a length is multiplied by.\nconst PER_LENGTH: f64 = 1.0 / {LENGTH_SCALE};\n",
         chain.unit.name,
-        literal(inverse.plan.axes.reach, Scalar::F64)
+        literal(inverse.plan.axes.length_scale, Scalar::F64)
     )
 }
 

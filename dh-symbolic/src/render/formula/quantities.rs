@@ -22,8 +22,8 @@ pub(in crate::render) fn named_offsets(chain: &Chain) -> Option<Chain> {
     };
     let mut out: Option<Chain> = None;
     for (k, joint) in chain.joints.iter().enumerate() {
-        let turns = matches!(joint.coordinate, Coordinate::Angle(_));
-        let Some(offset) = odd(k, joint).filter(|_| turns && joint.shift.is_zero()) else { continue };
+        let revolute = matches!(joint.coordinate, Coordinate::Angle(_));
+        let Some(offset) = odd(k, joint).filter(|_| revolute && joint.shift.is_zero()) else { continue };
         let copy = out.get_or_insert_with(|| chain.clone());
         if let (Some(joint), Some(link)) = (copy.joints.get_mut(k), copy.links.get_mut(joint.row)) {
             joint.shift.half_turns = Some(offset.factor().clone());
@@ -111,10 +111,10 @@ pub(in crate::render) fn constants(chain: &Chain, notation: &Notation, pose: &Tr
     constants.filter(occurs).filter_map(|p| Some(Math::equation(parameter(notation, p), value(notation, p)?))).collect()
 }
 
-/// Joint coordinates as functions of the motors, where they are not the same.
+/// Joint coordinates as functions of the actuators, where they are not the same.
 pub(in crate::render) fn relations(chain: &Chain, notation: &Notation, order: &Order) -> Vec<(Math, Math)> {
     let mut ring = chain.ring.clone();
-    let motors: Vec<Poly> = (1..=chain.dof()).map(|k| Poly::symbol(ring.symbol(&format!("q{k}")))).collect();
+    let actuators: Vec<Poly> = (1..=chain.dof()).map(|k| Poly::symbol(ring.symbol(&format!("q{k}")))).collect();
     let code = Notation::of_ring(&ring);
     let mut list = Vec::new();
     for (k, (joint, line)) in chain.joints.iter().zip(&chain.drive).enumerate() {
@@ -126,7 +126,7 @@ pub(in crate::render) fn relations(chain: &Chain, notation: &Notation, order: &O
             Coordinate::Angle(v) => notation.angle(v),
             Coordinate::Length(s) => notation.symbol(s),
         };
-        let moving: Poly = line.iter().zip(&motors).map(|(p, q)| p * q).sum();
+        let moving: Poly = line.iter().zip(&actuators).map(|(p, q)| p * q).sum();
         let mut row = vec![code.typeset(&order.group(&moving))];
         shift(&joint.shift, chain, notation, &mut row);
         list.push((left, Math::Row(row)));

@@ -256,7 +256,7 @@ impl Spot {
         let row = |k: Option<usize>| chain.links.get(k?);
         Some(match prefix {
             "q" => {
-                let x = *self.numbers.motors(chain)?.get(own?)?;
+                let x = *self.numbers.actuators(chain)?.get(own?)?;
                 if matches!(on.joints.get(own?)?, Value::Angle(_)) { Direct::Angle(x) } else { Direct::Scalar(x) }
             }
             "theta" => Direct::Angle(self.numbers.linear(&row(own)?.theta)),
@@ -306,8 +306,8 @@ impl Spot {
         let n = chain.links.len();
         let base = self.product(&chain.base);
         let tip = base.times(&self.transform(0, n, chain)?).times(&self.product(&chain.tool));
-        let motors = chain.dof();
-        let mut cells = vec![0.0; 6 * motors];
+        let actuators = chain.dof();
+        let mut cells = vec![0.0; 6 * actuators];
         for (joint, drive) in chain.joints.iter().zip(&chain.drive) {
             let frame = match chain.convention {
                 Convention::Standard => joint.row,
@@ -326,16 +326,16 @@ impl Spot {
                 }
                 Coordinate::Length(_) => [z, [0.0; 3]],
             };
-            for (motor, k) in drive.iter().enumerate() {
+            for (actuator, k) in drive.iter().enumerate() {
                 let k = self.numbers.evaluate(k);
                 for (row, x) in column.iter().flatten().enumerate() {
-                    if let Some(cell) = cells.get_mut(row * motors + motor) {
+                    if let Some(cell) = cells.get_mut(row * actuators + actuator) {
                         *cell += k * x;
                     }
                 }
             }
         }
-        Some(Rows { columns: motors, cells })
+        Some(Rows { columns: actuators, cells })
     }
 
     fn call(&mut self, name: &str, arguments: &[(Option<String>, Expr)], on: &Evaluator<'_>) -> Option<Direct> {

@@ -239,9 +239,9 @@ impl Evaluator<'_> {
         let n = self.chain.dof();
         let mut entries = Vec::with_capacity(6 * n);
         for row in 0..6 {
-            for motor in 0..n {
+            for actuator in 0..n {
                 let terms = columns.iter().zip(&self.chain.drive).filter_map(|((linear, angular), line)| {
-                    Some(linear.iter().chain(angular).nth(row)? * line.get(motor)?)
+                    Some(linear.iter().chain(angular).nth(row)? * line.get(actuator)?)
                 });
                 entries.push(Ratio::from(terms.sum::<Poly>()));
             }

@@ -245,7 +245,7 @@ struct Evaluator<'a> {
 impl<'a> Evaluator<'a> {
     fn new(chain: &'a Chain, tokens: &'a [Token]) -> Evaluator<'a> {
         let mut ring = chain.ring.clone();
-        // a motor variable of a coupled drive may be a sum of angles and lengths: angles then count in radians
+        // an actuator variable of a coupled drive may be a sum of angles and lengths: angles then count in radians
         for v in chain.ring.angles() {
             if !chain.is_direct() {
                 ring.symbol(chain.ring.angle_name(v));

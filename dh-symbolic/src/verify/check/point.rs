@@ -56,7 +56,7 @@ impl Numbers {
         a.terms.iter().map(|(v, k)| f64::from(*k) * self.angle(*v)).sum::<f64>() + a.constant.radians()
     }
 
-    /// The constant part that a joint coordinate has beside what the motors do.
+    /// The constant part that a joint coordinate has beside what the actuators do.
     fn shift(&self, chain: &Chain, cell: &AngleCell) -> f64 {
         let own = |(i, k): &(usize, i8)| match chain.parameters.get(*i).map(|p| p.handle) {
             Some(Handle::Angle(v)) => f64::from(*k) * self.angle(v),
@@ -65,8 +65,8 @@ impl Numbers {
         angle_value(cell) + cell.symbols.iter().map(own).sum::<f64>()
     }
 
-    /// The variables q of the motors: the drive turned around, by elimination.
-    pub(super) fn motors(&self, chain: &Chain) -> Option<Vec<f64>> {
+    /// The variables q of the actuators: the drive turned around, by elimination.
+    pub(super) fn actuators(&self, chain: &Chain) -> Option<Vec<f64>> {
         let coordinate = |j: &Joint| match j.coordinate {
             Coordinate::Angle(v) => self.angle(v) - self.shift(chain, &j.shift),
             Coordinate::Length(s) => self.symbol(s),
@@ -95,10 +95,10 @@ impl Numbers {
         (0..n).map(|k| Some(rows.get(k)?.get(n)? / rows.get(k)?.get(k)?)).collect()
     }
 
-    /// Puts the joint coordinates where the motors are.
-    pub(super) fn set_motors(&mut self, chain: &Chain, motors: &[f64]) {
+    /// Puts the joint coordinates where the actuators are.
+    pub(super) fn set_motors(&mut self, chain: &Chain, actuators: &[f64]) {
         for (joint, row) in chain.joints.iter().zip(&chain.drive) {
-            let used = row.iter().zip(motors).filter(|(k, _)| !k.is_zero());
+            let used = row.iter().zip(actuators).filter(|(k, _)| !k.is_zero());
             let x: f64 = used.map(|(k, q)| self.evaluate(k) * q).sum();
             if x.is_nan() {
                 continue;
@@ -336,7 +336,7 @@ impl Evaluator<'_> {
                 n.angles.insert(v, angle);
             }
         }
-        let mut motors = Vec::new();
+        let mut actuators = Vec::new();
         for (joint, value) in chain.joints.iter().zip(&self.joints) {
             let u = unit();
             let range = joint.range.as_ref().filter(|_| k.is_multiple_of(2)).map(|(a, b)| (bound(a), bound(b)));
@@ -345,9 +345,9 @@ impl Evaluator<'_> {
                 (None, Value::Angle(_)) => (-std::f64::consts::PI, std::f64::consts::PI),
                 (None, _) => (-1.5 * scale, 1.5 * scale),
             };
-            motors.push(low + u * (high - low));
+            actuators.push(low + u * (high - low));
         }
-        n.set_motors(chain, &motors);
+        n.set_motors(chain, &actuators);
         self.complete(&mut n);
         (n, own)
     }
@@ -361,12 +361,12 @@ impl Evaluator<'_> {
             Some(_) => return None,
             None => self.quantity(name)?,
         };
-        let motor = self.chain.joints.iter().position(|j| own.is_none() && j.name == name);
-        if let Some(k) = motor {
-            let mut motors = n.motors(self.chain)?;
-            let q = motors.get_mut(k)?;
+        let actuator = self.chain.joints.iter().position(|j| own.is_none() && j.name == name);
+        if let Some(k) = actuator {
+            let mut actuators = n.actuators(self.chain)?;
+            let q = actuators.get_mut(k)?;
             *q = new(*q);
-            n.set_motors(self.chain, &motors);
+            n.set_motors(self.chain, &actuators);
             return Some(n);
         }
         match variable_of(&value)? {

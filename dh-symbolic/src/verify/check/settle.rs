@@ -112,9 +112,9 @@ impl<'a> Evaluator<'a> {
 
     /// The joint values of a pose.
     pub(super) fn example(&self, at: &Numbers) -> Example {
-        let motors = at.motors(self.chain).unwrap_or_default();
+        let actuators = at.actuators(self.chain).unwrap_or_default();
         let turns = |k: usize| matches!(self.joints.get(k), Some(super::value::Value::Angle(_)));
-        let named = self.chain.joints.iter().zip(motors).enumerate();
+        let named = self.chain.joints.iter().zip(actuators).enumerate();
         Example { joints: named.map(|(k, (j, q))| (j.name.clone(), q, turns(k))).collect() }
     }
 
@@ -169,10 +169,10 @@ impl<'a> Evaluator<'a> {
 
     /// Does a tiny motion of the arm change a side by more than the sides differ? Then the pose says nothing.
     pub(super) fn is_delicate(&self, at: &Numbers, sides: [&Expr; 2], values: [&Direct; 2]) -> bool {
-        let Some(mut motors) = at.motors(self.chain) else { return false };
-        motors.iter_mut().enumerate().for_each(|(k, q)| *q += 1e-9 * (1.0 + k as f64 / 3.0));
+        let Some(mut actuators) = at.actuators(self.chain) else { return false };
+        actuators.iter_mut().enumerate().for_each(|(k, q)| *q += 1e-9 * (1.0 + k as f64 / 3.0));
         let mut n = at.clone();
-        n.set_motors(self.chain, &motors);
+        n.set_motors(self.chain, &actuators);
         let mut there = Spot::new(n);
         sides.into_iter().zip(values).any(|(e, v)| there.evaluate(e, self).is_none_or(|w| !w.is_near(v, 1e-5)))
     }

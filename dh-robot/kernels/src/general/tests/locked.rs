@@ -31,7 +31,7 @@ fn regular_solutions(arm: &Chain<6>, target: &Pose, starts: usize) -> Vec<[f64; 
     let mut found: Vec<[f64; 6]> = Vec::new();
     for _ in 0..starts {
         let mut q = [(); 6].map(|()| rng.angle());
-        if polish(arm, &mut q, &task, arm.reach(), 40).reaches(1e-12)
+        if polish(arm, &mut q, &task, arm.length_scale(), 40).reaches(1e-12)
             && !super::super::solve::is_singular(arm, &q)
             && found.iter().all(|p| apart(p, &q) > 1e-5)
         {

@@ -198,8 +198,8 @@ fn place(chain: &Chain, d: &Determinant, kind: Kind) -> Option<Place> {
         return None;
     }
     let in_wrist = |j: usize| d.joints.get(n - 3..).is_some_and(|w| w.contains(&j));
-    let turns = |j: &&usize| chain.joints.get(**j).is_some_and(|j| matches!(j.coordinate, Coordinate::Angle(_)));
-    let first = d.joints.iter().find(turns).copied();
+    let revolute = |j: &&usize| chain.joints.get(**j).is_some_and(|j| matches!(j.coordinate, Coordinate::Angle(_)));
+    let first = d.joints.iter().find(revolute).copied();
     match kind {
         Kind::Parallel(i, j) if in_wrist(i) && in_wrist(j) => Some(Place::Wrist),
         Kind::Coplanar(i, j, k) if [i, j, k].into_iter().all(in_wrist) => Some(Place::Wrist),

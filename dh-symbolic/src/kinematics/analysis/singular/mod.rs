@@ -27,16 +27,16 @@ use reference_frame::{NumericFrame, Triple, cross, frames, minus};
 const BUDGET: usize = 60_000;
 /// Choices of point and axes that are written out, to find the shortest.
 const WRITTEN: usize = 12;
-/// Terms of a determinant of columns with themselves that is still told.
+/// Terms of a determinant of columns with themselves that is still written out.
 const SHORT: usize = 12;
 
 /// A motion that is left out of account; it stands as a further column, so that the matrix is square.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Open {
     /// A shift along axis 0, 1, 2 of the base.
-    Slide(usize),
+    Translation(usize),
     /// A turn of the tool about axis 0, 1, 2 of the base.
-    Turn(usize),
+    Rotation(usize),
     /// A turn about the tool's z axis.
     Roll,
 }
@@ -93,7 +93,7 @@ pub enum Singular {
     NotSquare,
 }
 
-/// Derives the determinant for the joint coordinates (not the motors).
+/// Derives the determinant for the joint coordinates (not the actuators).
 pub fn singular(chain: &Chain, k: &Kinematics) -> Singular {
     let points = [FieldPoint::new(7), FieldPoint::new(8)];
     let views: Vec<View<'_>> = points.iter().map(|at| View { chain, frames: frames(k, at) }).collect();
@@ -143,7 +143,7 @@ fn gram(chain: &Chain, k: &Kinematics) -> Option<Singular> {
     (value.terms().len() <= SHORT).then_some(Singular::Gram(value, positive))
 }
 
-/// Determinant of the coupling: the factor between the motors' and the joints' Jacobian.
+/// Determinant of the coupling: the factor between the actuators' and the joints' Jacobian.
 pub fn coupling(chain: &Chain) -> Option<Poly> {
     let whole = chain.dof() <= SIDE && chain.redundant.is_empty() && !chain.is_direct();
     whole.then(|| determinant(&chain.drive, BUDGET)).flatten()
@@ -157,15 +157,15 @@ fn choices(chain: &Chain, joints: &[usize], views: &[View<'_>]) -> Vec<Vec<Open>
         views.iter().all(|v| joints.iter().all(|j| v.joint(*j, 0, 0, last(v)).get(r) == Some(&Element::ZERO)))
     };
     let still: Vec<usize> = (0..SIDE).filter(|r| zero(*r)).collect();
-    let motion = |r: &usize| if *r < 3 { Open::Slide(*r) } else { Open::Turn(*r - 3) };
-    let (slides, turns): (Vec<usize>, Vec<usize>) = still.iter().partition(|r| **r < 3);
-    let position = || slides.iter().chain(&[3, 4, 5]).map(motion).collect::<Vec<Open>>();
-    let orientation = || [0, 1, 2].iter().chain(&turns).map(motion).collect::<Vec<Open>>();
+    let motion = |r: &usize| if *r < 3 { Open::Translation(*r) } else { Open::Rotation(*r - 3) };
+    let (translations, rotations): (Vec<usize>, Vec<usize>) = still.iter().partition(|r| **r < 3);
+    let position = || translations.iter().chain(&[3, 4, 5]).map(motion).collect::<Vec<Open>>();
+    let orientation = || [0, 1, 2].iter().chain(&rotations).map(motion).collect::<Vec<Open>>();
     let natural = || still.iter().map(motion).collect::<Vec<Open>>();
     let all = match chain.task {
         Task::Pose => vec![natural(), position(), orientation()],
         Task::Position => vec![position()],
-        Task::Planar => vec![vec![Open::Slide(2), Open::Turn(0), Open::Turn(1)]],
+        Task::Planar => vec![vec![Open::Translation(2), Open::Rotation(0), Open::Rotation(1)]],
         Task::Axis => vec![vec![Open::Roll]],
     };
     all.into_iter().filter(|o| o.len() + n == SIDE).collect()
@@ -192,22 +192,22 @@ impl View<'_> {
         let Some(f) = self.frames.get(place(ReferenceFrame::of_joint(self.chain, joint), 0)) else {
             return [Element::ZERO; SIDE];
         };
-        let slides = self.chain.joints.get(joint).is_some_and(|j| matches!(j.coordinate, Coordinate::Length(_)));
-        self.written(slides, &f.axes[2], &f.origin, [a, b, p])
+        let prismatic = self.chain.joints.get(joint).is_some_and(|j| matches!(j.coordinate, Coordinate::Length(_)));
+        self.written(prismatic, &f.axes[2], &f.origin, [a, b, p])
     }
 
     fn open(&self, open: Open, a: usize, b: usize, p: usize) -> [Element; SIDE] {
         let (Some(base), Some(tool)) = (self.frames.first(), self.frames.last()) else { return [Element::ZERO; SIDE] };
         match open {
-            Open::Slide(k) => self.written(true, &base.axes[k], &tool.origin, [a, b, p]),
-            Open::Turn(k) => self.written(false, &base.axes[k], &tool.origin, [a, b, p]),
+            Open::Translation(k) => self.written(true, &base.axes[k], &tool.origin, [a, b, p]),
+            Open::Rotation(k) => self.written(false, &base.axes[k], &tool.origin, [a, b, p]),
             Open::Roll => self.written(false, &tool.axes[2], &tool.origin, [a, b, p]),
         }
     }
 
-    fn written(&self, slides: bool, z: &Triple, o: &Triple, [a, b, p]: [usize; 3]) -> [Element; SIDE] {
+    fn written(&self, prismatic: bool, z: &Triple, o: &Triple, [a, b, p]: [usize; 3]) -> [Element; SIDE] {
         let (a, b, p) = (&self.frames[a], &self.frames[b], &self.frames[p]);
-        let (linear, angular) = if slides {
+        let (linear, angular) = if prismatic {
             (a.components(z), [Element::ZERO; 3])
         } else {
             (a.components(&cross(z, &minus(&p.origin, o))), b.components(z))
@@ -245,7 +245,7 @@ fn places(views: &[View<'_>], joints: &[usize], open: &[Open], n: usize) -> Vec<
     };
     let mut found: Vec<(Score, Written)> = Vec::new();
     // Where every turn is left out, no other point than the tool's has its velocity.
-    let fixed = (0..3).all(|k| open.contains(&Open::Turn(k)));
+    let fixed = (0..3).all(|k| open.contains(&Open::Rotation(k)));
     for p in if fixed { stands.len() - 1 } else { 0 }..stands.len() {
         let of_axes: Vec<Pattern> = (0..stands.len()).map(|a| halves(a, p)).collect();
         for (a, b) in (0..stands.len()).flat_map(|a| (0..stands.len()).map(move |b| (a, b))) {
@@ -319,28 +319,28 @@ fn columns(
 ) -> Vec<[Poly; SIDE]> {
     let [linear, angular, point] = at;
     let (tool, tip) = (relative_transform(k, linear, ReferenceFrame::Tool).p, relative_transform(k, linear, point).p);
-    let column = |slides: bool, z: [Vector; 2], o: &Vector| -> [Poly; SIDE] {
+    let column = |prismatic: bool, z: [Vector; 2], o: &Vector| -> [Poly; SIDE] {
         let arm: Vector = std::array::from_fn(|i| &tip[i] - &o[i]);
-        let v = if slides { z[0].clone() } else { crate::algebra::cross(&z[0], &arm) };
+        let v = if prismatic { z[0].clone() } else { crate::algebra::cross(&z[0], &arm) };
         std::array::from_fn(|r| match r {
             0..3 => v[r].clone(),
-            _ if slides => Poly::zero(),
+            _ if prismatic => Poly::zero(),
             _ => z[1][r - 3].clone(),
         })
     };
     let of_joint = |j: &usize| {
         let s = ReferenceFrame::of_joint(chain, *j);
-        let slides = chain.joints.get(*j).is_some_and(|j| matches!(j.coordinate, Coordinate::Length(_)));
+        let prismatic = chain.joints.get(*j).is_some_and(|j| matches!(j.coordinate, Coordinate::Length(_)));
         let t = relative_transform(k, linear, s);
-        column(slides, [t.column(2), relative_transform(k, angular, s).column(2)], &t.p)
+        column(prismatic, [t.column(2), relative_transform(k, angular, s).column(2)], &t.p)
     };
     let of_open = |o: &Open| {
         let (s, axis) = match o {
-            Open::Slide(axis) | Open::Turn(axis) => (ReferenceFrame::Base, *axis),
+            Open::Translation(axis) | Open::Rotation(axis) => (ReferenceFrame::Base, *axis),
             Open::Roll => (ReferenceFrame::Tool, 2),
         };
         let z = [relative_transform(k, linear, s).column(axis), relative_transform(k, angular, s).column(axis)];
-        column(matches!(o, Open::Slide(_)), z, &tool)
+        column(matches!(o, Open::Translation(_)), z, &tool)
     };
     joints.iter().map(of_joint).chain(open.iter().map(of_open)).collect()
 }

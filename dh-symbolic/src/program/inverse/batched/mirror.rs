@@ -87,6 +87,6 @@ fn keeps(
         let Some(first) = terms.next() else { return true };
         first.is_some() && terms.all(|x| x == first)
     };
-    let turns = solve.finds.first().is_some_and(|k| inverse.plan.knowledge.known[*k].turns);
-    (turns || flip[0] == flip[1]) && solve.equations.iter().take(equations).all(fits)
+    let is_angle = solve.finds.first().is_some_and(|k| inverse.plan.knowledge.known[*k].is_angle);
+    (is_angle || flip[0] == flip[1]) && solve.equations.iter().take(equations).all(fits)
 }

@@ -1,4 +1,4 @@
-//! Angles of a program: from the motors to the batch of sines and cosines.
+//! Angles of a program: from the actuators to the batch of sines and cosines.
 
 use super::super::names::subscript;
 use super::super::shift_expression;
@@ -7,24 +7,24 @@ use crate::algebra::{LinearAngle, Poly, Rational};
 use crate::chain::{Coordinate, Handle};
 use crate::program::Node;
 
-/// A linear combination of the motors' positions plus a constant.
+/// A linear combination of the actuators' positions plus a constant.
 pub(super) struct Linear {
-    /// Coefficient expressions per motor; `None`: not in it.
-    pub(super) motors: Vec<Option<Poly>>,
+    /// Coefficient expressions per actuator; `None`: not in it.
+    pub(super) actuators: Vec<Option<Poly>>,
     shift: Option<Code>,
 }
 
 impl Body<'_> {
     /// The coordinate of joint `i` in terms of q.
     pub(super) fn coordinate(&self, i: usize) -> Linear {
-        let motors = self.chain.drive[i].iter().map(|k| (!k.is_zero()).then(|| k.clone())).collect();
+        let actuators = self.chain.drive[i].iter().map(|k| (!k.is_zero()).then(|| k.clone())).collect();
         let shift = shift_expression(self.chain, &self.chain.joints[i].shift, self.scalar);
-        Linear { motors, shift }
+        Linear { actuators, shift }
     }
 
     /// The argument of a sine.
     fn angle(&self, angle_sum: &LinearAngle) -> Code {
-        let mut motors: Vec<Poly> = vec![Poly::zero(); self.chain.dof()];
+        let mut actuators: Vec<Poly> = vec![Poly::zero(); self.chain.dof()];
         let mut rest: Vec<Code> = Vec::new();
         for (v, k) in &angle_sum.terms {
             let factor = Rational::int(i64::from(*k));
@@ -32,7 +32,7 @@ impl Body<'_> {
             match joint {
                 Some(i) => {
                     let x = self.coordinate(i);
-                    for (sum, part) in motors.iter_mut().zip(x.motors) {
+                    for (sum, part) in actuators.iter_mut().zip(x.actuators) {
                         *sum = &*sum + &part.unwrap_or_default().scale(&factor);
                     }
                     rest.extend(x.shift.map(|shift| self.multiple(*k, &shift)));
@@ -46,7 +46,7 @@ impl Body<'_> {
                 }
             }
         }
-        let mut parts: Vec<Code> = motors
+        let mut parts: Vec<Code> = actuators
             .iter()
             .enumerate()
             .filter(|(_, k)| !k.is_zero())

@@ -33,7 +33,7 @@ pub(in crate::render) struct Body<'a> {
     names: Names,
     /// Number type of the code.
     scalar: Scalar,
-    /// Factor of every length: 1, or 1 over the reach.
+    /// Factor of every length: 1, or 1 over the length scale.
     scale: f64,
     /// Input symbols that are neither fields nor joints.
     inputs: Vec<(Symbol, Code)>,
@@ -76,7 +76,7 @@ impl<'a> Body<'a> {
         variables: &Variables,
     ) -> Body<'a> {
         let mut body = Body::empty(dialect, chain, &inverse.graph, Scalar::F64);
-        (body.outputs, body.inputs, body.scale) = (outputs, variables.inputs(), 1.0 / inverse.plan.axes.reach);
+        (body.outputs, body.inputs, body.scale) = (outputs, variables.inputs(), 1.0 / inverse.plan.axes.length_scale);
         for name in variables.taken() {
             body.names.reserve(name);
         }
@@ -180,9 +180,9 @@ impl<'a> Body<'a> {
         match self.chain.joints.iter().position(|j| j.coordinate == Coordinate::Length(s)) {
             Some(j) => {
                 let x = self.coordinate(j);
-                let motors = x.motors.iter().enumerate();
+                let actuators = x.actuators.iter().enumerate();
                 let parts: Vec<Code> =
-                    motors.filter_map(|(m, k)| k.as_ref().map(|k| self.scaled(k, &format!("q[{m}]")))).collect();
+                    actuators.filter_map(|(m, k)| k.as_ref().map(|k| self.scaled(k, &format!("q[{m}]")))).collect();
                 Code::sum(&parts)
             }
             None => {

@@ -27,10 +27,10 @@ pub fn class(chain: &Chain, forward: &Forward, solver: &Solver) -> String {
     for (head, doc, body) in functions {
         out.push_str(&format!("// {doc}\n{head} {{\n{}{body}}}\n\n", fields(chain)));
     }
-    if let Some(Matrices { det, rows, motors, turns }) = matrices(chain).filter(|_| chain.is_geared()) {
+    if let Some(Matrices { det, rows, actuators, revolute }) = matrices(chain).filter(|_| chain.is_geared()) {
         out.push_str(&format!(
-            "// How motors move rows, where whole turns of rows are not whole turns of motors.\nget drive() {{\n\
-             const self = this.parameters;\nconst det = {det};\nreturn {{ rows: {rows}, motors: {motors}, turns: {turns} }};\n}}\n\n"
+            "// How actuators move rows, where whole turns of rows are not whole turns of actuators.\nget drive() {{\n\
+             const self = this.parameters;\nconst det = {det};\nreturn {{ rows: {rows}, actuators: {actuators}, revolute: {revolute} }};\n}}\n\n"
         ));
     }
     let rows: Vec<String> = chain.joints.iter().map(|j| format!("all[{}]", j.row)).collect();
@@ -69,11 +69,11 @@ fn data(chain: &Chain, solver: &Solver) -> String {
         })
         .collect();
     let joints: Vec<String> = chain.joints.iter().enumerate().map(|(i, j)| joint(chain, i, j)).collect();
-    let reach = match solver {
-        Solver::Closed(inverse) => inverse.plan.axes.reach,
-        _ => crate::planner::Axes::new(chain).reach,
+    let length_scale = match solver {
+        Solver::Closed(inverse) => inverse.plan.axes.length_scale,
+        _ => crate::planner::Axes::new(chain).length_scale,
     };
-    let (task, few) = match chain.task {
+    let (task, rank_deficient) = match chain.task {
         Task::Pose => ("pose", chain.dof() - chain.redundant.len() < 6),
         Task::Position => ("position", false),
         Task::Planar => ("planar", false),
@@ -86,9 +86,11 @@ fn data(chain: &Chain, solver: &Solver) -> String {
     let mut out = format!("this.name = {};\nthis.unit = {};\n", string(&chain.name), string(chain.unit.name));
     out.push_str(&format!("this.parameters = {{ {} }};\n", fields.join(", ")));
     out.push_str(&format!("this.joints = [\n{}];\n", joints.concat()));
-    out.push_str(&format!("this.convention = \"{convention}\";\nthis.task = \"{task}\";\nthis.few = {few};\n"));
+    out.push_str(&format!(
+        "this.convention = \"{convention}\";\nthis.task = \"{task}\";\nthis.rankDeficient = {rank_deficient};\n"
+    ));
     out.push_str(&format!("this.redundant = {};\n", format_args!("{:?}", chain.redundant)));
-    out.push_str(&format!("this.reach = {};\n", number(reach)));
+    out.push_str(&format!("this.lengthScale = {};\n", number(length_scale)));
     out
 }
 
@@ -102,20 +104,22 @@ fn assumed(chain: &Chain, handle: Handle, known: bool) -> f64 {
 }
 
 fn joint(chain: &Chain, index: usize, joint: &Joint) -> String {
-    let turns = chain.is_periodic(index);
+    let periodic = chain.is_periodic(index);
     let range = match &joint.range {
         Some((least, greatest)) => format!("[{}, {}]", number(bound(least)), number(bound(greatest))),
         None => "null".to_string(),
     };
-    let (angle, slides) = (is_angle(chain, index), matches!(joint.coordinate, Coordinate::Length(_)));
+    let (angle, prismatic) = (is_angle(chain, index), matches!(joint.coordinate, Coordinate::Length(_)));
     let (row, name) = (joint.row, string(&joint.name));
-    format!("{{ name: {name}, row: {row}, turns: {turns}, angle: {angle}, slides: {slides}, range: {range} }},\n")
+    format!(
+        "{{ name: {name}, row: {row}, periodic: {periodic}, angle: {angle}, prismatic: {prismatic}, range: {range} }},\n"
+    )
 }
 
-/// Is the motor's variable an angle? (A motor that drives a rack by a pinion is, though no joint turns with it.)
-fn is_angle(chain: &Chain, motor: usize) -> bool {
+/// Is the actuator's variable an angle? (An actuator that drives a rack by a pinion is, though no joint turns with it.)
+fn is_angle(chain: &Chain, actuator: usize) -> bool {
     chain.joints.iter().zip(&chain.drive).any(|(j, row)| {
-        row.get(motor).is_some_and(|k| {
+        row.get(actuator).is_some_and(|k| {
             let driven = !k.is_zero();
             driven && (matches!(j.coordinate, Coordinate::Angle(_)) || k.as_rational().is_none())
         })

@@ -4,7 +4,7 @@ use super::text::string;
 use crate::chain::Chain;
 use crate::program::{Choice, Indicator, Instruction, Inverse, Loop, Report, Sequence, Solve, Yield};
 use crate::render::code::body::{Body, Dialect};
-use crate::render::code::drive::{chosen, motors};
+use crate::render::code::drive::{actuators, chosen};
 use crate::render::code::steps::{
     Variable, Variables, call, combination, is_first, pattern, unit, with_representative,
 };
@@ -19,14 +19,14 @@ pub(super) fn candidates(chain: &Chain, inverse: &Inverse) -> String {
     printer.sequence(&inverse.body);
     format!(
         "// Runs the plan for the frame t (lengths over the length scale): calls `take` with every candidate.\n\
-         candidates(t, given, pick, take) {{\n{}let attempt = new Attempt(), free = [];\n{}return attempt;\n}}\n",
+         candidates(t, given, sample, take) {{\n{}let attempt = new Attempt(), free = [];\n{}return attempt;\n}}\n",
         super::arm::fields(chain),
         printer.out
     )
 }
 
 /// The length scale, a field of the arm.
-const LENGTH_SCALE: &str = "this.reach";
+const LENGTH_SCALE: &str = "this.lengthScale";
 
 struct Printer<'a> {
     chain: &'a Chain,
@@ -60,9 +60,9 @@ impl<'a> Printer<'a> {
     }
 
     fn given(&mut self, known: usize) {
-        let Variable { pair: [c, s], value, turns } = &self.variables.known[known];
+        let Variable { pair: [c, s], value, is_angle } = &self.variables.known[known];
         self.out.push_str(&format!("const {value} = {};\n", chosen(self.chain, known, &format!("given[{known}]"))));
-        self.out.push_str(&if *turns {
+        self.out.push_str(&if *is_angle {
             format!("const {c} = Math.cos({value}), {s} = Math.sin({value});\n")
         } else {
             format!("const {c} = {value} / {};\n", self.scale)
@@ -113,8 +113,8 @@ impl<'a> Printer<'a> {
             with_representative(Dialect::JavaScript, &self.variables, solve)
         ));
         for k in &over.binds {
-            let Variable { pair: [c, s], value, turns } = &self.variables.known[*k];
-            self.out.push_str(&if *turns {
+            let Variable { pair: [c, s], value, is_angle } = &self.variables.known[*k];
+            self.out.push_str(&if *is_angle {
                 format!("const {value} = Math.atan2({s}, {c});\n")
             } else {
                 format!("const {value} = {c} * {};\n", self.scale)
@@ -129,8 +129,8 @@ impl<'a> Printer<'a> {
     fn result(&mut self, result: &Yield) {
         let values = self.variables.values();
         let x: Vec<String> = result.joints.iter().map(|form| combination(form, &values)).collect();
-        let (motors, branch) = (motors(self.chain, &x).join(", "), branch(&result.branch, &self.variables));
-        self.out.push_str(&format!("take([{motors}], {branch}, {});\n", self.free));
+        let (actuators, branch) = (actuators(self.chain, &x).join(", "), branch(&result.branch, &self.variables));
+        self.out.push_str(&format!("take([{actuators}], {branch}, {});\n", self.free));
     }
 }
 

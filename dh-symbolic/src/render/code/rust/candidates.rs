@@ -3,7 +3,7 @@
 use crate::chain::{Chain, Scalar};
 use crate::program::{Instruction, Inverse, Loop, Report, Sequence, Solve, Yield};
 use crate::render::code::body::{Body, Dialect};
-use crate::render::code::drive::motors;
+use crate::render::code::drive::actuators;
 use crate::render::code::steps::{
     LENGTH_SCALE, Variables, branch, call, combination, given, pattern, unit, with_representative,
 };
@@ -117,7 +117,7 @@ impl<'a> Printer<'a> {
         for k in &over.binds {
             let known = &self.variables.known[*k];
             let [c, s] = &known.pair;
-            self.out.push_str(&if known.turns {
+            self.out.push_str(&if known.is_angle {
                 format!("let {} = ::dh_robot::runtime::atan2({s}, {c});\n", known.value)
             } else {
                 format!("let {} = {c} * {LENGTH_SCALE};\n", known.value)
@@ -130,7 +130,7 @@ impl<'a> Printer<'a> {
     fn result(&mut self, result: &Yield) {
         let values = self.variables.values();
         let x: Vec<String> = result.joints.iter().map(|form| combination(form, &values)).collect();
-        let (motors, branch) = (motors(self.chain, &x).join(", "), branch(&result.branch, &self.variables));
-        self.out.push_str(&format!("let branch = {branch};\nfound([{motors}], branch, path);\n"));
+        let (actuators, branch) = (actuators(self.chain, &x).join(", "), branch(&result.branch, &self.variables));
+        self.out.push_str(&format!("let branch = {branch};\nfound([{actuators}], branch, path);\n"));
     }
 }

@@ -24,10 +24,10 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
     };
     let fast = FastPath::of(chain, inverse);
     let fixed = fixed(chain);
-    let few = inverse.plan.few;
+    let rank_deficient = inverse.plan.rank_deficient;
     let prepared = |frame: &str| {
         format!(
-            "{frame}\nlet setting = ::dh_robot::runtime::Setting {{ joints: &Self::JOINTS, reach: {LENGTH_SCALE}, few: {few}, given: {fixed} }};\n\
+            "{frame}\nlet setting = ::dh_robot::runtime::Setting {{ joints: &Self::JOINTS, length_scale: {LENGTH_SCALE}, rank_deficient: {rank_deficient}, given: {fixed} }};\n\
              let task = {task};\n"
         )
     };
@@ -65,7 +65,7 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
         near(chain, inverse, fast.as_ref(), &prepared(&frame_one), &run),
     ));
     out.push_str(&super::batch::inverse(chain, inverse));
-    out.push_str(&tangent(chain, few));
+    out.push_str(&tangent(chain, rank_deficient));
     out.push_str(&unknowns(chain, inverse));
     out.push_str(&candidates(chain, inverse));
     out.push_str(&format!(
@@ -78,7 +78,7 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
         out.push_str(&fast.items(chain, inverse));
     }
     out.push_str("}\n");
-    out.push_str(&kinematics(chain, name, forward, few));
+    out.push_str(&kinematics(chain, name, forward, rank_deficient));
     out.push_str(&as_trait(chain, name, m, &kind));
     out
 }
@@ -119,7 +119,7 @@ fn near(chain: &Chain, inverse: &Inverse, fast: Option<&FastPath>, prepare: &str
         out.push_str(&format!(
             "let mut found = [[0.0; {total}]; {n}];\nlet mut valid = [0.0; {total}];\n\
              if self.all_branches(&frame{number}, &mut found, &mut valid) {{\n\
-             let list: ::dh_robot::Solutions<_, {n}, {m}> = ::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &found, &Self::BRANCHES);\n\
+             let list: ::dh_robot::Solutions<_, {n}, {m}> = ::dh_robot::runtime::batched::collect(&Self::JOINTS, &valid, &found, &Self::BRANCHES);\n\
              return ::dh_robot::runtime::nearest(&list, q, {LENGTH_SCALE});\n}}\n"
         ));
     }
@@ -131,7 +131,7 @@ fn near(chain: &Chain, inverse: &Inverse, fast: Option<&FastPath>, prepare: &str
 }
 
 /// The function that gives the direction of a solution's self-motion.
-fn tangent(chain: &Chain, few: bool) -> String {
+fn tangent(chain: &Chain, rank_deficient: bool) -> String {
     let (n, f) = (chain.dof(), scalar_name(chain.scalar));
     let one = |k: usize| match chain.redundant.contains(&k) {
         false => "::core::option::Option::None".to_string(),
@@ -149,12 +149,12 @@ fn tangent(chain: &Chain, few: bool) -> String {
         "/// The direction in which the arm can move at a solution with free joints while its target stays reached: joint speeds, the largest of\n\
          /// them 1 (or the arm's size, for a length). `None` at a solution that stands alone.\n#[must_use]\n\
          pub fn self_motion(&self, solution: &::dh_robot::Solution<{f}, {n}>) -> ::core::option::Option<[{f}; {n}]> {{\n\
-         let setting = ::dh_robot::runtime::Setting {{ joints: &Self::JOINTS, reach: {LENGTH_SCALE}, few: {few}, given: {fixed} }};\n\
+         let setting = ::dh_robot::runtime::Setting {{ joints: &Self::JOINTS, length_scale: {LENGTH_SCALE}, rank_deficient: {rank_deficient}, given: {fixed} }};\n\
          ::dh_robot::runtime::self_motion(self, setting, |t| ::dh_robot::runtime::Task::{task}, solution)\n}}\n\n"
     )
 }
 
-/// The function that gives the values of the plan's unknowns (radians, lengths over the reach) at joint values.
+/// The function that gives the values of the plan's unknowns (radians, lengths over the length scale) at joint values.
 fn unknowns(chain: &Chain, inverse: &Inverse) -> String {
     let plan = &inverse.plan;
     let x: Vec<String> = coordinates(chain);
@@ -164,8 +164,8 @@ fn unknowns(chain: &Chain, inverse: &Inverse) -> String {
             return "0.0".into();
         }
         let sum = combination(form, &x);
-        let slides = form.iter().position(|k| *k != 0).is_some_and(|k| !plan.axes.turns(k));
-        if slides { format!("({sum}) / {LENGTH_SCALE}") } else { sum }
+        let prismatic = form.iter().position(|k| *k != 0).is_some_and(|k| !plan.axes.is_revolute(k));
+        if prismatic { format!("({sum}) / {LENGTH_SCALE}") } else { sum }
     };
     let mut values: Vec<String> = plan.steps.iter().map(value).collect();
     values.resize(8, "0.0".into());

@@ -118,8 +118,8 @@ pub(super) fn declaration(head: &Head, chain: &Chain, docs: &str) -> TokenStream
     out
 }
 
-fn joint(chain: &Chain, motor: usize, joint: &crate::chain::Joint) -> String {
-    let kind = if chain.is_periodic(motor) { "revolute" } else { "prismatic" };
+fn joint(chain: &Chain, actuator: usize, joint: &crate::chain::Joint) -> String {
+    let kind = if chain.is_periodic(actuator) { "revolute" } else { "prismatic" };
     let range = joint.range.as_ref().map_or(String::new(), |(lo, hi)| {
         format!(".with_range({}, {})", literal(bound(lo), chain.scalar), literal(bound(hi), chain.scalar))
     });

@@ -21,22 +21,22 @@ impl Target {
     /// The target of a chain's task; `refuse` is the statement that gives back a reason.
     pub(super) fn of(chain: &Chain, refuse: &dyn Fn(&str) -> String) -> Target {
         let f = scalar_name(chain.scalar);
-        let (reach, not_finite, refuse) = (LENGTH_SCALE, refuse("::dh_robot::Why::NotFinite"), refuse("why"));
+        let (length_scale, not_finite, refuse) = (LENGTH_SCALE, refuse("::dh_robot::Why::NotFinite"), refuse("why"));
         let finite = |list: &str| format!("if !{list}.iter().all(|x: &f64| x.is_finite()) {{ {not_finite}; }}");
         match chain.task {
             Task::Pose => Target {
                 parameter: format!("target: &::dh_robot::nalgebra::IsometryMatrix3<{f}>"),
                 frame: format!(
-                    "let frame = match ::dh_robot::runtime::frame_of(target, {reach}) {{ ::core::result::Result::Ok(frame) => frame, ::core::result::Result::Err(why) => {refuse} }};"
+                    "let frame = match ::dh_robot::runtime::frame_of(target, {length_scale}) {{ ::core::result::Result::Ok(frame) => frame, ::core::result::Result::Err(why) => {refuse} }};"
                 ),
-                task: format!("::dh_robot::runtime::Task::Pose(::dh_robot::runtime::in_units(&frame, {reach}))"),
+                task: format!("::dh_robot::runtime::Task::Pose(::dh_robot::runtime::in_units(&frame, {length_scale}))"),
                 kind: format!("::dh_robot::nalgebra::IsometryMatrix3<{f}>"),
             },
             Task::Position => Target {
                 parameter: format!("target: &::dh_robot::nalgebra::Point3<{f}>"),
                 frame: format!(
                     "let p: [f64; 3] = [target.x.into(), target.y.into(), target.z.into()];\n{}\n\
-                     let frame = ::dh_robot::runtime::frame_of_axis(p.map(|x| x / {reach}), [0.0, 0.0, 1.0]);",
+                     let frame = ::dh_robot::runtime::frame_of_axis(p.map(|x| x / {length_scale}), [0.0, 0.0, 1.0]);",
                     finite("p")
                 ),
                 task: "::dh_robot::runtime::Task::Position(p)".into(),
@@ -46,7 +46,7 @@ impl Target {
                 parameter: format!("target: ({f}, {f}, {f})"),
                 frame: format!(
                     "let (x, y, phi): (f64, f64, f64) = (target.0.into(), target.1.into(), target.2.into());\n{}\n\
-                     let frame = ::dh_robot::runtime::frame_of_plane([x / {reach}, y / {reach}], phi, {});",
+                     let frame = ::dh_robot::runtime::frame_of_plane([x / {length_scale}, y / {length_scale}], phi, {});",
                     finite("[x, y, phi]"),
                     plane(chain)
                 ),
@@ -61,7 +61,7 @@ impl Target {
                     "let p: [f64; 3] = [target.0.x.into(), target.0.y.into(), target.0.z.into()];\n\
                      {}\n\
                      let z = match ::dh_robot::runtime::direction([target.1.x.into(), target.1.y.into(), target.1.z.into()]) {{ ::core::result::Result::Ok(z) => z, ::core::result::Result::Err(why) => {refuse} }};\n\
-                     let frame = ::dh_robot::runtime::frame_of_axis(p.map(|x| x / {reach}), z);",
+                     let frame = ::dh_robot::runtime::frame_of_axis(p.map(|x| x / {length_scale}), z);",
                     finite("p")
                 ),
                 task: "::dh_robot::runtime::Task::Axis(p, z)".into(),

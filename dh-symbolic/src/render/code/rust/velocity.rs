@@ -14,10 +14,10 @@ pub(super) fn functions(chain: &Chain) -> String {
         None => "::dh_robot::velocity::jacobian_dot(&self.jacobian(q), speeds)".into(),
         Some(m) => format!(
             "let det = {};\n::dh_robot::velocity::jacobian_dot_coupled(&self.jacobian(q), speeds, &{}, &{})",
-            m.det, m.rows, m.motors
+            m.det, m.rows, m.actuators
         ),
     };
-    let size = literal(Axes::new(chain).reach, chain.scalar);
+    let size = literal(Axes::new(chain).length_scale, chain.scalar);
     format!(
         "/// [`jacobian`](Self::jacobian) in the axes of the last frame (or tool) instead of the base; the point is the same.\n\
          #[inline]\n#[must_use]\npub fn jacobian_in_tool(&self, {q}) -> {matrix} {{\n\

@@ -8,7 +8,7 @@ use crate::render::code::drive::drive;
 /// What polishing needs: forward kinematics and Jacobian in `f64`.
 ///
 /// Arms of few joints report misses in their unit of length.
-pub(super) fn kinematics(chain: &Chain, name: &str, forward: &Forward, few: bool) -> String {
+pub(super) fn kinematics(chain: &Chain, name: &str, forward: &Forward, rank_deficient: bool) -> String {
     let n = chain.dof();
     let entry = |body: &Body<'_>, from: usize| {
         let row = |i: usize| {
@@ -27,8 +27,11 @@ pub(super) fn kinematics(chain: &Chain, name: &str, forward: &Forward, few: bool
             format!("[{}]", row.join(", "))
         })
         .collect();
-    let unit =
-        if few { format!("fn unit(&self) -> &'static str {{ \"{}\" }}\n", chain.unit.name) } else { String::new() };
+    let unit = if rank_deficient {
+        format!("fn unit(&self) -> &'static str {{ \"{}\" }}\n", chain.unit.name)
+    } else {
+        String::new()
+    };
     format!(
         "#[allow(unused, clippy::all, clippy::pedantic)]\nimpl ::dh_robot::runtime::Kinematics<{n}> for {name} {{\n\
          #[inline]\nfn forward(&self, q: &[f64; {n}]) -> ::dh_robot::runtime::Pose {{\n{}\n{}\n}}\n\

@@ -220,8 +220,8 @@ impl<'a> Explanation<'a> {
         let mut joints: Vec<usize> = Vec::new();
         let used = self.plan.knowledge.poses.iter().filter(|k| k.symbols().any(|s| symbols.contains(&s)));
         for pose in used {
-            let hops = &self.plan.axes.hops;
-            let outside = hops.get(..pose.left).unwrap_or(&[]).iter().chain(hops.get(pose.right..).unwrap_or(&[]));
+            let links = &self.plan.axes.links;
+            let outside = links.get(..pose.left).unwrap_or(&[]).iter().chain(links.get(pose.right..).unwrap_or(&[]));
             joints.extend(outside.filter_map(|h| h.joint));
         }
         let known = |k: usize| self.plan.knowledge.known.get(k);
@@ -268,7 +268,7 @@ impl<'a> Explanation<'a> {
     /// Known sines and cosines as harmonics.
     fn plain(&self, p: &Poly) -> Poly {
         p.substitute_symbols(|s| {
-            let known = self.plan.knowledge.known.iter().filter(|k| k.turns).find(|k| k.symbols.contains(&s))?;
+            let known = self.plan.knowledge.known.iter().filter(|k| k.is_angle).find(|k| k.symbols.contains(&s))?;
             let trig = self.angles(&known.form);
             Some(Poly::harmonic(&trig, known.symbols.first() != Some(&s)))
         })

@@ -146,8 +146,8 @@ impl Explanation<'_> {
     }
 
     /// Views of a frame of the planner, those first in which poses are written.
-    fn views(&self, hop: usize, left: bool) -> Vec<View> {
-        let Some(place) = self.places.get(hop) else { return Vec::new() };
+    fn views(&self, link: usize, left: bool) -> Vec<View> {
+        let Some(place) = self.places.get(link) else { return Vec::new() };
         let used = |v: &View| {
             self.poses.iter().any(|p| match left {
                 true => p.left == v.frame,
@@ -275,9 +275,9 @@ impl Explanation<'_> {
         self.poses.push(PoseName { index, left, right, matrix, product, extras, entries });
     }
 
-    /// The coordinate of a hop's joint.
-    fn joint_of(&self, hop: usize) -> Math {
-        let joint = self.plan.axes.hops.get(hop).and_then(|h| h.joint);
+    /// The coordinate of a link's joint.
+    fn joint_of(&self, link: usize) -> Math {
+        let joint = self.plan.axes.links.get(link).and_then(|h| h.joint);
         joint.map_or(Math::number(0), |k| self.coordinate(k))
     }
 
@@ -285,7 +285,7 @@ impl Explanation<'_> {
     pub(super) fn sources(&self, equations: &[Equation]) -> (Vec<Source>, Vec<Frame>) {
         let mut out: Vec<([Frame; 2], Source)> = Vec::new();
         for e in equations {
-            let joints = |hops: [usize; 2]| hops.map(|h| self.joint_of(h));
+            let joints = |links: [usize; 2]| links.map(|h| self.joint_of(h));
             let other = match e.scalar {
                 Scalar::Distance => {
                     let used: Vec<Frame> = self.poses.iter().flat_map(|p| [p.left, p.right]).collect();

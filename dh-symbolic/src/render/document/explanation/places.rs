@@ -132,7 +132,7 @@ fn forward(chain: &Chain, axes: &Axes, items: &[Item]) -> Vec<Mark> {
                 factors.push(e.clone());
             }
             // The height that a task in the plane leaves open.
-            Item::Joint(j) if *j >= axes.real && !axes.turns(*j) => {
+            Item::Joint(j) if *j >= axes.real && !axes.is_revolute(*j) => {
                 shares = Shares::NoHeight;
                 factors.extend(virtual_motion(axes, *j));
             }
@@ -157,7 +157,7 @@ fn backward(chain: &Chain, axes: &Axes, items: &[Item]) -> Vec<Mark> {
                 motion = e.transform().times(&motion);
                 factors.insert(0, e.clone());
             }
-            Item::Joint(j) if *j >= axes.real && axes.turns(*j) => {
+            Item::Joint(j) if *j >= axes.real && axes.is_revolute(*j) => {
                 turns += 1;
                 factors.splice(0..0, virtual_motion(axes, *j));
             }
@@ -192,7 +192,7 @@ fn virtual_motion(axes: &Axes, joint: usize) -> Option<Elementary> {
 fn before_turn(chain: &Chain, axes: &Axes, items: &[Item]) -> Option<Frame> {
     let [rest @ .., Item::Joint(j)] = items else { return None };
     let still = |m: &Mark| m.motion.p.iter().all(Poly::is_zero) && m.shares == Shares::All;
-    axes.turns(*j).then(|| backward(chain, axes, rest).into_iter().find(still).map(|m| m.frame)).flatten()
+    axes.is_revolute(*j).then(|| backward(chain, axes, rest).into_iter().find(still).map(|m| m.frame)).flatten()
 }
 
 /// A pair of frames in which a known pose is written.

@@ -96,8 +96,8 @@ fn body(camera: &Camera, posture: &Posture, thick: f64) -> Vec<Shape> {
     let mut items: Vec<(f64, Vec<Shape>)> = Vec::new();
     for bar in posture.bars() {
         let [a, b] = bar.ends;
-        let width = thick * if bar.slides { 4.0 } else { 6.5 };
-        let (fill, edge) = if bar.slides { (LIGHT_BRASS, Color(150, 125, 50)) } else { (BAR, BAR_EDGE) };
+        let width = thick * if bar.prismatic { 4.0 } else { 6.5 };
+        let (fill, edge) = if bar.prismatic { (LIGHT_BRASS, Color(150, 125, 50)) } else { (BAR, BAR_EDGE) };
         let line = vec![camera.project(a), camera.project(b)];
         let shapes = vec![
             Shape::Line(line.clone(), Pen::new(edge, width + 1.6 * thick.max(0.6))),
@@ -107,7 +107,7 @@ fn body(camera: &Camera, posture: &Posture, thick: f64) -> Vec<Shape> {
     }
     for axis in posture.axes() {
         let shrink = thick * (1.0 - 0.05 * axis.joint as f64).max(0.6) / camera.scale;
-        let (along, across) = if axis.slides { (15.0, 6.5) } else { (12.0, 7.5) };
+        let (along, across) = if axis.prismatic { (15.0, 6.5) } else { (12.0, 7.5) };
         items.push((
             camera.depth(axis.at) + across * shrink,
             prism(camera, &axis, along * shrink, across * shrink, thick),
@@ -123,7 +123,7 @@ fn prism(camera: &Camera, axis: &Axis, along: f64, across: f64, thick: f64) -> V
     let u = cross(axis.along, side);
     let u = u.map(|x| x / dot(u, u).sqrt());
     let v = cross(axis.along, u);
-    let corners = match axis.slides {
+    let corners = match axis.prismatic {
         true => 4,
         false if thick < 1.0 => 12,
         false => 20,
@@ -136,10 +136,10 @@ fn prism(camera: &Camera, axis: &Axis, along: f64, across: f64, thick: f64) -> V
     let near = if dot(axis.along, camera.toward) >= 0.0 { along } else { -along };
     let (front, back) = (ring(near), ring(-near));
     let (fill, cap, edge) =
-        if axis.slides { (BRASS, LIGHT_BRASS, Color(107, 87, 21)) } else { (STEEL, LIGHT_STEEL, Color(51, 72, 92)) };
+        if axis.prismatic { (BRASS, LIGHT_BRASS, Color(107, 87, 21)) } else { (STEEL, LIGHT_STEEL, Color(51, 72, 92)) };
     let pen = Some(Pen::new(edge, 0.8 * thick.max(0.6)));
     let mut shapes = vec![Shape::Area(hull(&[front.clone(), back].concat()), fill, pen)];
-    if axis.slides {
+    if axis.prismatic {
         // The edges between the two visible sides.
         for (i, corner) in front.iter().enumerate() {
             let t = std::f64::consts::TAU * (i as f64 + 0.5) / 4.0;

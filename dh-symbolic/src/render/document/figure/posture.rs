@@ -37,14 +37,14 @@ pub(super) struct Bar {
     pub(super) ends: [V3; 2],
     pub(super) part: Part,
     /// Does it get longer as a joint slides?
-    pub(super) slides: bool,
+    pub(super) prismatic: bool,
 }
 
 /// A joint in space.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Axis {
     pub(super) joint: usize,
-    pub(super) slides: bool,
+    pub(super) prismatic: bool,
     pub(super) at: V3,
     pub(super) along: V3,
 }
@@ -82,12 +82,12 @@ impl Posture {
             frames.push(compose(&last, &number(link)));
         }
         let last = frames.last().copied().unwrap_or(dh_kernels::pose::IDENTITY);
-        let slides = |k: usize| chain.joints.get(k).is_some_and(|j| matches!(j.coordinate, Coordinate::Length(_)));
+        let prismatic = |k: usize| chain.joints.get(k).is_some_and(|j| matches!(j.coordinate, Coordinate::Length(_)));
         Posture {
             frames,
             tip: compose(&last, &number(kinematics.tool())),
             modified: chain.convention == Convention::Modified,
-            joints: chain.links.iter().map(|l| l.joint.map(|k| (k, slides(k)))).collect(),
+            joints: chain.links.iter().map(|l| l.joint.map(|k| (k, prismatic(k)))).collect(),
         }
     }
 
@@ -110,18 +110,18 @@ impl Posture {
     pub(super) fn bars(&self) -> Vec<Bar> {
         let mut bars = Vec::new();
         if let Some(first) = self.frames.first() {
-            bars.push(Bar { ends: [[0.0; 3], origin(first)], part: Part::Base, slides: false });
+            bars.push(Bar { ends: [[0.0; 3], origin(first)], part: Part::Base, prismatic: false });
         }
         for (row, pair) in self.frames.windows(2).enumerate() {
             let [before, after] = pair else { continue };
             let (across, along) = self.pieces(before, after);
-            let slides = self.joints.get(row).copied().flatten().is_some_and(|(_, slides)| slides);
-            let length = Bar { ends: across, part: Part::Length(row), slides: false };
-            let offset = Bar { ends: along, part: Part::Offset(row), slides };
+            let prismatic = self.joints.get(row).copied().flatten().is_some_and(|(_, prismatic)| prismatic);
+            let length = Bar { ends: across, part: Part::Length(row), prismatic: false };
+            let offset = Bar { ends: along, part: Part::Offset(row), prismatic };
             bars.extend(if self.modified { [length, offset] } else { [offset, length] });
         }
         if let Some(last) = self.frames.last() {
-            bars.push(Bar { ends: [origin(last), origin(&self.tip)], part: Part::Tool, slides: false });
+            bars.push(Bar { ends: [origin(last), origin(&self.tip)], part: Part::Tool, prismatic: false });
         }
         bars.retain(|b| distance(b.ends[0], b.ends[1]) > 1e-9);
         bars
@@ -145,10 +145,10 @@ impl Posture {
     pub(super) fn axes(&self) -> Vec<Axis> {
         let rows = self.frames.windows(2).zip(&self.joints);
         rows.filter_map(|(pair, joint)| {
-            let ([before, after], (joint, slides)) = (pair, (*joint)?) else { return None };
+            let ([before, after], (joint, prismatic)) = (pair, (*joint)?) else { return None };
             let (_, [from, to]) = self.pieces(before, after);
             let along = column(if self.modified { after } else { before }, 2);
-            Some(Axis { joint, slides, at: plus(from, plus(to, from, -1.0), 0.5), along })
+            Some(Axis { joint, prismatic, at: plus(from, plus(to, from, -1.0), 0.5), along })
         })
         .collect()
     }
@@ -161,6 +161,6 @@ impl Posture {
             && self
                 .axes()
                 .iter()
-                .all(|a| if a.slides { a.along[2].abs() < 1e-9 } else { a.along[2].abs() > 1.0 - 1e-9 })
+                .all(|a| if a.prismatic { a.along[2].abs() < 1e-9 } else { a.along[2].abs() > 1.0 - 1e-9 })
     }
 }

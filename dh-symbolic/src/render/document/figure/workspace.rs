@@ -35,21 +35,21 @@ const DIRECTIONS: f64 = 1e-9;
 /// The rings of an arm with numbers; `None` for arms that are not planar, do not turn freely, or have no bound.
 pub fn rings(chain: &Chain, kinematics: &Kinematics) -> Option<Rings> {
     let n = chain.dof();
-    let turns = |k: usize| chain.joints.get(k).is_some_and(|j| matches!(j.coordinate, Coordinate::Angle(_)));
+    let revolute = |k: usize| chain.joints.get(k).is_some_and(|j| matches!(j.coordinate, Coordinate::Angle(_)));
     let range = |k: usize| {
         let range = chain.joints.get(k).and_then(|j| j.range.as_ref());
         range.map(|(least, greatest)| (bound(least), bound(greatest)))
     };
     let free = |k: usize| range(k).is_none_or(|(a, b)| b - a >= std::f64::consts::TAU - 1e-9);
-    if !(chain.is_direct() && n >= 2 && turns(0) && free(0) && is_planar(chain, kinematics)) {
+    if !(chain.is_direct() && n >= 2 && revolute(0) && free(0) && is_planar(chain, kinematics)) {
         return None;
     }
     if n > 2 {
-        return (0..n).all(|k| turns(k) && free(k)).then(|| links(chain, kinematics))?;
+        return (0..n).all(|k| revolute(k) && free(k)).then(|| links(chain, kinematics))?;
     }
     let (least, greatest) = match range(1) {
         Some(range) => range,
-        None if turns(1) => (-std::f64::consts::PI, std::f64::consts::PI),
+        None if revolute(1) => (-std::f64::consts::PI, std::f64::consts::PI),
         None => return None,
     };
     // The second joint alone decides how far the tip is from the first axis.
@@ -58,7 +58,7 @@ pub fn rings(chain: &Chain, kinematics: &Kinematics) -> Option<Rings> {
         (0..=SAMPLES).map(|i| radius(least + (greatest - least) * i as f64 / SAMPLES as f64)).collect();
     let size = samples.iter().copied().fold(0.0, f64::max);
     let mut critical: Vec<f64> = samples.first().into_iter().chain(samples.last()).copied().collect();
-    let whole = turns(1) && free(1);
+    let whole = revolute(1) && free(1);
     if whole {
         critical.clear();
     }
@@ -110,7 +110,7 @@ fn is_planar(chain: &Chain, kinematics: &Kinematics) -> bool {
         let same = height.replace(tip).is_none_or(|h| (h - tip).abs() < DIRECTIONS);
         same && axes.iter().all(|a| {
             let along = dot(a.along, first.along).abs();
-            if a.slides { along < DIRECTIONS } else { along > 1.0 - DIRECTIONS }
+            if a.prismatic { along < DIRECTIONS } else { along > 1.0 - DIRECTIONS }
         })
     })
 }

@@ -68,13 +68,13 @@ impl Arm {
         self.chain.dof()
     }
 
-    pub(super) fn turns(&self, k: usize) -> bool {
+    pub(super) fn is_revolute(&self, k: usize) -> bool {
         matches!(self.chain.joints.get(k).map(|j| j.coordinate), Some(Coordinate::Angle(_)))
     }
 
     /// Can whole turns be added to variable `k`?
     fn wraps(&self, k: usize) -> bool {
-        self.turns(k) && self.chain.is_direct()
+        self.is_revolute(k) && self.chain.is_direct()
     }
 
     pub(super) fn range(&self, k: usize) -> Option<(f64, f64)> {
@@ -89,10 +89,10 @@ impl Arm {
     /// Values in general position: within the ranges where there are some.
     pub(super) fn generic(&self) -> Vec<f64> {
         let value = |k: usize| {
-            let x = if self.turns(k) {
+            let x = if self.is_revolute(k) {
                 (DEGREES[k % DEGREES.len()] as f64).to_radians()
             } else {
-                slide(self.inverse.plan.axes.reach)
+                slide(self.inverse.plan.axes.length_scale)
             };
             match self.range(k).filter(|_| !self.contains(k, x)) {
                 Some((low, high)) => low + 0.4 * (high - low),
@@ -219,17 +219,18 @@ impl Arm {
 
     /// All solutions, greatest first value first, and the greatest error.
     pub(super) fn solve(&self, goal: &Pose, q: &[f64]) -> (Vec<Found>, f64, Missed) {
-        let reach = self.inverse.plan.axes.reach;
+        let length_scale = self.inverse.plan.axes.length_scale;
         let mut target = *goal;
         for row in &mut target {
-            row[3] /= reach;
+            row[3] /= length_scale;
         }
         let x = self.coordinates(q);
         let known = self.inverse.plan.knowledge.known.iter().take(self.inverse.plan.given);
         let given: Vec<f64> = known
             .map(|k| {
-                let value =
-                    |(c, (j, x)): (&i8, (usize, &f64))| f64::from(*c) * if self.turns(j) { *x } else { x / reach };
+                let value = |(c, (j, x)): (&i8, (usize, &f64))| {
+                    f64::from(*c) * if self.is_revolute(j) { *x } else { x / length_scale }
+                };
                 k.form.iter().zip(x.iter().enumerate()).map(value).sum()
             })
             .collect();
@@ -237,7 +238,7 @@ impl Arm {
         let attempt = self.inverse.attempt(&self.chain, &target, &given, &|_| ([1.0, 0.0], 0.0));
         let missed = match attempt.shortfall {
             Some(s) if s.is_distance && attempt.candidates.is_empty() => Missed::Short(s),
-            _ if self.inverse.plan.few => Missed::NotOnTask,
+            _ if self.inverse.plan.rank_deficient => Missed::NotOnTask,
             Some(s) if s.needs > s.has => Missed::Short(s),
             _ => Missed::Unknown,
         };
@@ -245,13 +246,13 @@ impl Arm {
             let y: Vec<f64> = (0..self.dof())
                 .map(|k| {
                     let x = candidate.x.get(k).copied().unwrap_or(f64::NAN);
-                    if self.turns(k) { x.sin().atan2(x.cos()) } else { x * reach }
+                    if self.is_revolute(k) { x.sin().atan2(x.cos()) } else { x * length_scale }
                 })
                 .collect();
             let q = self.variables(&y);
             let error = self.misses(&self.forward(&q), goal);
             let known = found.iter().any(|f| f.q.iter().zip(&q).all(|(a, b)| (a - b).abs() < 1e-6));
-            if error < 1e-6 * (1.0 + reach) && !known {
+            if error < 1e-6 * (1.0 + length_scale) && !known {
                 worst = worst.max(error);
                 let in_range = (0..self.dof()).all(|k| self.contains(k, q[k]));
                 found.push(Found { q, in_range, free: !candidate.free.is_empty(), branch: candidate.branch });
@@ -274,10 +275,10 @@ impl Arm {
     }
 }
 
-/// A quarter of the reach, rounded down to one digit.
-pub(super) fn slide(reach: f64) -> f64 {
-    let unit = 10f64.powf((reach / 4.0).log10().floor());
-    (reach / 4.0 / unit).floor() * unit
+/// A quarter of the length scale, rounded down to one digit.
+pub(super) fn slide(length_scale: f64) -> f64 {
+    let unit = 10f64.powf((length_scale / 4.0).log10().floor());
+    (length_scale / 4.0 / unit).floor() * unit
 }
 
 /// The arm with every parameter fixed: nominal values, 1 for lengths and 30 degrees for angles without one.

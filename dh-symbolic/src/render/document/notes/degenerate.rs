@@ -14,7 +14,7 @@ use crate::render::document::frames::Frame;
 const STARTS: usize = 6;
 /// Newton steps from each.
 const STEPS: usize = 14;
-/// Size of a residual that counts as zero (lengths over the reach).
+/// Size of a residual that counts as zero (lengths over the length scale).
 const ZERO: f64 = 1e-9;
 /// How far the unknown is moved.
 const APART: f64 = 0.3;
@@ -27,10 +27,10 @@ pub(super) fn is_free(arm: &Arm, explanation: &Explanation<'_>, step: &StepExpla
         return false;
     };
     let n = arm.dof();
-    let reach = plan.axes.reach;
+    let length_scale = plan.axes.length_scale;
     let symbols: Vec<Symbol> = coefficients.iter().flat_map(Poly::symbols).collect();
     // Values of the same size whatever the unit of lengths is.
-    let sizes: Vec<f64> = coefficients.iter().map(|p| reach.powi(degree(arm, p))).collect();
+    let sizes: Vec<f64> = coefficients.iter().map(|p| length_scale.powi(degree(arm, p))).collect();
     let vanish = |x: &[f64]| -> Option<Vec<f64>> {
         let values = pose_values(explanation, arm, x, Some(&symbols))?;
         let known = |s: Symbol| values.iter().find(|v| v.0 == s).map(|v| v.1);
@@ -38,7 +38,7 @@ pub(super) fn is_free(arm: &Arm, explanation: &Explanation<'_>, step: &StepExpla
     };
     let rows: Vec<&JointCombination> = plan.knowledge.known.iter().take(before).map(|k| &k.form).collect();
     let combination = |f: &JointCombination, x: &[f64]| -> f64 {
-        let scale = |k: usize| if arm.turns(k) { 1.0 } else { reach };
+        let scale = |k: usize| if arm.is_revolute(k) { 1.0 } else { length_scale };
         f.iter().zip(x).enumerate().map(|(k, (c, x))| f64::from(*c) * x / scale(k)).sum()
     };
     let state = |x: &[f64]| -> Option<Vec<f64>> {
@@ -50,7 +50,7 @@ pub(super) fn is_free(arm: &Arm, explanation: &Explanation<'_>, step: &StepExpla
         let start: Vec<f64> = (0..n)
             .map(|j| {
                 let x = 2.6 * ((1.7 + j as f64) * (2.3 + k as f64) * 1.3).sin();
-                if arm.turns(j) { x } else { 0.3 * x * reach }
+                if arm.is_revolute(j) { x } else { 0.3 * x * length_scale }
             })
             .collect();
         let Some(x) = newton(arm, &start, &vanish) else { return false };
@@ -88,7 +88,7 @@ fn degree(arm: &Arm, p: &Poly) -> i32 {
     terms.max().unwrap_or(0)
 }
 
-/// What the task asks of the tool, lengths over the reach.
+/// What the task asks of the tool, lengths over the length scale.
 fn task(arm: &Arm, explanation: &Explanation<'_>, x: &[f64]) -> Option<Vec<f64>> {
     let [from, to] = explanation.whole();
     let t = seen(explanation, arm, to, x)?;
@@ -98,7 +98,7 @@ fn task(arm: &Arm, explanation: &Explanation<'_>, x: &[f64]) -> Option<Vec<f64>>
         }
         _ => t,
     };
-    let reach = arm.inverse.plan.axes.reach;
+    let length_scale = arm.inverse.plan.axes.length_scale;
     let mut out = Vec::new();
     for (i, row) in t.iter().enumerate() {
         for (j, value) in row.iter().enumerate() {
@@ -109,7 +109,7 @@ fn task(arm: &Arm, explanation: &Explanation<'_>, x: &[f64]) -> Option<Vec<f64>>
                 Task::Planar => i < 2 && (j == 0 || j == 3),
             };
             if counts {
-                out.push(if j == 3 { value / reach } else { *value });
+                out.push(if j == 3 { value / length_scale } else { *value });
             }
         }
     }
@@ -118,9 +118,9 @@ fn task(arm: &Arm, explanation: &Explanation<'_>, x: &[f64]) -> Option<Vec<f64>>
 
 /// A zero of a residual near a joint vector, by damped least squares with slopes from differences.
 fn newton(arm: &Arm, start: &[f64], residual: &dyn Fn(&[f64]) -> Option<Vec<f64>>) -> Option<Vec<f64>> {
-    let reach = arm.inverse.plan.axes.reach;
+    let length_scale = arm.inverse.plan.axes.length_scale;
     let n = start.len();
-    let unit = |k: usize| if arm.turns(k) { 1.0 } else { reach };
+    let unit = |k: usize| if arm.is_revolute(k) { 1.0 } else { length_scale };
     let mut x = start.to_vec();
     for _ in 0..STEPS {
         let r = residual(&x)?;

@@ -117,7 +117,7 @@ impl Writer<'_> {
         self.tell(Phrase::ExampleValues, free);
     }
 
-    /// theta1 or, where the motors are not the joints, q1.
+    /// theta1 or, where the actuators are not the joints, q1.
     fn variable(&self, arm: &Arm, k: usize) -> Math {
         let plain = arm.chain.is_direct() && self.chain.joints.get(k).is_some_and(|j| j.shift.is_zero());
         if plain { self.coordinate(k) } else { Math::Letter('q').below(Math::number(k + 1)) }
@@ -129,7 +129,7 @@ impl Writer<'_> {
     }
 
     fn number_of(&self, arm: &Arm, k: usize, x: f64, places: usize) -> Math {
-        if arm.turns(k) { self.notation.decimal_angle(x, places) } else { entry(x, self.places(arm)) }
+        if arm.is_revolute(k) { self.notation.decimal_angle(x, places) } else { entry(x, self.places(arm)) }
     }
 
     pub(super) fn value_of(&self, arm: &Arm, k: usize, x: f64, places: usize) -> Math {
@@ -147,7 +147,7 @@ impl Writer<'_> {
     /// Places of lengths, from the size of the arm.
     fn places(&self, arm: &Arm) -> usize {
         let digits = self.options.digits as f64;
-        (digits - arm.inverse.plan.axes.reach.log10().floor()).clamp(0.0, digits + 2.0) as usize
+        (digits - arm.inverse.plan.axes.length_scale.log10().floor()).clamp(0.0, digits + 2.0) as usize
     }
 
     /// The pose, as far as the task asks for it.
@@ -286,7 +286,7 @@ impl Writer<'_> {
                     (false, _) => Phrase::ExampleBeyond,
                 };
                 let size = |x: f64| match s.is_distance {
-                    true => decimal(x * arm.inverse.plan.axes.reach, self.places(arm)),
+                    true => decimal(x * arm.inverse.plan.axes.length_scale, self.places(arm)),
                     false => decimal(x, 4),
                 };
                 let pieces = vec![Math::number(s.step + 1), Math::word(&s.unknowns), size(s.needs), size(s.has)];

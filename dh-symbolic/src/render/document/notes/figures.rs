@@ -32,8 +32,8 @@ impl Writer<'_> {
 
     /// `theta1 = 20 degrees`.
     fn at(&self, k: usize, x: f64) -> Math {
-        let turns = self.chain.joints.get(k).is_some_and(|j| matches!(j.coordinate, Coordinate::Angle(_)));
-        let value = if turns {
+        let revolute = self.chain.joints.get(k).is_some_and(|j| matches!(j.coordinate, Coordinate::Angle(_)));
+        let value = if revolute {
             self.notation.decimal_angle(x, if (x.to_degrees() - x.to_degrees().round()).abs() < 1e-9 { 0 } else { 2 })
         } else {
             let text = format!("{x:.4}");
@@ -76,11 +76,11 @@ impl Writer<'_> {
 
 /// Joint coordinates of the example's variables.
 fn coordinates(chain: &Chain, start: Option<&Start>) -> Vec<f64> {
-    let reach = Axes::new(chain).reach;
-    let turns = |k: usize| chain.joints.get(k).is_some_and(|j| matches!(j.coordinate, Coordinate::Angle(_)));
+    let length_scale = Axes::new(chain).length_scale;
+    let revolute = |k: usize| chain.joints.get(k).is_some_and(|j| matches!(j.coordinate, Coordinate::Angle(_)));
     let q: Vec<f64> = (0..chain.dof())
         .map(|k| {
-            let x = if turns(k) { generic_degrees(k).to_radians() } else { slide(reach) };
+            let x = if revolute(k) { generic_degrees(k).to_radians() } else { slide(length_scale) };
             let range = chain.joints.get(k).and_then(|j| j.range.as_ref());
             let inside = range.map(|(a, b)| (given::bound(a), given::bound(b))).filter(|(a, b)| x < *a || x > *b);
             let usual = inside.map_or(x, |(a, b)| a + 0.4 * (b - a));

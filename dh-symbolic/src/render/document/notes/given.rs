@@ -37,8 +37,8 @@ pub(super) fn joints(chain: &Chain, what: &str, text: &str) -> Result<Vec<Option
         let Some(k) = chain.joints.iter().position(|j| j.name == name) else {
             return Err(format!("`{what}`: the robot has no joint variable `{name}`"));
         };
-        let turns = chain.joints.get(k).is_some_and(|j| matches!(j.coordinate, Coordinate::Angle(_)));
-        let list = motions(chain, what, &if turns { format!("rz({value})") } else { format!("tz({value})") })?;
+        let revolute = chain.joints.get(k).is_some_and(|j| matches!(j.coordinate, Coordinate::Angle(_)));
+        let list = motions(chain, what, &if revolute { format!("rz({value})") } else { format!("tz({value})") })?;
         let number = match list.as_slice() {
             [MotionSpec::Rotate(_, angle)] => angle.radians(),
             [MotionSpec::Translate(_, x)] => length(x),

@@ -65,7 +65,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Columns for the motors: those for the joint coordinates times the coupling.
+    /// Columns for the actuators: those for the joint coordinates times the coupling.
     fn motor_columns(&self, kinematics: &Kinematics) -> Vec<Vec<Poly>> {
         let columns: Vec<Vec<Poly>> = jacobian(self.chain, kinematics)
             .into_iter()
@@ -75,13 +75,13 @@ impl Writer<'_> {
             return columns;
         }
         (0..self.chain.dof())
-            .map(|motor| {
+            .map(|actuator| {
                 (0..6)
                     .map(|r| {
                         columns
                             .iter()
                             .zip(&self.chain.drive)
-                            .filter_map(|(c, line)| Some(c.get(r)? * line.get(motor)?))
+                            .filter_map(|(c, line)| Some(c.get(r)? * line.get(actuator)?))
                             .sum()
                     })
                     .collect()

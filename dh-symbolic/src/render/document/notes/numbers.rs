@@ -139,7 +139,7 @@ fn is_real(form: &JointCombination, real: usize) -> bool {
 /// The value of a combination of coordinates, and whether it turns.
 pub(super) fn combined(arm: &Arm, form: &JointCombination, x: &[f64]) -> (f64, bool) {
     let sum: f64 = form.iter().zip(x).map(|(k, x)| f64::from(*k) * x).sum();
-    let turns = form.iter().position(|k| *k != 0).is_some_and(|k| arm.turns(k));
+    let turns = form.iter().position(|k| *k != 0).is_some_and(|k| arm.is_revolute(k));
     (if turns { sum.sin().atan2(sum.cos()) } else { sum }, turns)
 }
 

@@ -6,7 +6,7 @@ use crate::render::formula::style::{Style, Transforms};
 /// A part of a note.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// The table, the values of its parameters, the coupling of the motors.
+    /// The table, the values of its parameters, the coupling of the actuators.
     Table,
     /// The arm drawn with its frames.
     Figure,

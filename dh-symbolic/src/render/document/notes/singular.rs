@@ -87,13 +87,13 @@ impl Writer<'_> {
                 .collect();
             super::inverse::listed(&kept)
         };
-        let (slides, turns) = (list(Open::Slide), list(Open::Turn));
-        let phrase = match (slides.is_empty(), turns.is_empty()) {
+        let (prismatic, revolute) = (list(Open::Translation), list(Open::Rotation));
+        let phrase = match (prismatic.is_empty(), revolute.is_empty()) {
             (false, false) => Phrase::SingularOnly,
             (false, true) => Phrase::SingularOnlySlides,
             _ => Phrase::SingularOnlyTurns,
         };
-        let mut lists = [slides, turns].into_iter().filter(|l| !l.is_empty());
+        let mut lists = [prismatic, revolute].into_iter().filter(|l| !l.is_empty());
         let mut out = Vec::new();
         for (i, words) in self.words(phrase).split("{}").enumerate() {
             if i > 0 {
@@ -328,8 +328,9 @@ impl Writer<'_> {
     fn roots(&self, p: &Poly) -> Option<Vec<Span>> {
         let is_joint = |v: &AngleVar| self.chain.joints.iter().any(|j| j.coordinate == Coordinate::Angle(*v));
         let mine: Vec<AngleVar> = p.angles().into_iter().filter(is_joint).collect();
-        let slides = self.chain.joints.iter().any(|j| matches!(j.coordinate, Coordinate::Length(s) if p.has_symbol(s)));
-        let ([v], false) = (mine.as_slice(), slides) else { return None };
+        let prismatic =
+            self.chain.joints.iter().any(|j| matches!(j.coordinate, Coordinate::Length(s) if p.has_symbol(s)));
+        let ([v], false) = (mine.as_slice(), prismatic) else { return None };
         let trig = |f: &Atom| matches!(f, Atom::Cos(t) | Atom::Sin(t) if t.iter().any(|(w, _)| w == v));
         let [mut a, mut b, mut c] = [Poly::zero(), Poly::zero(), Poly::zero()];
         for (m, value) in p.collect(trig) {

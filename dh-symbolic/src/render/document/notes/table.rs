@@ -1,4 +1,4 @@
-//! The table, the values of its parameters, the coupling of the motors.
+//! The table, the values of its parameters, the coupling of the actuators.
 
 use super::{Block, Equation, Math, Phrase, Sign, Span, Text, Writer};
 use crate::algebra::LinearAngle;
@@ -117,7 +117,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Joint coordinates as functions of the motors, where they are not the same.
+    /// Joint coordinates as functions of the actuators, where they are not the same.
     fn coupling(&mut self) {
         let relations = relations(self.chain, &self.notation, &self.order);
         if !relations.is_empty() {

@@ -145,7 +145,7 @@ fn the_cup_task_comes_out_as_on_the_slides() {
     assert_eq!(values, ["21.72°", "−52.19°", "2.48°", "−20.05°", "−42.07°", "15.16°"]);
 }
 
-/// Tasks with freedom, a chosen joint, coupled motors: the joint vector that made the pose is among the solutions.
+/// Tasks with freedom, a chosen joint, coupled actuators: the joint vector that made the pose is among the solutions.
 #[test]
 fn examples_of_every_kind_of_arm() {
     let position = PLANAR.replace("unit = mm;", "unit = mm; task = planar;");

@@ -19,7 +19,7 @@ const value = (joint, x) => (joint.angle && inDegrees() ? x * DEGREE : x);
 const unitName = (joint) => (joint.angle ? (inDegrees() ? "°" : "rad") : arm.unit);
 
 // Where a table gives no range, an angle goes all the way round, and a slide as far as half the arm's reach.
-const ranges = arm.joints.map((joint) => joint.range ?? (joint.angle ? [-Math.PI, Math.PI] : [0, 0.5 * arm.reach]));
+const ranges = arm.joints.map((joint) => joint.range ?? (joint.angle ? [-Math.PI, Math.PI] : [0, 0.5 * arm.lengthScale]));
 const first = arm.joints.map((joint, k) => {
   const [least, greatest] = ranges[k];
   const wanted = joint.angle ? EXAMPLE[k % EXAMPLE.length] * DEGREE : least + 0.4 * (greatest - least);

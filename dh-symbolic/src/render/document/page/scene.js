@@ -9,20 +9,20 @@ const unitOf = (v) => { const n = length(v); return n > 0 ? v.map((x) => x / n) 
 function skeleton(arm, q) {
   const frames = [arm.base(), ...arm.links(q)], tip = arm.forward(q), bars = [], joints = [];
   const origin = (f) => columnOf(f, 3), modified = arm.convention === "modified";
-  if (distance([0, 0, 0], origin(frames[0])) > 1e-9 * arm.reach) bars.push({ from: [0, 0, 0], to: origin(frames[0]), part: "base" });
+  if (distance([0, 0, 0], origin(frames[0])) > 1e-9 * arm.lengthScale) bars.push({ from: [0, 0, 0], to: origin(frames[0]), part: "base" });
   for (let i = 1; i < frames.length; i++) {
     const before = frames[i - 1], after = frames[i], a = origin(before), b = origin(after);
     // The table's row goes along x by a and along z by d, in the order of its convention.
     const axis = columnOf(modified ? after : before, 2), d = dot(add(b, a, -1), axis);
     const corner = modified ? add(b, axis, -d) : add(a, axis, d);
     const along = modified ? [corner, b] : [a, corner], across = modified ? [a, corner] : [corner, b];
-    const k = arm.joints.findIndex((joint) => joint.row === i - 1), slides = k >= 0 && arm.joints[k].slides;
-    bars.push({ from: across[0], to: across[1], part: "a" }, { from: along[0], to: along[1], part: slides ? "rod" : "d" });
-    if (k >= 0) joints.push({ k, slides, axis, at: middle(along[0], along[1]) });
+    const k = arm.joints.findIndex((joint) => joint.row === i - 1), prismatic = k >= 0 && arm.joints[k].prismatic;
+    bars.push({ from: across[0], to: across[1], part: "a" }, { from: along[0], to: along[1], part: prismatic ? "rod" : "d" });
+    if (k >= 0) joints.push({ k, prismatic, axis, at: middle(along[0], along[1]) });
   }
   const end = origin(frames[frames.length - 1]);
-  if (distance(end, origin(tip)) > 1e-9 * arm.reach) bars.push({ from: end, to: origin(tip), part: "tool" });
-  return { bars: bars.filter((b) => distance(b.from, b.to) > 1e-9 * arm.reach), joints, frames, tip, moved: distance(end, origin(tip)) > 1e-9 * arm.reach };
+  if (distance(end, origin(tip)) > 1e-9 * arm.lengthScale) bars.push({ from: end, to: origin(tip), part: "tool" });
+  return { bars: bars.filter((b) => distance(b.from, b.to) > 1e-9 * arm.lengthScale), joints, frames, tip, moved: distance(end, origin(tip)) > 1e-9 * arm.lengthScale };
 }
 
 // Centre and radius of what the arm can reach, by samples; and whether it stays in a horizontal plane.
@@ -37,7 +37,7 @@ function extentOf(arm, ranges) {
   }
   const low = [0, 1, 2].map((i) => Math.min(...points.map((p) => p[i]))), high = [0, 1, 2].map((i) => Math.max(...points.map((p) => p[i])));
   const centre = middle(low, high);
-  flat &&= high[2] - low[2] < 1e-6 * arm.reach;
+  flat &&= high[2] - low[2] < 1e-6 * arm.lengthScale;
   return { centre, flat, radius: Math.max(...points.map((p) => distance(p, centre)), 1e-9) };
 }
 
@@ -73,7 +73,7 @@ class Scene {
     for (const bar of bars) this.line(bar.from, bar.to, `bar ${bar.part}`);
     for (const joint of joints) {
       const shrink = 1 - 0.06 * joint.k, along = 0.058 * size * shrink, across = 0.036 * size * shrink;
-      if (joint.slides) this.prism(joint.at, joint.axis, 1.3 * along, 1.1 * across, 4, "box");
+      if (joint.prismatic) this.prism(joint.at, joint.axis, 1.3 * along, 1.1 * across, 4, "box");
       else this.prism(joint.at, joint.axis, along, across, 20, "cylinder");
     }
     this.items.sort((a, b) => a.depth - b.depth);

@@ -21,7 +21,7 @@ function wrapped(angle) {
 
 // An angle in (-pi, pi], or shifted by whole turns into the joint's range where that fits.
 function normalized(joint, value) {
-  if (!joint.turns) return value;
+  if (!joint.periodic) return value;
   const angle = wrapped(value);
   if (!joint.range) return angle;
   const [least, greatest] = [joint.range[0] - 1e-9, joint.range[1] + 1e-9];
@@ -31,34 +31,34 @@ function normalized(joint, value) {
   return shifted >= least && shifted <= greatest ? shifted : angle;
 }
 
-const difference = (joint, a, b) => Math.abs(joint.turns ? wrapped(b - a) : b - a);
+const difference = (joint, a, b) => Math.abs(joint.periodic ? wrapped(b - a) : b - a);
 const inRange = (joint, x) => !joint.range || (x >= joint.range[0] - 1e-9 && x <= joint.range[1] + 1e-9);
 
-// Motor values after whole turns of a row, for a drive of which these are no whole turns of the motors. As in dh-robot (src/ik/drive.rs).
-const turned = (drive, q, row, turns) => q.map((x, k) => x + TAU * turns * drive.motors[k][row]);
+// Actuator values after whole turns of a row, for a drive of which these are no whole turns of the actuators. As in dh-kernels (drive.rs).
+const turned = (drive, q, row, turns) => q.map((x, k) => x + TAU * turns * drive.actuators[k][row]);
 
-// Motor values with each row turned by an angle in (-pi, pi], except rows that would move motors whose values are given.
+// Actuator values with each row turned by an angle in (-pi, pi], except rows that would move actuators whose values are given.
 function principal(drive, q, given) {
   const angles = drive.rows.map((row) => row.reduce((sum, k, i) => sum + k * q[i], 0));
-  const stays = (i) => !drive.turns[i] || given.some((k) => drive.motors[k][i] !== 0);
+  const stays = (i) => !drive.revolute[i] || given.some((k) => drive.actuators[k][i] !== 0);
   return angles.reduce((out, angle, i) => (stays(i) ? out : turned(drive, out, i, Math.floor(0.5 - angle / TAU))), q);
 }
 
-// Turns rows by whole turns, as few as possible, so that all motors come into their ranges, where one row after the other can do that.
+// Turns rows by whole turns, as few as possible, so that all actuators come into their ranges, where one row after the other can do that.
 function intoRanges(drive, joints, q) {
-  const inside = (values) => values.every((x, k) => inRange(joints[k], x)), open = [...drive.turns];
+  const inside = (values) => values.every((x, k) => inRange(joints[k], x)), open = [...drive.revolute];
   if (inside(q)) return q;
   let out = q;
   while (open.includes(true)) {
-    // A row that alone still moves some motor with a range; without one, the first.
-    const others = (k, i) => open.some((o, j) => o && j !== i && drive.motors[k][j] !== 0);
-    const decides = (k, i) => joints[k].range && drive.motors[k][i] !== 0 && !others(k, i);
+    // A row that alone still moves some actuator with a range; without one, the first.
+    const others = (k, i) => open.some((o, j) => o && j !== i && drive.actuators[k][j] !== 0);
+    const decides = (k, i) => joints[k].range && drive.actuators[k][i] !== 0 && !others(k, i);
     const rows = [...open.keys()].filter((i) => open[i]);
     const i = rows.find((row) => joints.some((_, k) => decides(k, row))) ?? rows[0];
     let fewest = -Infinity, most = Infinity;
     joints.forEach((joint, k) => {
       if (!decides(k, i)) return;
-      const [least, greatest] = joint.range, turn = TAU * drive.motors[k][i];
+      const [least, greatest] = joint.range, turn = TAU * drive.actuators[k][i];
       const ends = [(least - 1e-9 - out[k]) / turn, (greatest + 1e-9 - out[k]) / turn];
       fewest = Math.max(fewest, Math.ceil(Math.min(...ends)));
       most = Math.min(most, Math.floor(Math.max(...ends)));
@@ -84,23 +84,23 @@ function rotationBetween(from, to) {
   return axis.map((x) => sign * x * angle / n);
 }
 
-// What each task compares: `frame` is the target for the plan with lengths over the reach, `error` what is missing to it, `rows` the
+// What each task compares: `frame` is the target for the plan with lengths over the length scale, `error` what is missing to it, `rows` the
 // part of the Jacobian that counts.
 const TASKS = {
   pose: {
-    frame: (t, arm) => t.map((r) => [r[0], r[1], r[2], r[3] / arm.reach]),
+    frame: (t, arm) => t.map((r) => [r[0], r[1], r[2], r[3] / arm.lengthScale]),
     of: (pose) => pose,
     error: (t, pose) => [[0, 1, 2].map((i) => t[i][3] - pose[i][3]), rotationBetween(pose, t)],
     rows: (pose, j) => j,
   },
   position: {
-    frame: (t, arm) => frameOfAxis(t.map((x) => x / arm.reach), [0, 0, 1]),
+    frame: (t, arm) => frameOfAxis(t.map((x) => x / arm.lengthScale), [0, 0, 1]),
     of: (pose) => columnOf(pose, 3),
     error: (t, pose) => [[0, 1, 2].map((i) => t[i] - pose[i][3]), [0, 0, 0]],
     rows: (pose, j) => j.map((row, i) => (i < 3 ? row : row.map(() => 0))),
   },
   axis: {
-    frame: ([p, z], arm) => frameOfAxis(p.map((x) => x / arm.reach), z),
+    frame: ([p, z], arm) => frameOfAxis(p.map((x) => x / arm.lengthScale), z),
     of: (pose) => [columnOf(pose, 3), columnOf(pose, 2)],
     error: ([p, direction], pose) => {
       const z = columnOf(pose, 2), v = cross(z, direction), sin = length(v), cos = dot(z, direction);
@@ -116,7 +116,7 @@ const TASKS = {
     frame: ([x, y, phi], arm) => {
       const zero = arm.forward(arm.joints.map(() => 0)), turn = phi - Math.atan2(zero[1][0], zero[0][0]), c = Math.cos(turn), s = Math.sin(turn);
       const first = [0, 1, 2].map((j) => c * zero[0][j] - s * zero[1][j]), second = [0, 1, 2].map((j) => s * zero[0][j] + c * zero[1][j]);
-      return [[...first, x / arm.reach], [...second, y / arm.reach], [...zero[2], 0]];
+      return [[...first, x / arm.lengthScale], [...second, y / arm.lengthScale], [...zero[2], 0]];
     },
     of: (pose) => [pose[0][3], pose[1][3], Math.atan2(pose[1][0], pose[0][0])],
     error: ([x, y, phi], pose) => {
@@ -137,7 +137,7 @@ function frameOfAxis(p, z) {
 }
 
 // The values that steps take for what their equations leave free: choice 0 is zero everywhere, the others spread over the circle.
-function pickOf(choice) {
+function sampleOf(choice) {
   const place = (step) => choice * [1, 5, 7, 11][step % 4] % 12;
   const degrees = [0, 90, 180, 270, 30, 120, 210, 300, 60, 150, 240, 330];
   const lengths = [0, 0.25, -0.25, 0.5, -0.5, 0.75, -0.75, 1, -1, 1.5, -1.5, 2];
@@ -185,7 +185,7 @@ class Attempt {
   }
 
   // The same for a law of cosines: reports distances.
-  noteDistance(step, free, name, [base, rest], grows, reach, unit) {
+  noteDistance(step, free, name, [base, rest], grows, lengthScale, unit) {
     if (step.outcome !== OUT_OF_REACH) return this.note(step, free, name, 1, unit);
     this.status.note(step, free.length > 0);
     const distance = Math.sqrt(Math.max(base + rest, 0));
@@ -193,7 +193,7 @@ class Attempt {
     const half = grows ? (0.5 * available) / distance : 0;
     const root = Math.sqrt(Math.max(base + (grows ? half * half : available), 0));
     const limit = distance < half ? half - root : half + root;
-    this.refuse({ kind: "reach", step: name, needs: distance * reach, has: Math.max(limit, 0) * reach, unit });
+    this.refuse({ kind: "reach", step: name, needs: distance * lengthScale, has: Math.max(limit, 0) * lengthScale, unit });
   }
 }
 
@@ -209,27 +209,27 @@ function solve(arm, target, values) {
     verifier.search(true);
     return { solutions: verifier.out, why: { kind: "none" }, numeric: true };
   }
-  const frame = task.frame(target, arm), run = (t, choice, take) => arm.candidates(t, given, pickOf(choice), take);
+  const frame = task.frame(target, arm), run = (t, choice, take) => arm.candidates(t, given, sampleOf(choice), take);
   const attempt = run(frame, 0, (q, branch, free) => verifier.take(q, branch, free));
   if (verifier.out.length === 0 || verifier.lost || attempt.status.lost) rescue(verifier, frame, attempt, run);
   let why = attempt.why;
-  if (verifier.out.length === 0 && verifier.nearest < Infinity) why = { kind: arm.few ? "task" : "verified", by: verifier.nearest };
+  if (verifier.out.length === 0 && verifier.nearest < Infinity) why = { kind: arm.rankDeficient ? "task" : "verified", by: verifier.nearest };
   return { solutions: verifier.out, why, numeric: false };
 }
 
 class Verifier {
   constructor(arm, task, target, given) {
     Object.assign(this, { arm, task, target, given, out: [], nearest: Infinity, lost: false });
-    this.tolerance = arm.few ? REACHED_FEW : REACHED;
+    this.tolerance = arm.rankDeficient ? REACHED_FEW : REACHED;
   }
 
   error(q) {
     const [p, r] = this.task.error(this.target, this.arm.forward(q));
-    return [...p.map((x) => x / this.arm.reach), ...r];
+    return [...p.map((x) => x / this.arm.lengthScale), ...r];
   }
 
   jacobian(q) {
-    const j = this.arm.jacobian(q).map((row, i) => row.map((x, k) => (this.arm.redundant.includes(k) ? 0 : i < 3 ? x / this.arm.reach : x)));
+    const j = this.arm.jacobian(q).map((row, i) => row.map((x, k) => (this.arm.redundant.includes(k) ? 0 : i < 3 ? x / this.arm.lengthScale : x)));
     return this.task.rows(this.arm.forward(q), j);
   }
 
@@ -281,7 +281,7 @@ class Verifier {
     if (!known) this.add({ q, branch, free });
   }
 
-  // How far each motor is from one joint vector to the other, without whole turns.
+  // How far each actuator is from one joint vector to the other, without whole turns.
   apart(a, b) {
     const { joints, drive } = this.arm;
     if (drive) return principal(drive, b.map((x, k) => x - a[k]), []).map(Math.abs);
@@ -306,7 +306,7 @@ class Verifier {
   }
 
   movedAlong(q, v) {
-    const unit = this.arm.joints.map((joint) => (joint.turns ? 0.05 : 0.05 * this.arm.reach));
+    const unit = this.arm.joints.map((joint) => (joint.periodic ? 0.05 : 0.05 * this.arm.lengthScale));
     for (const sign of [1, -1]) {
       const polished = this.polish(q.map((x, k) => x + sign * unit[k] * v[k]), 60);
       const far = (limit) => [...q.keys()].filter((k) => Math.abs(polished.q[k] - q[k]) / unit[k] > limit);
@@ -317,7 +317,7 @@ class Verifier {
 
   // The null space of the task's Jacobian.
   motions(q) {
-    const n = q.length, j = this.jacobian(q).map((row) => row.map((x, k) => (this.arm.joints[k].turns ? x : x * this.arm.reach)));
+    const n = q.length, j = this.jacobian(q).map((row) => row.map((x, k) => (this.arm.joints[k].periodic ? x : x * this.arm.lengthScale)));
     const pivots = [];
     for (let r = 0; r < 6; r++) {
       let best = [0, 0, 0];
@@ -350,7 +350,7 @@ class Verifier {
       const q = arm.joints.map((joint, k) => {
         if (arm.redundant.includes(k)) return this.given[arm.redundant.indexOf(k)];
         const x = start * ratios[k % 7], y = 2 * (x - Math.floor(x)) - 1;
-        return joint.turns ? y * Math.PI : y * arm.reach;
+        return joint.periodic ? y * Math.PI : y * arm.lengthScale;
       });
       const polished = this.polish(q, STEPS);
       if (!polished.reached) continue;
@@ -368,7 +368,7 @@ function rescue(verifier, frame, first, run) {
       run(frame, choice, (q, branch, free) => { if (free.length > 0) verifier.takeRough(q, branch, earlier); });
     }
   }
-  if (verifier.arm.few) {
+  if (verifier.arm.rankDeficient) {
     if (first.status.degenerate) verifier.search(true);
     return;
   }

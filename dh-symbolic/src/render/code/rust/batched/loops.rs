@@ -34,7 +34,7 @@ pub(super) fn joined(kind: usize, names: &[String]) -> String {
         (2, []) => "0.0".into(),
         (_, []) => "1.0".into(),
         (0, [first, rest @ ..]) => {
-            rest.iter().fold(first.clone(), |t, m| format!("::dh_robot::runtime::lanes::lesser({t}, {m})"))
+            rest.iter().fold(first.clone(), |t, m| format!("::dh_robot::runtime::batched::lesser({t}, {m})"))
         }
         (1, _) => names.join(" * "),
         _ => names.join(" + "),

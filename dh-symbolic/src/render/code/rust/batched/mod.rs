@@ -1,7 +1,7 @@
-//! The fast path of `inverse`: the batched program printed as loops over branches (see `dh_robot::runtime::lanes`).
+//! The fast path of `inverse`: the batched program printed as loops over branches (see `dh_robot::runtime::batched`).
 
+mod actuators;
 mod loops;
-mod motors;
 mod ranges;
 mod step;
 mod writer;
@@ -10,23 +10,23 @@ use crate::chain::{Chain, Scalar, Task};
 use crate::program::{Batched, Inverse, Value, What};
 use crate::render::code::body::{Body, Dialect};
 use crate::render::code::steps::{Variables, branch, given};
-use motors::{Motor, whole_motors};
+use actuators::{Actuator, whole_actuators};
 use writer::Writer;
 
 /// A program that can go the fast path.
 pub(super) struct FastPath {
     batched: Batched,
-    motors: Vec<Motor>,
+    actuators: Vec<Actuator>,
 }
 
 impl FastPath {
-    /// The fast path of an inverse, if there is one: its steps can be batched, the whole pose confirms a branch, and motors are sums of what is
+    /// The fast path of an inverse, if there is one: its steps can be batched, the whole pose confirms a branch, and actuators are sums of what is
     /// found.
     pub(super) fn of(chain: &Chain, inverse: &Inverse) -> Option<FastPath> {
-        let motors = whole_motors(chain, &inverse.body.result()?.joints)?;
+        let actuators = whole_actuators(chain, &inverse.body.result()?.joints)?;
         let fits =
             chain.task == Task::Pose && (chain.redundant.is_empty() || chain.redundant.len() == 1 && chain.is_direct());
-        Some(FastPath { batched: inverse.batched().filter(|_| fits)?, motors })
+        Some(FastPath { batched: inverse.batched().filter(|_| fits)?, actuators })
     }
 
     /// How many branches it has.
@@ -34,7 +34,7 @@ impl FastPath {
         self.batched.branches
     }
 
-    /// The statements of `inverse` that follow `frame`: the fast path, and the robust one where that has to decide.
+    /// The statements of `inverse` that follow `frame`: the fast path, and the fallback path where that has to decide.
     pub(super) fn call(&self, chain: &Chain, inverse: &Inverse) -> String {
         let (n, total) = (chain.dof(), self.batched.branches);
         let [number, same] = if !chain.redundant.is_empty() { [", given.into()", ", given"] } else { [""; 2] };
@@ -47,12 +47,12 @@ impl FastPath {
             let list: Vec<String> = (0..total).map(|k| format!("at({k})")).collect();
             out.push_str(&format!(
                 "if valid == [1.0; {total}] {{\n\
-                 let at = |branch: usize| ::dh_robot::runtime::lanes::solution(&Self::JOINTS, &q, &Self::BRANCHES, branch);\n\
+                 let at = |branch: usize| ::dh_robot::runtime::batched::solution(&Self::JOINTS, &q, &Self::BRANCHES, branch);\n\
                  return ::dh_robot::Solutions::full(&Self::JOINTS, [{}]);\n}}\n",
                 list.join(", ")
             ));
         }
-        out.push_str("::dh_robot::runtime::lanes::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)\n");
+        out.push_str("::dh_robot::runtime::batched::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)\n");
         out
     }
 
@@ -69,10 +69,10 @@ impl FastPath {
         let mut body = Body::of_inverse(Dialect::Rust, chain, inverse, outputs, &variables);
         let (n, total) = (chain.dof(), batched.branches);
         let parameter = if !chain.redundant.is_empty() { ", given: f64" } else { "" };
-        let mut w = Writer::new(chain, inverse, batched, variables, self.motors);
+        let mut w = Writer::new(chain, inverse, batched, variables, self.actuators);
         w.loops.out = names(inverse, &w.variables, total);
         w.loops.out.push_str(&format!(
-            "/// The plan for all branches at once: joint values, and which branches are real; false where the robust path has to decide.\n\
+            "/// The plan for all branches at once: joint values, and which branches are real; false where the fallback path has to decide.\n\
              #[inline]\nfn all_branches(&self, t: &::dh_robot::runtime::Pose{parameter}, q: &mut [[f64; {total}]; {n}], valid: &mut [f64; {total}]) -> bool {{\n"
         ));
         if let Some(k) = chain.redundant.first().copied() {
@@ -108,7 +108,7 @@ impl FastPath {
             format!("::core::array::from_fn(|branch| all_valid[branch % {}])", w.loops.width)
         };
         w.loops.out.push_str(&format!(
-            "*valid = {valid};\n::dh_robot::runtime::lanes::confirmed(&all_valid, &all_margin, &all_error)\n}}\n"
+            "*valid = {valid};\n::dh_robot::runtime::batched::confirmed(&all_valid, &all_margin, &all_error)\n}}\n"
         ));
         w.loops.out
     }

@@ -13,7 +13,7 @@ pub(super) fn into_range(chain: &Chain, k: usize, angle: String) -> String {
         angle
     } else if least <= PI && greatest >= -PI {
         let (least, greatest) = (literal(least, Scalar::F64), literal(greatest, Scalar::F64));
-        format!("::dh_robot::runtime::lanes::into_range({angle}, {least}, {greatest})")
+        format!("::dh_robot::runtime::batched::into_range({angle}, {least}, {greatest})")
     } else {
         let (least, greatest) = (literal(least, Scalar::F64), literal(greatest, Scalar::F64));
         format!("::dh_robot::Joint::revolute(\"\").with_range({least}, {greatest}).normalize({angle})")

@@ -21,7 +21,7 @@ struct Roots {
     /// The same of the second one, where there is one.
     second: [String; 2],
     /// Is the unknown an angle?
-    turns: bool,
+    is_angle: bool,
     /// Is the second root the opposite of the first?
     opposite: bool,
     /// Where they are kept.
@@ -39,15 +39,15 @@ impl Roots {
     /// Expression of the joint value of the second root, from that of the first where it can be.
     fn second_angle(&self) -> String {
         if self.opposite {
-            format!("::dh_robot::runtime::lanes::opposite({})", self.values[0])
+            format!("::dh_robot::runtime::batched::opposite({})", self.values[0])
         } else {
             self.angle(&self.second)
         }
     }
 
     fn angle(&self, [x, y]: &[String; 2]) -> String {
-        if self.turns {
-            format!("::dh_robot::runtime::lanes::angle({y}, {x})")
+        if self.is_angle {
+            format!("::dh_robot::runtime::batched::angle({y}, {x})")
         } else {
             format!("{x} * Self::LENGTH_SCALE")
         }
@@ -55,7 +55,7 @@ impl Roots {
 
     /// The names to spread: cosine and sine, or the length once; with their place in the pair.
     fn parts(&self) -> impl Iterator<Item = (usize, &String)> {
-        self.names.iter().enumerate().take(if self.turns { 2 } else { 1 })
+        self.names.iter().enumerate().take(if self.is_angle { 2 } else { 1 })
     }
 }
 
@@ -69,7 +69,7 @@ impl Writer<'_> {
             (self.loops.width, self.batched.widths[before_it], self.batched.widths[before_it + 1]);
         let layout = Layout { before, roots: spread / before, p };
         let variable = self.variables.known[solve.known].clone();
-        let (names, turns) = (variable.pair, variable.turns);
+        let (names, is_angle) = (variable.pair, variable.is_angle);
         // One root in every branch of the loop needs no spreading.
         let direct = layout.roots == 1 && p == before;
         let of_root = |root: &str| names.clone().map(|n| format!("{n}_{root}"));
@@ -77,7 +77,7 @@ impl Writer<'_> {
         let opposite = solve.kernel.roots == BatchedRoots::Opposite;
         let second = if opposite { first.clone().map(|x| format!("-{x}")) } else { of_root("second") };
         let values = [variable.value.clone(), format!("{}_second", variable.value)];
-        let roots = Roots { step: i, values, names, first, second, turns, opposite, layout, spread };
+        let roots = Roots { step: i, values, names, first, second, is_angle, opposite, layout, spread };
         let name = self.inverse.plan.steps[i].words().name.english;
         let unknown = &self.inverse.plan.knowledge.known[solve.known].name;
         self.loops.inner.push_str(&format!("// Step {}: {unknown} from {name}.\n", i + 1));
@@ -98,9 +98,9 @@ impl Writer<'_> {
         let arguments: Vec<String> =
             solve.arguments.iter().map(|a| argument(Dialect::Rust, a, &|v| body.value(*v), "")).collect();
         let name = kernel.single_precision.filter(|_| self.chain.scalar == Scalar::F32).unwrap_or(kernel.name);
-        let call = format!("::dh_robot::runtime::lanes::{name}({})", arguments.join(", "));
+        let call = format!("::dh_robot::runtime::batched::{name}({})", arguments.join(", "));
         let two = kernel.roots == BatchedRoots::Two;
-        let found = match (two, roots.turns) {
+        let found = match (two, roots.is_angle) {
             (true, _) => format!("[{x}, {y}, {z}, {w}]"),
             (false, true) => format!("[{x}, {y}]"),
             (false, false) => x.clone(),
@@ -144,8 +144,8 @@ impl Writer<'_> {
             self.joint_value_of(roots.step, &roots.first_angle());
             return;
         }
-        let angles = if roots.turns {
-            format!("::dh_robot::runtime::lanes::angles(&[{y}, {w}], &[{x}, {z}])")
+        let angles = if roots.is_angle {
+            format!("::dh_robot::runtime::batched::angles(&[{y}, {w}], &[{x}, {z}])")
         } else {
             format!("[{}, {}]", roots.first_angle(), roots.second_angle())
         };
@@ -167,10 +167,10 @@ impl Writer<'_> {
                 self.loops.inner.push_str(&format!("{array}[{k}][branch + {p}] = {};\n", roots.second[k]));
             }
         }
-        if roots.turns && p < 4 {
+        if roots.is_angle && p < 4 {
             // Such a short loop is unrolled: the angles are better taken together.
             self.loops.after.push_str(&format!(
-                "let all_{value} = ::dh_robot::runtime::lanes::angles(&{array}[1], &{array}[0]);\n"
+                "let all_{value} = ::dh_robot::runtime::batched::angles(&{array}[1], &{array}[0]);\n"
             ));
             if let Some(k) = self.alone(step) {
                 let text = self.motor_value(k, &self.only(step, format!("all_{value}[{}]", roots.layout.index())));
@@ -188,7 +188,7 @@ impl Writer<'_> {
                     roots.second_angle()
                 ));
                 if p == before {
-                    self.motor(step, &roots.values, p);
+                    self.actuator(step, &roots.values, p);
                 }
             }
         }

@@ -1,9 +1,9 @@
-//! Writes the loops over branches: the values that follow from each step, and in the end confirmation and motors.
+//! Writes the loops over branches: the values that follow from each step, and in the end confirmation and actuators.
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::actuators::Actuator;
 use super::loops::{KINDS, Loops, joined};
-use super::motors::Motor;
 use super::ranges::into_range;
 use crate::chain::Chain;
 use crate::program::{Batched, Inverse, Mirror, Node, What};
@@ -19,8 +19,8 @@ pub(super) struct Writer<'a> {
     pub(super) loops: Loops,
     /// Names of nodes that later loops load.
     stored: BTreeMap<usize, String>,
-    motors: Vec<Motor>,
-    /// Motors whose values have been written.
+    actuators: Vec<Actuator>,
+    /// Actuators whose values have been written.
     pub(super) written: BTreeSet<usize>,
 }
 
@@ -30,10 +30,10 @@ impl<'a> Writer<'a> {
         inverse: &'a Inverse,
         batched: &'a Batched,
         variables: Variables,
-        motors: Vec<Motor>,
+        actuators: Vec<Actuator>,
     ) -> Self {
         let (loops, stored, written) = (Loops::default(), BTreeMap::new(), BTreeSet::new());
-        Self { chain, inverse, batched, variables, loops, stored, motors, written }
+        Self { chain, inverse, batched, variables, loops, stored, actuators, written }
     }
 
     /// Name of a node in loops that didn't compute it, if it has one.
@@ -54,7 +54,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// The joint value of a step, under a name of its own; also the value of a motor, where it is one.
+    /// The joint value of a step, under a name of its own; also the value of an actuator, where it is one.
     pub(super) fn joint_value_of(&mut self, step: usize, text: &str) {
         let value = self.value_name(step);
         self.loops.inner.push_str(&format!("let {value} = {text};\n"));
@@ -62,7 +62,7 @@ impl<'a> Writer<'a> {
         if self.loops.width > 1 && !self.loops.last {
             let n = self.loops.width;
             self.loops.store(&value, &value);
-            self.motor(step, &[value], n);
+            self.actuator(step, &[value], n);
         }
     }
 
@@ -71,10 +71,12 @@ impl<'a> Writer<'a> {
         self.variables.known[self.batched.solves[step].known].value.clone()
     }
 
-    /// The motor that a step alone gives.
+    /// The actuator that a step alone gives.
     pub(super) fn alone(&self, step: usize) -> Option<usize> {
         let known = self.batched.solves[step].known;
-        self.motors.iter().position(|motor| motor.form.iter().enumerate().all(|(k, x)| (*x != 0) == (k == known)))
+        self.actuators
+            .iter()
+            .position(|actuator| actuator.form.iter().enumerate().all(|(k, x)| (*x != 0) == (k == known)))
     }
 
     /// The values of what is known, where only one counts.
@@ -84,8 +86,8 @@ impl<'a> Writer<'a> {
         values
     }
 
-    /// Writes the motor that a step alone gives, whose roots change after `p` branches.
-    pub(super) fn motor(&mut self, step: usize, roots: &[String], p: usize) {
+    /// Writes the actuator that a step alone gives, whose roots change after `p` branches.
+    pub(super) fn actuator(&mut self, step: usize, roots: &[String], p: usize) {
         let Some(k) = self.alone(step) else { return };
         for (r, root) in roots.iter().enumerate() {
             let name = format!("{root}_in_range");
@@ -99,18 +101,18 @@ impl<'a> Writer<'a> {
         self.written.insert(k);
     }
 
-    /// The value of a motor, in its range, from the values of the steps.
+    /// The value of an actuator, in its range, from the values of the steps.
     pub(super) fn motor_value(&self, k: usize, values: &[String]) -> String {
-        let motor = &self.motors[k];
-        let value = motor.value(values);
-        if !self.inverse.plan.axes.turns(k) {
+        let actuator = &self.actuators[k];
+        let value = actuator.value(values);
+        if !self.inverse.plan.axes.is_revolute(k) {
             return value;
         }
-        let value = match motor.half_turns {
+        let value = match actuator.half_turns {
             // Sums of three angles at most, then of five; a field can be any angle.
             Some(1) => value,
-            Some(2 | 3) => format!("::dh_robot::runtime::lanes::wrap({value})"),
-            Some(4 | 5) => format!("::dh_robot::runtime::lanes::wrap(::dh_robot::runtime::lanes::wrap({value}))"),
+            Some(2 | 3) => format!("::dh_robot::runtime::batched::wrap({value})"),
+            Some(4 | 5) => format!("::dh_robot::runtime::batched::wrap(::dh_robot::runtime::batched::wrap({value}))"),
             _ => format!("::dh_robot::Joint::revolute(\"\").normalize({value})"),
         };
         into_range(self.chain, k, value)
@@ -148,13 +150,13 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// Confirmation and motors.
+    /// Confirmation and actuators.
     pub(super) fn finish(&mut self) {
         self.loops.flush();
         let (inverse, width, total) = (self.inverse, self.loops.width, self.batched.branches);
-        let open: Vec<usize> = (0..self.motors.len()).filter(|k| !self.written.contains(k)).collect();
+        let open: Vec<usize> = (0..self.actuators.len()).filter(|k| !self.written.contains(k)).collect();
         let given = inverse.plan.given;
-        let used = |known: usize| open.iter().any(|k| self.motors[*k].form[known] != 0);
+        let used = |known: usize| open.iter().any(|k| self.actuators[*k].form[known] != 0);
         let first = self.variables.values();
         for (_, name) in first.iter().enumerate().skip(given).filter(|(known, _)| used(*known)) {
             self.loops.load(name);
@@ -178,7 +180,7 @@ impl<'a> Writer<'a> {
             self.loops.inner.push_str("// The mirrored half differs by signs.\n");
             let mut second = first;
             for (known, name) in second.iter_mut().enumerate().skip(given + mirror.step).filter(|(k, _)| used(*k)) {
-                let text = mirrored(mirror, known - given, self.variables.known[known].turns, name);
+                let text = mirrored(mirror, known - given, self.variables.known[known].is_angle, name);
                 *name = format!("{name}_second");
                 self.loops.inner.push_str(&format!("let {name} = {text};\n"));
             }
@@ -195,12 +197,12 @@ impl<'a> Writer<'a> {
 }
 
 /// The joint value of a step in the mirrored half.
-fn mirrored(mirror: &Mirror, step: usize, turns: bool, first: &str) -> String {
-    match (mirror.flips[step], turns) {
+fn mirrored(mirror: &Mirror, step: usize, is_angle: bool, first: &str) -> String {
+    match (mirror.flips[step], is_angle) {
         ([false, false], _) => first.to_string(),
         ([true, _], false) => format!("-{first}"),
-        ([true, true], _) => format!("::dh_robot::runtime::lanes::opposite({first})"),
-        ([false, true], _) => format!("::dh_robot::runtime::lanes::negative({first})"),
-        ([true, false], _) => format!("::dh_robot::runtime::lanes::supplement({first})"),
+        ([true, true], _) => format!("::dh_robot::runtime::batched::opposite({first})"),
+        ([false, true], _) => format!("::dh_robot::runtime::batched::negative({first})"),
+        ([true, false], _) => format!("::dh_robot::runtime::batched::supplement({first})"),
     }
 }

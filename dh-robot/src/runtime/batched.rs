@@ -1,8 +1,8 @@
-//! The fast way of generated inverses: all branches of a plan side by side, without a jump.
+//! The fast path of generated inverses: all branches of a plan side by side, without a jump.
 //!
 //! Every step solves its equation for all branches found so far, in plain loops over arrays that the compiler turns into vector
 //! instructions. How far each result is from a degenerate one is kept beside it; where anything is near, or where forward
-//! kinematics does not confirm a branch, the robust way (`inverse::solve`) takes over. So speed costs no safety.
+//! kinematics does not confirm a branch, the fallback path (`inverse::solve`) takes over. So speed costs no safety.
 
 #![allow(clippy::neg_cmp_op_on_partial_ord)] // `!(x <= y)` is how NaN ends on the safe side
 
@@ -12,14 +12,14 @@ pub use angles::{angle, angles};
 
 use crate::{Branch, Joint, Real, Solution, Solutions};
 
-/// Largest difference between an entry of the target and of a branch's forward kinematics (rotation, or position over reach) that the
+/// Largest difference between an entry of the target and of a branch's forward kinematics (rotation, or position over the length scale) that the
 /// fast way accepts: some hundred times the rounding of a regular pose.
 pub const CONFIRMED: f64 = 1e-12;
-/// Relative distance of a discriminant from zero below which the robust way decides.
+/// Relative distance of a discriminant from zero below which the fallback path decides.
 const CLEAR: f64 = 1e-7;
 /// The same where the target is rounded to 6e-8.
 const CLEAR_SINGLE: f64 = 2e-5;
-/// Size of coefficients (rotation, or length over reach) below which the robust way decides.
+/// Size of coefficients (rotation, or length over the length scale) below which the fallback path decides.
 const FIRM: f64 = 1e-5;
 
 /// `a cos u + b sin u = 0`: cosine and sine of one root (the other is half a turn away), and a margin that is negative where the
@@ -57,7 +57,7 @@ fn sincos_apart(a: f64, b: f64, c: f64, clear: f64) -> ([f64; 4], f64, f64) {
     let h2 = a * a + b * b;
     let g = h2 - c * c;
     let margin = (g.abs() - clear * h2).min(h2 - FIRM * FIRM);
-    // What is doubtful counts as real, so that the robust way decides.
+    // What is doubtful counts as real, so that the fallback path decides.
     let real = if g > 0.0 || !(margin > 0.0) { 1.0 } else { 0.0 };
     let r = crate::math::sqrt(g.max(0.0));
     let i = 1.0 / h2;
@@ -141,7 +141,7 @@ pub fn lesser(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
 }
 
-/// Whether there is a lane that counts (`valid` is 1), and each such lane is clear of degenerate ones and confirmed.
+/// Whether there is a branch that counts (`valid` is 1), and each such branch is clear of degenerate ones and confirmed.
 #[inline(always)]
 #[must_use]
 pub fn confirmed<const L: usize>(valid: &[f64; L], margin: &[f64; L], error: &[f64; L]) -> bool {
@@ -155,16 +155,16 @@ pub fn confirmed<const L: usize>(valid: &[f64; L], margin: &[f64; L], error: &[f
     doubt == 0.0 && any > 0.0
 }
 
-/// The solution of a lane. `q` goes joint by joint, for `f64` in its range if it can be.
+/// The solution of a branch. `q` goes joint by joint, for `f64` in its range if it can be.
 #[inline(always)]
 #[must_use]
 pub fn solution<T: Real, const N: usize, const L: usize>(
     joints: &[Joint<T>; N],
     q: &[[f64; L]; N],
     branches: &[Branch; L],
-    lane: usize,
+    branch: usize,
 ) -> Solution<T, N> {
-    let mut solution = Solution::new(core::array::from_fn(|k| T::of(q[k][lane])), branches[lane]);
+    let mut solution = Solution::new(core::array::from_fn(|k| T::of(q[k][branch])), branches[branch]);
     // A narrower scalar rounds, which can lead across an end of the range.
     if size_of::<T>() < size_of::<f64>() {
         for (joint, x) in joints.iter().zip(&mut solution.q) {
@@ -174,7 +174,7 @@ pub fn solution<T: Real, const N: usize, const L: usize>(
     solution
 }
 
-/// The solutions of the lanes that count.
+/// The solutions of the branches that count.
 #[must_use]
 pub fn collect<T: Real, const N: usize, const M: usize, const L: usize>(
     joints: &'static [Joint<T>; N],
@@ -219,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn doubt_leaves_everything_to_the_robust_way() {
+    fn doubt_leaves_everything_to_the_fallback_path() {
         let sure = |valid, margin, error| confirmed(&valid, &margin, &error);
         assert!(sure([1.0, 1.0], [0.1, 0.1], [0.0, 0.0]));
         assert!(sure([1.0, 0.0], [0.1, 0.1], [0.0, f64::NAN]));
@@ -231,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn lanes_that_count_are_collected_in_their_order() {
+    fn branches_that_count_are_collected_in_their_order() {
         static JOINTS: [Joint; 1] = [Joint::revolute("q1")];
         let q = [[0.1, 0.2, 0.3]];
         let out: Solutions<f64, 1, 3> = collect(&JOINTS, &[1.0, 0.0, 1.0], &q, &[Branch::ANY; 3]);

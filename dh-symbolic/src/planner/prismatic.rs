@@ -139,10 +139,10 @@ fn bridge<T: Number>(l: &Loop<T>, y: &V<T>, p: &V<T>) -> T {
     way.minus(&along).minus(&off.times(&k))
 }
 
-/// Hops with sliding joints.
-fn slides(axes: &Axes) -> Vec<usize> {
-    let slides = |h: &usize| axes.hops.get(*h).and_then(|h| h.joint).is_some_and(|j| !axes.turns(j));
-    (0..axes.hops.len()).filter(slides).collect()
+/// Links with sliding joints.
+fn prismatic_links(axes: &Axes) -> Vec<usize> {
+    let is_prismatic = |h: &usize| axes.links.get(*h).and_then(|h| h.joint).is_some_and(|j| !axes.is_revolute(j));
+    (0..axes.links.len()).filter(is_prismatic).collect()
 }
 
 /// Slides of a bridge in the order in which they follow behind frame `b`.
@@ -152,19 +152,19 @@ fn ordered([i, j]: [usize; 2], b: usize) -> [usize; 2] {
 
 /// All these equations of an arm, with the coordinates that each depends on.
 pub(super) fn equations(axes: &Axes) -> Vec<(Equation, Subspace)> {
-    let slides = slides(axes);
-    let frames = axes.hops.len() + 1;
+    let prismatic = prismatic_links(axes);
+    let frames = axes.links.len() + 1;
     let pairs = || {
-        let behind = |n: usize| slides.get(n + 1..).unwrap_or_default();
-        slides.iter().enumerate().flat_map(move |(n, i)| behind(n).iter().map(move |j| [*i, *j]))
+        let behind = |n: usize| prismatic.get(n + 1..).unwrap_or_default();
+        prismatic.iter().enumerate().flat_map(move |(n, i)| behind(n).iter().map(move |j| [*i, *j]))
     };
     let mut list: Vec<Equation> = Vec::new();
     for [i, j] in pairs() {
         let scalar = Scalar::Across(j as u8);
         list.extend((i + 2..frames).map(|b| Equation { a: i + 1, b, scalar }));
     }
-    let moves: Vec<(usize, usize)> = axes.hops.iter().enumerate().filter_map(|(h, x)| Some((h, x.joint?))).collect();
-    for w in moves.windows(2).filter(|w| w.iter().all(|(_, j)| axes.turns(*j))) {
+    let moves: Vec<(usize, usize)> = axes.links.iter().enumerate().filter_map(|(h, x)| Some((h, x.joint?))).collect();
+    for w in moves.windows(2).filter(|w| w.iter().all(|(_, j)| axes.is_revolute(*j))) {
         let (a, b) = (w[0].0, w[1].0 + 1);
         let link = link_number(axes, a, b);
         if link[0][2].hypot(link[1][2]) > 1e-6 {
@@ -199,9 +199,9 @@ pub(super) fn equations(axes: &Axes) -> Vec<(Equation, Subspace)> {
 /// Step of the differences that slopes are measured by.
 const STEP: f64 = 1e-4;
 
-/// From the axis of hop `a` to that of hop `b - 1`.
+/// From the axis of link `a` to that of link `b - 1`.
 fn link_number(axes: &Axes, a: usize, b: usize) -> Pose {
-    let between = axes.hops.get(a + 1..b).unwrap_or_default();
+    let between = axes.links.get(a + 1..b).unwrap_or_default();
     between.iter().fold(pose::IDENTITY, |t, h| pose::compose(&t, &h.number))
 }
 
@@ -228,7 +228,7 @@ pub(super) fn number(axes: &Axes, e: &Equation, f: &[Pose], target: &Pose) -> Op
             let [u, v] = ordered([i, j].map(usize::from), e.b);
             let here = |v: V<f64>| Seen { here: true, v };
             let seen = |h: usize| here(column(&if h < e.b { f[h + 1] } else { outer(h + 1) }, 2));
-            let (x, y) = (pose::compose(&f[e.a], &axes.hops[e.a].number), outer(e.b));
+            let (x, y) = (pose::compose(&f[e.a], &axes.links[e.a].number), outer(e.b));
             let way = vec![here(minus(&column(&y, 3), &column(&x, 3)))];
             let target = Target { columns: [[0.0; 3]; 3] };
             let (x, y) = (here(column(&x, 2)), here(column(&y, 2)));
@@ -260,15 +260,15 @@ fn across_parts(axes: &Axes, knowledge: &mut Knowledge, e: &Equation, j: usize) 
 }
 
 /// The vectors of [`bridge`].
-fn bridge_parts(axes: &Axes, knowledge: &mut Knowledge, e: &Equation, slides: [usize; 2]) -> Loop<Poly> {
+fn bridge_parts(axes: &Axes, knowledge: &mut Knowledge, e: &Equation, prismatic: [usize; 2]) -> Loop<Poly> {
     let (left, right) = fold(axes, knowledge, e);
     let known = knowledge.pose(left, right);
     let k = known.transform();
-    let [u, v] = ordered(slides, e.b).map(|h| {
+    let [u, v] = ordered(prismatic, e.b).map(|h| {
         let here = h < e.b;
         Seen { here, v: axis(axes, if here { left } else { right }, h + 1)[0].clone() }
     });
-    let from = axes.between(left, e.a).times(&axes.hops[e.a].before);
+    let from = axes.between(left, e.a).times(&axes.links[e.a].before);
     let [direction, to] = axis(axes, right, e.b);
     // From this side to the other one, as the side sees it where more of the vectors are.
     let between = if v.here {
@@ -299,14 +299,14 @@ pub(super) fn across_weight(axes: &Axes, knowledge: &mut Knowledge, e: &Equation
 }
 
 /// The equation of a bridge.
-pub(super) fn bridge_exact(axes: &Axes, knowledge: &mut Knowledge, e: &Equation, slides: [usize; 2]) -> Poly {
-    let link = axes.between(e.a + 1, e.b - 1).times(&axes.hops[e.b - 1].before);
-    bridge(&bridge_parts(axes, knowledge, e, slides), &link.column(2), &link.p)
+pub(super) fn bridge_exact(axes: &Axes, knowledge: &mut Knowledge, e: &Equation, prismatic: [usize; 2]) -> Poly {
+    let link = axes.between(e.a + 1, e.b - 1).times(&axes.links[e.b - 1].before);
+    bridge(&bridge_parts(axes, knowledge, e, prismatic), &link.column(2), &link.p)
 }
 
 /// About how many terms its products have.
-pub(super) fn bridge_weight(axes: &Axes, knowledge: &mut Knowledge, e: &Equation, slides: [usize; 2]) -> usize {
-    let l = bridge_parts(axes, knowledge, e, slides);
+pub(super) fn bridge_weight(axes: &Axes, knowledge: &mut Knowledge, e: &Equation, prismatic: [usize; 2]) -> usize {
+    let l = bridge_parts(axes, knowledge, e, prismatic);
     let third = [&l.x, &l.y].into_iter().chain(&l.way).map(|s| most(&s.v)).max().unwrap_or(0);
     most(&l.u.v) * most(&l.v.v) * third
 }

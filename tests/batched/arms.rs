@@ -1,4 +1,4 @@
-//! Arms of every kind that goes the fast way, with lengths that were thrown once.
+//! Arms of every kind that takes the fast path, with lengths that were thrown once.
 
 use dh_robot::Solutions;
 use dh_robot::nalgebra::IsometryMatrix3;
@@ -23,7 +23,7 @@ macro_rules! arm {
 
             type Found = super::Solutions<f64, { Arm::DOF }, { Arm::MAX_SOLUTIONS }>;
 
-            /// What the fast way finds, and what the robust one does, which is private to this module.
+            /// What the fast path finds, and what the fallback path does, which is private to this module.
             pub(super) fn both($arm: &Arm, $target: &super::IsometryMatrix3<f64>, $q: &[f64; Arm::DOF]) -> [Found; 2] {
                 $both
             }

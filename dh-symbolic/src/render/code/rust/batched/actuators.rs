@@ -1,4 +1,4 @@
-//! The motors as sums of the angles that the fast path finds, where whole turns of rows are whole turns of motors.
+//! The actuators as sums of the angles that the fast path finds, where whole turns of rows are whole turns of actuators.
 
 use crate::algebra::{Poly, adjugate};
 use crate::chain::{AngleCell, Chain, Coordinate, Role, Scalar};
@@ -6,8 +6,8 @@ use crate::planner::JointCombination;
 use crate::render::code::shift_expression;
 use crate::render::code::steps::combination;
 
-/// A motor as a sum of angles (or a length) that a plan finds.
-pub(super) struct Motor {
+/// An actuator as a sum of angles (or a length) that a plan finds.
+pub(super) struct Actuator {
     /// The factor of each.
     pub(super) form: JointCombination,
     /// What is taken off: an expression, with a factor.
@@ -16,7 +16,7 @@ pub(super) struct Motor {
     pub(super) half_turns: Option<u8>,
 }
 
-impl Motor {
+impl Actuator {
     /// The value, from the values of what is found.
     pub(super) fn value(&self, found: &[String]) -> String {
         let mut out = combination(&self.form, found);
@@ -31,15 +31,15 @@ impl Motor {
     }
 }
 
-/// The motors from the rows' combinations of what is found, where all factors of the drive are whole numbers both ways and no slide is
-/// coupled: then whole turns of rows are whole turns of motors.
-pub(super) fn whole_motors(chain: &Chain, rows: &[JointCombination]) -> Option<Vec<Motor>> {
+/// The actuators from the rows' combinations of what is found, where all factors of the drive are whole numbers both ways and no slide is
+/// coupled: then whole turns of rows are whole turns of actuators.
+pub(super) fn whole_actuators(chain: &Chain, rows: &[JointCombination]) -> Option<Vec<Actuator>> {
     let whole = |p: &Poly| p.as_rational().and_then(|x| x.to_i64()).and_then(|x| i8::try_from(x).ok());
-    let turns = |i: usize| chain.joints.get(i).is_some_and(|j| matches!(j.coordinate, Coordinate::Angle(_)));
+    let revolute = |i: usize| chain.joints.get(i).is_some_and(|j| matches!(j.coordinate, Coordinate::Angle(_)));
     for (i, row) in chain.drive.iter().enumerate() {
         for (j, p) in row.iter().enumerate() {
             let alone = if i == j { p.is_one() } else { p.is_zero() };
-            if whole(p).is_none() || !(alone || turns(i) && turns(j)) {
+            if whole(p).is_none() || !(alone || revolute(i) && revolute(j)) {
                 return None;
             }
         }
@@ -52,26 +52,26 @@ pub(super) fn whole_motors(chain: &Chain, rows: &[JointCombination]) -> Option<V
         let factors = |row: &Vec<Poly>| row.iter().map(|p| whole(p)?.checked_mul(sign)).collect();
         adjugate.iter().map(factors).collect::<Option<_>>()?
     };
-    let motor = |factors: &Vec<i8>| {
-        let mut motor = Motor { form: vec![0; rows.first()?.len()], shifts: Vec::new(), half_turns: None };
+    let actuator = |factors: &Vec<i8>| {
+        let mut actuator = Actuator { form: vec![0; rows.first()?.len()], shifts: Vec::new(), half_turns: None };
         let mut half_turns = 0.0;
         for (factor, (row, joint)) in factors.iter().zip(rows.iter().zip(&chain.joints)).filter(|(k, _)| **k != 0) {
-            for (sum, k) in motor.form.iter_mut().zip(row) {
+            for (sum, k) in actuator.form.iter_mut().zip(row) {
                 *sum = sum.checked_add(k.checked_mul(*factor)?)?;
             }
             let shift = shift_expression(chain, &joint.shift, Scalar::F64);
-            motor.shifts.extend(shift.map(|shift| (*factor, shift.text())));
+            actuator.shifts.extend(shift.map(|shift| (*factor, shift.text())));
             let field = joint.shift.symbols.iter().any(|(i, _)| is_field(chain, *i));
             half_turns += if field { f64::INFINITY } else { f64::from(*factor).abs() * nominal(chain, &joint.shift) };
         }
         // An angle alone is in (-pi, pi] as it is found; its negative need not be.
-        let one = motor.form.iter().all(|k| *k >= 0) && motor.form.iter().sum::<i8>() == 1;
-        let sum = motor.form.iter().map(|k| f64::from(k.unsigned_abs())).sum::<f64>();
+        let one = actuator.form.iter().all(|k| *k >= 0) && actuator.form.iter().sum::<i8>() == 1;
+        let sum = actuator.form.iter().map(|k| f64::from(k.unsigned_abs())).sum::<f64>();
         let most = if one && half_turns == 0.0 { 1.0 } else { (sum + half_turns).ceil().max(2.0) };
-        motor.half_turns = (most <= 5.0).then_some(most as u8);
-        Some(motor)
+        actuator.half_turns = (most <= 5.0).then_some(most as u8);
+        Some(actuator)
     };
-    inverse.iter().map(motor).collect()
+    inverse.iter().map(actuator).collect()
 }
 
 /// Is a parameter a field of the robot?

@@ -1,4 +1,4 @@
-//! The fast way of generated inverses against the robust one, which generated code has beside it: both must find the same solutions, at
+//! The fast path of generated inverses against the fallback path, which generated code has beside it: both must find the same solutions, at
 //! random poses, in and near singular ones, and out of reach.
 
 mod arms;
@@ -21,7 +21,7 @@ trait Arm<const N: usize>: ForwardKinematics<N> + Jacobian<N> {}
 
 impl<const N: usize, A: ForwardKinematics<N> + Jacobian<N>> Arm<N> for A {}
 
-/// Runs all sets of poses of an arm. `both` finds the solutions of a pose, the fast way and the robust one; joints that the caller of a
+/// Runs all sets of poses of an arm. `both` finds the solutions of a pose, the fast path and the fallback path; joints that the caller of a
 /// redundant arm chooses stand as in the configuration.
 fn check<const N: usize, const M: usize>(
     name: &str,
@@ -44,7 +44,7 @@ fn check<const N: usize, const M: usize>(
             fast_ones += usize::from(fast.iter().zip(&slow).any(|(a, b)| apart(arm, &a.q, &b.q) > 1e-3));
         }
     }
-    assert!(10 * fast_ones >= 9 * told_apart, "{name}: the fast way decides {fast_ones} poses of {told_apart}");
+    assert!(10 * fast_ones >= 9 * told_apart, "{name}: the fast path decides {fast_ones} poses of {told_apart}");
     for q in special(arm, &mut joints) {
         let target = arm.forward(&q);
         let [fast, slow] = both(&target, &q);

@@ -9,7 +9,7 @@
 
 use crate::math::mul_add;
 
-/// Lanes of one round where the compiler takes them all at once.
+/// Elements per chunk where the compiler takes them all at once.
 const LANES: usize = 8;
 
 /// The angles of the unit vectors `(x, y)` in `(-pi, pi]`, within 3e-16 for a vector that is a unit vector within rounding; for others (also
@@ -22,12 +22,12 @@ pub fn angles<const N: usize>(y: &[f64; N], x: &[f64; N]) -> [f64; N] {
         let (to, y, x) = (&mut angles[start..], &y[start..], &x[start..]);
         // Decided while compiling, as in `atan2_batch`.
         match to.len() {
-            _ if cfg!(target_feature = "avx") => lanes::<LANES>(to, y, x),
-            1 => lanes::<1>(to, y, x),
-            2 => lanes::<2>(to, y, x),
-            3..=4 => lanes::<4>(to, y, x),
-            5..=6 => lanes::<6>(to, y, x),
-            _ => lanes::<LANES>(to, y, x),
+            _ if cfg!(target_feature = "avx") => chunk::<LANES>(to, y, x),
+            1 => chunk::<1>(to, y, x),
+            2 => chunk::<2>(to, y, x),
+            3..=4 => chunk::<4>(to, y, x),
+            5..=6 => chunk::<6>(to, y, x),
+            _ => chunk::<LANES>(to, y, x),
         }
     }
     angles
@@ -35,7 +35,7 @@ pub fn angles<const N: usize>(y: &[f64; N], x: &[f64; N]) -> [f64; N] {
 
 /// The first `L` angles, or as many as there are.
 #[inline(always)]
-fn lanes<const L: usize>(to: &mut [f64], y: &[f64], x: &[f64]) {
+fn chunk<const L: usize>(to: &mut [f64], y: &[f64], x: &[f64]) {
     let (mut ys, mut xs, mut angles) = ([0.0; L], [0.0; L], [0.0; L]);
     for (lane, value) in ys.iter_mut().zip(y) {
         *lane = *value;
