@@ -63,6 +63,9 @@
 //! Which row a link's twist and length stand in is what the two conventions differ in, and the classic source of wrong robots;
 //! so there is no default:
 //!
+//! Headers and cells may be pasted as people publish them: units in the header (`a [mm]`, `alpha (deg)`), `alpha(i-1)` for the modified convention (an error where
+//! `convention` says otherwise), `θ1` and `π/2` as Greek letters, `sqrt`, `sin`, `atan2` and the like of constants.
+//!
 //! | setting | link transform | row i holds |
 //! |---------|----------------|-------------|
 //! | `convention = standard;` | `Rz(theta) Tz(d) Tx(a) Rx(alpha)` | theta(i), d(i), a(i), alpha(i) |
@@ -133,6 +136,7 @@
 //! | `task = pose;` (default) | what the inverse is given; see below |
 //! | `redundant = q3;` | the joint whose value the caller chooses, on arms with one joint too many; `redundant = q1, q8;` several |
 //! | `ik = none;` | no inverse is wanted, or none can be had |
+//! | `urdf = "arm.urdf"; chain = base_link..tool0;` | instead of a table: the chain between two links of a URDF file, its path relative to the crate; with the feature `urdf` |
 //! | `scalar = f32;` | the type of every number in the program, instead of `f64` |
 //!
 //! | task | the target is | for |
@@ -193,6 +197,20 @@
 //! infinitely many solutions, of which one is returned (within the ranges, if one joint can be turned against others until all are there). Of the list one asks the nearest
 //! ([`closest_to`](Solutions::closest_to)), where to move ([`toward`](Solutions::toward)), what the joints can do
 //! ([`within_range`](Solutions::within_range)), a branch ([`with_branch`](Solutions::with_branch)).
+//!
+//! ## Along a path
+//!
+//! A control loop asks for one solution, the one that continues from where the arm stands:
+//!
+//! - `inverse_near(&target, &q)` (with `redundant`: `inverse_near(&target, given, &q)`) is that solution: the one of least travel, whole turns within the
+//!   ranges, and at a singular pose the point of the self-motion nearest to `q`, so that a path through a straight wrist does not jump. What continues from
+//!   `q` within 0.2 rad is preferred even out of range, and a residual of 1e-9 is let pass where a smaller one would need a jump.
+//! - [`follow`] does so along an iterator of targets, and says where and why the arm cannot go on ([`Stop`]).
+//! - `self_motion(&solution)` is the direction in joint space in which the arm moves while its tool stands still.
+//!
+//! The work of `inverse` and `inverse_near` is bounded at every pose: `MAX_WORK` says by how many runs of the plan and Newton steps. (Of an arm that needs an
+//! elimination a run is one elimination with what it does near its double roots: milliseconds at special poses.) `inverse_exhaustive` is a
+//! thorough search without a bound on its time, to compare with.
 //!
 //! ## Targets that lost digits
 //!
