@@ -3,9 +3,10 @@
 
 mod classes;
 mod compiled;
-mod continua;
+
 mod newton;
 mod once;
+mod self_motions;
 mod shrinking;
 mod stress;
 
@@ -22,7 +23,7 @@ const ARMS: u64 = 3;
 const POSES: usize = 6;
 /// Starts of the search for every solution of one random pose of each arm.
 const STARTS: usize = 30;
-/// Singular values of the slopes below this: a singular pose, where solutions may be continua.
+/// Singular values of the slopes below this: a singular pose, where solutions may be self-motions.
 const SINGULAR: f64 = 1e-6;
 /// Share of the poses whose own joint vector need not be told apart at higher singularities.
 const UNTOLD: f64 = 0.01;

@@ -298,7 +298,7 @@ fn ranged<const N: usize>(arm: &(impl ForwardKinematics<N> + InverseKinematics<N
         for s in kept.iter() {
             assert!(joints.iter().zip(&s.q).all(|(j, x)| j.range.is_none_or(|(l, g)| l <= *x && *x <= g)), "{s}");
         }
-        // Of a continuum one solution stands for all, which may be out of range.
+        // One solution represents a self-motion, which may be out of range.
         let own = kept.iter().any(|s| same(arm, &s.q, &q, 1e-5)) || found.iter().any(|s| !s.free.is_empty());
         assert!(own, "{q:?} is not among\n{kept}\nof\n{found}");
         // Where the arm is, it stays; a small motion goes the short way where the range allows it.

@@ -107,7 +107,7 @@ fn javascript_agrees_with_rust() {
             compare(&what, &by_rows, &answer["jacobian"]);
             let target = (arm.forward)(q);
             let rust = (arm.inverse)(&target, q);
-            // At the special ones rounding decides how singular a pose is: there may be more representatives of a continuum.
+            // At the special ones rounding decides how singular a pose is: there may be more points of one self-motion.
             if i >= *special {
                 same_solutions(&what, &rust, answer);
             }

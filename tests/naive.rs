@@ -149,11 +149,11 @@ impl Arm {
     pub fn new(spec: &ChainSpec, field: &dyn Fn(&str) -> f64) -> Arm {
         let parameter = |i: usize| {
             let p = &spec.parameters[i];
-            use dh_symbolic::chain::{Role, Value};
+            use dh_symbolic::chain::{Nominal, Role};
             match &p.role {
                 Role::Field(_) => field(&p.name),
-                Role::Constant(Value::Length(x)) => x.to_f64(),
-                Role::Constant(Value::Angle(cell)) => cell.radians(),
+                Role::Constant(Nominal::Length(x)) => x.to_f64(),
+                Role::Constant(Nominal::Angle(cell)) => cell.radians(),
             }
         };
         let length = |cell: &LengthCell| -> f64 {

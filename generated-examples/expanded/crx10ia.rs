@@ -434,7 +434,7 @@ impl Crx10ia {
             rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         let unknowns = self.unknowns(&q.map(f64::from));
@@ -472,7 +472,7 @@ impl Crx10ia {
             rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve(
@@ -534,7 +534,7 @@ impl Crx10ia {
         ::dh_robot::runtime::self_motion(
             self,
             setting,
-            |t| ::dh_robot::runtime::Task::Pose(*t),
+            |t| ::dh_robot::runtime::TaskTarget::Pose(*t),
             solution,
         )
     }
@@ -647,7 +647,7 @@ impl Crx10ia {
             rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve_bounded(

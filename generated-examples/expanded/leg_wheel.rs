@@ -275,7 +275,7 @@ impl LegWheel {
             rank_deficient: true,
             given: [::core::option::Option::None; 2],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         let unknowns = self.unknowns(&q.map(f64::from));
@@ -313,7 +313,7 @@ impl LegWheel {
             rank_deficient: true,
             given: [::core::option::Option::None; 2],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve(
@@ -368,7 +368,7 @@ impl LegWheel {
         ::dh_robot::runtime::self_motion(
             self,
             setting,
-            |t| ::dh_robot::runtime::Task::Pose(*t),
+            |t| ::dh_robot::runtime::TaskTarget::Pose(*t),
             solution,
         )
     }
@@ -477,7 +477,7 @@ impl LegWheel {
             rank_deficient: true,
             given: [::core::option::Option::None; 2],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve_bounded(

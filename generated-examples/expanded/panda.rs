@@ -581,7 +581,7 @@ impl Panda {
                 ::core::option::Option::Some(given.into()),
             ],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         let mut found = [[0.0; 8]; 7];
@@ -645,7 +645,7 @@ impl Panda {
                 ::core::option::Option::Some(given.into()),
             ],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve(
@@ -711,7 +711,7 @@ impl Panda {
         ::dh_robot::runtime::self_motion(
             self,
             setting,
-            |t| ::dh_robot::runtime::Task::Pose(*t),
+            |t| ::dh_robot::runtime::TaskTarget::Pose(*t),
             solution,
         )
     }
@@ -1002,7 +1002,7 @@ impl Panda {
                 ::core::option::Option::Some(given.into()),
             ],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve_bounded(

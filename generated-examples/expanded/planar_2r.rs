@@ -274,7 +274,7 @@ impl Planar2r {
             rank_deficient: true,
             given: [::core::option::Option::None; 2],
         };
-        let task = ::dh_robot::runtime::Task::Position(p);
+        let task = ::dh_robot::runtime::TaskTarget::Position(p);
         let unknowns = self.unknowns(&q.map(f64::from));
         ::dh_robot::runtime::solve_near::<
             _,
@@ -315,7 +315,7 @@ impl Planar2r {
             rank_deficient: true,
             given: [::core::option::Option::None; 2],
         };
-        let task = ::dh_robot::runtime::Task::Position(p);
+        let task = ::dh_robot::runtime::TaskTarget::Position(p);
         ::dh_robot::runtime::solve(
             self,
             setting,
@@ -368,7 +368,7 @@ impl Planar2r {
         ::dh_robot::runtime::self_motion(
             self,
             setting,
-            |t| ::dh_robot::runtime::Task::Position([t[0][3], t[1][3], t[2][3]]),
+            |t| ::dh_robot::runtime::TaskTarget::Position([t[0][3], t[1][3], t[2][3]]),
             solution,
         )
     }
@@ -484,7 +484,7 @@ impl Planar2r {
             rank_deficient: true,
             given: [::core::option::Option::None; 2],
         };
-        let task = ::dh_robot::runtime::Task::Position(p);
+        let task = ::dh_robot::runtime::TaskTarget::Position(p);
         ::dh_robot::runtime::solve_bounded(
             self,
             setting,

@@ -306,7 +306,7 @@ impl Planar3r {
             rank_deficient: false,
             given: [::core::option::Option::None; 3],
         };
-        let task = ::dh_robot::runtime::Task::Planar(x, y, phi);
+        let task = ::dh_robot::runtime::TaskTarget::Planar(x, y, phi);
         let unknowns = self.unknowns(&q.map(f64::from));
         ::dh_robot::runtime::solve_near::<
             _,
@@ -352,7 +352,7 @@ impl Planar3r {
             rank_deficient: false,
             given: [::core::option::Option::None; 3],
         };
-        let task = ::dh_robot::runtime::Task::Planar(x, y, phi);
+        let task = ::dh_robot::runtime::TaskTarget::Planar(x, y, phi);
         ::dh_robot::runtime::solve(
             self,
             setting,
@@ -409,7 +409,7 @@ impl Planar3r {
         ::dh_robot::runtime::self_motion(
             self,
             setting,
-            |t| ::dh_robot::runtime::Task::Planar(
+            |t| ::dh_robot::runtime::TaskTarget::Planar(
                 t[0][3],
                 t[1][3],
                 ::dh_robot::runtime::atan2(t[1][0], t[0][0]),
@@ -573,7 +573,7 @@ impl Planar3r {
             rank_deficient: false,
             given: [::core::option::Option::None; 3],
         };
-        let task = ::dh_robot::runtime::Task::Planar(x, y, phi);
+        let task = ::dh_robot::runtime::TaskTarget::Planar(x, y, phi);
         ::dh_robot::runtime::solve_bounded(
             self,
             setting,

@@ -433,7 +433,7 @@ impl PolarOffsetWrist {
             rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         let unknowns = self.unknowns(&q.map(f64::from));
@@ -471,7 +471,7 @@ impl PolarOffsetWrist {
             rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve(
@@ -533,7 +533,7 @@ impl PolarOffsetWrist {
         ::dh_robot::runtime::self_motion(
             self,
             setting,
-            |t| ::dh_robot::runtime::Task::Pose(*t),
+            |t| ::dh_robot::runtime::TaskTarget::Pose(*t),
             solution,
         )
     }
@@ -650,7 +650,7 @@ impl PolarOffsetWrist {
             rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve_bounded(

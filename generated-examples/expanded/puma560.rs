@@ -451,7 +451,7 @@ impl Puma560 {
             rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         let mut found = [[0.0; 8]; 6];
@@ -500,7 +500,7 @@ impl Puma560 {
             rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve(
@@ -562,7 +562,7 @@ impl Puma560 {
         ::dh_robot::runtime::self_motion(
             self,
             setting,
-            |t| ::dh_robot::runtime::Task::Pose(*t),
+            |t| ::dh_robot::runtime::TaskTarget::Pose(*t),
             solution,
         )
     }
@@ -814,7 +814,7 @@ impl Puma560 {
             rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve_bounded(

@@ -281,7 +281,7 @@ impl RpParallel {
             rank_deficient: true,
             given: [::core::option::Option::None; 2],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         let mut found = [[0.0; 1]; 2];
@@ -330,7 +330,7 @@ impl RpParallel {
             rank_deficient: true,
             given: [::core::option::Option::None; 2],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve(
@@ -385,7 +385,7 @@ impl RpParallel {
         ::dh_robot::runtime::self_motion(
             self,
             setting,
-            |t| ::dh_robot::runtime::Task::Pose(*t),
+            |t| ::dh_robot::runtime::TaskTarget::Pose(*t),
             solution,
         )
     }
@@ -477,7 +477,7 @@ impl RpParallel {
             rank_deficient: true,
             given: [::core::option::Option::None; 2],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve_bounded(

@@ -317,7 +317,7 @@ impl RrrIntersecting {
             rank_deficient: false,
             given: [::core::option::Option::None; 3],
         };
-        let task = ::dh_robot::runtime::Task::Position(p);
+        let task = ::dh_robot::runtime::TaskTarget::Position(p);
         let unknowns = self.unknowns(&q.map(f64::from));
         ::dh_robot::runtime::solve_near::<
             _,
@@ -358,7 +358,7 @@ impl RrrIntersecting {
             rank_deficient: false,
             given: [::core::option::Option::None; 3],
         };
-        let task = ::dh_robot::runtime::Task::Position(p);
+        let task = ::dh_robot::runtime::TaskTarget::Position(p);
         ::dh_robot::runtime::solve(
             self,
             setting,
@@ -415,7 +415,7 @@ impl RrrIntersecting {
         ::dh_robot::runtime::self_motion(
             self,
             setting,
-            |t| ::dh_robot::runtime::Task::Position([t[0][3], t[1][3], t[2][3]]),
+            |t| ::dh_robot::runtime::TaskTarget::Position([t[0][3], t[1][3], t[2][3]]),
             solution,
         )
     }
@@ -568,7 +568,7 @@ impl RrrIntersecting {
             rank_deficient: false,
             given: [::core::option::Option::None; 3],
         };
-        let task = ::dh_robot::runtime::Task::Position(p);
+        let task = ::dh_robot::runtime::TaskTarget::Position(p);
         ::dh_robot::runtime::solve_bounded(
             self,
             setting,

@@ -418,7 +418,7 @@ impl SixAxisChain {
             rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         let mut found = [[0.0; 8]; 6];
@@ -467,7 +467,7 @@ impl SixAxisChain {
             rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve(
@@ -529,7 +529,7 @@ impl SixAxisChain {
         ::dh_robot::runtime::self_motion(
             self,
             setting,
-            |t| ::dh_robot::runtime::Task::Pose(*t),
+            |t| ::dh_robot::runtime::TaskTarget::Pose(*t),
             solution,
         )
     }
@@ -799,7 +799,7 @@ impl SixAxisChain {
             rank_deficient: false,
             given: [::core::option::Option::None; 6],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve_bounded(

@@ -339,7 +339,7 @@ impl WaferPrrr {
             rank_deficient: true,
             given: [::core::option::Option::None; 4],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         let mut found = [[0.0; 2]; 4];
@@ -388,7 +388,7 @@ impl WaferPrrr {
             rank_deficient: true,
             given: [::core::option::Option::None; 4],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve(
@@ -448,7 +448,7 @@ impl WaferPrrr {
         ::dh_robot::runtime::self_motion(
             self,
             setting,
-            |t| ::dh_robot::runtime::Task::Pose(*t),
+            |t| ::dh_robot::runtime::TaskTarget::Pose(*t),
             solution,
         )
     }
@@ -634,7 +634,7 @@ impl WaferPrrr {
             rank_deficient: true,
             given: [::core::option::Option::None; 4],
         };
-        let task = ::dh_robot::runtime::Task::Pose(
+        let task = ::dh_robot::runtime::TaskTarget::Pose(
             ::dh_robot::runtime::in_units(&frame, Self::LENGTH_SCALE),
         );
         ::dh_robot::runtime::solve_bounded(

@@ -366,7 +366,7 @@ impl Youbot {
             rank_deficient: true,
             given: [::core::option::Option::None; 5],
         };
-        let task = ::dh_robot::runtime::Task::Axis(p, z);
+        let task = ::dh_robot::runtime::TaskTarget::Axis(p, z);
         let unknowns = self.unknowns(&q.map(f64::from));
         ::dh_robot::runtime::solve_near::<
             _,
@@ -420,7 +420,7 @@ impl Youbot {
             rank_deficient: true,
             given: [::core::option::Option::None; 5],
         };
-        let task = ::dh_robot::runtime::Task::Axis(p, z);
+        let task = ::dh_robot::runtime::TaskTarget::Axis(p, z);
         ::dh_robot::runtime::solve(
             self,
             setting,
@@ -485,7 +485,7 @@ impl Youbot {
         ::dh_robot::runtime::self_motion(
             self,
             setting,
-            |t| ::dh_robot::runtime::Task::Axis(
+            |t| ::dh_robot::runtime::TaskTarget::Axis(
                 [t[0][3], t[1][3], t[2][3]],
                 [t[0][2], t[1][2], t[2][2]],
             ),
@@ -722,7 +722,7 @@ impl Youbot {
             rank_deficient: true,
             given: [::core::option::Option::None; 5],
         };
-        let task = ::dh_robot::runtime::Task::Axis(p, z);
+        let task = ::dh_robot::runtime::TaskTarget::Axis(p, z);
         ::dh_robot::runtime::solve_bounded(
             self,
             setting,

@@ -1,10 +1,10 @@
 //! A table's inverse without compiling it: the plan in the interpreter, the candidates through the driver of generated code.
 
 use dh_robot::runtime::{Attempt, Path, Setting, frame_of_axis, frame_of_plane, in_units, solve};
-use dh_robot::runtime::{Drive, Kinematics, Pose, Task as Goal};
+use dh_robot::runtime::{Drive, Kinematics, Pose, TaskTarget as Goal};
 use dh_robot::{Branch, FreeJoints, Joint, Solutions};
 use dh_symbolic::algebra::Rational;
-use dh_symbolic::chain::{AngleCell, Chain, ChainSpec, Handle, Role, Task, Value};
+use dh_symbolic::chain::{AngleCell, Chain, ChainSpec, Handle, Nominal, Role, Task};
 use dh_symbolic::planner;
 use dh_symbolic::program::Inverse;
 use dh_tests::engine::spec;
@@ -92,9 +92,9 @@ impl Compiled {
             if matches!(p.role, Role::Field(_)) {
                 let x = exact(&p.name);
                 p.role = Role::Constant(match p.quantity {
-                    dh_symbolic::chain::Quantity::Length => Value::Length(x),
+                    dh_symbolic::chain::Quantity::Length => Nominal::Length(x),
                     dh_symbolic::chain::Quantity::Angle => {
-                        Value::Angle(AngleCell { approx: Some(x), ..AngleCell::default() })
+                        Nominal::Angle(AngleCell { approx: Some(x), ..AngleCell::default() })
                     }
                 });
             }

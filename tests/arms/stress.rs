@@ -89,7 +89,7 @@ impl Case<'_> {
         Around { moves }
     }
 
-    /// Is a solution (regular, alone, or of a continuum) among what was found?
+    /// Is a solution (regular, alone, or on a self-motion) among what was found?
     fn known(&self, q: &[f64], random: &mut Random, tally: &mut Tally) {
         let margin = self.margin(q);
         let near = self.found.q.iter().map(|s| self.apart(s, q)).fold(f64::INFINITY, f64::min);
@@ -130,7 +130,7 @@ impl Case<'_> {
         if all.any(|(s, _)| represents(s, &|_| true)) {
             tally.count("free not named", || text(&format!("moves {:?}", around.moves)));
         } else {
-            tally.count("continuum missed", || text(&format!("moves {:?}", around.moves)));
+            tally.count("self-motion missed", || text(&format!("moves {:?}", around.moves)));
         }
     }
 
@@ -168,7 +168,9 @@ impl Case<'_> {
                 if d < 1e-6 || free[i].is_empty() && free[j].is_empty() && singular() {
                     tally.count("twice", || format!("{d:.1e} {s:?} {other:?} at {q:?} {:?}\n{}", &free[i], self.name));
                 } else if d > 0.01 && [0.3, 0.5, 0.85].iter().all(|t| self.problem.miss(&middle(*t)) < 1e-9) {
-                    tally.count("continuum twice", || format!("{d:.1e} {s:?} {other:?} {:?}\n{}", &free[i], self.name));
+                    tally.count("self-motion twice", || {
+                        format!("{d:.1e} {s:?} {other:?} {:?}\n{}", &free[i], self.name)
+                    });
                 }
             }
             // Between the tolerance of the inverse and that of this search a motion is free to the one and not to the other.

@@ -9,14 +9,14 @@ use super::vector::cross;
 ///
 /// Every Denavit-Hartenberg table has this form: the constant in front of the first joint is taken over to the target's side.
 #[derive(Clone, Copy, Debug)]
-pub struct Chain<const N: usize> {
+pub struct NumericChain<const N: usize> {
     /// The constant transform after each joint.
     pub links: [Pose; N],
     /// Which joints are prismatic.
     pub prismatic: [bool; N],
 }
 
-impl<const N: usize> Chain<N> {
+impl<const N: usize> NumericChain<N> {
     /// A length of the arm's size: the sum of its constant offsets; 1 where there are none.
     pub fn length_scale(&self) -> f64 {
         let mut sum = 0.0;
@@ -39,7 +39,7 @@ impl<const N: usize> Chain<N> {
     }
 }
 
-impl<const N: usize> Kinematics<N> for Chain<N> {
+impl<const N: usize> Kinematics<N> for NumericChain<N> {
     fn forward(&self, q: &[f64; N]) -> Pose {
         let mut t = IDENTITY;
         for i in 0..N {
@@ -79,7 +79,7 @@ mod tests {
     fn jacobian_of_a_chain_is_its_derivative() {
         let mut rng = Rng::new(6);
         let links = [(); 5].map(|()| random_pose(&mut rng));
-        let chain = Chain { links, prismatic: [false, true, false, false, true] };
+        let chain = NumericChain { links, prismatic: [false, true, false, false, true] };
         let q = [(); 5].map(|()| rng.angle());
         let (_, j) = chain.forward_and_jacobian(&q);
         for i in 0..5 {

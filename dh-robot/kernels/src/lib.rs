@@ -39,7 +39,7 @@ mod two_equations;
 pub mod vector;
 
 pub use bilinear::{AnglePair, solve_bilinear_choosing};
-pub use chain::Chain;
+pub use chain::NumericChain;
 pub use drive::Drive;
 pub use general::solve_general;
 pub use least_squares::solve_many;
@@ -47,7 +47,7 @@ pub use lengths::{LengthAngle, solve_length_squared_and_angle_choosing, solve_qu
 pub use list::{Blank, List};
 pub use multistart::{solve_from_everywhere, solve_nearby};
 pub use one_equation::{solve_half_turn, solve_sincos};
-pub use polish::{Kinematics, Polished, Task, levenberg_marquardt, polish, polish_to, same_solution};
+pub use polish::{Kinematics, Polished, TaskTarget, levenberg_marquardt, polish, polish_to, same_solution};
 pub use pose::Pose;
 pub use roots::{Angles, Outcome, Roots};
 pub use status::Status;

@@ -5,7 +5,7 @@
 
 use super::elementary::{floor, sin_cos, sqrt};
 use super::list::List;
-use super::polish::{Kinematics, Task, polish, same_solution};
+use super::polish::{Kinematics, TaskTarget, polish, same_solution};
 use super::pose::{IDENTITY, Pose, compose, turn};
 use super::tolerance::REACHED;
 
@@ -68,7 +68,7 @@ fn displaced(pose: &Pose, length_scale: f64, direction: [f64; 6], distance: f64)
 pub fn solve_from_everywhere<const N: usize, const R: usize>(
     arm: &impl Kinematics<N>,
     prismatic: &[bool; N],
-    task: &Task,
+    task: &TaskTarget,
     length_scale: f64,
     starts: usize,
     enough: usize,

@@ -32,7 +32,7 @@ pub trait Kinematics<const N: usize> {
 
 /// What an arm is asked for.
 #[derive(Clone, Copy, Debug)]
-pub enum Task {
+pub enum TaskTarget {
     /// The whole pose.
     Pose(Pose),
     /// The position alone.
@@ -43,7 +43,7 @@ pub enum Task {
     Planar(f64, f64, f64),
 }
 
-impl Task {
+impl TaskTarget {
     /// What is missing from `pose` to the target: position over the length scale` (rows 0..3) and rotation in radians (rows 3..6), in
     /// base axes. Rows that the task doesn't ask for are zero.
     pub fn error(&self, pose: &Pose, length_scale: f64) -> [f64; 6] {
@@ -115,7 +115,7 @@ impl Task {
         out
     }
 
-    /// The rows of the Jacobian that belong to [`Task::error`], scaled like it.
+    /// The rows of the Jacobian that belong to [`TaskTarget::error`], scaled like it.
     pub fn rows<const N: usize>(&self, pose: &Pose, mut j: [[f64; N]; 6], length_scale: f64) -> [[f64; N]; 6] {
         for row in &mut j[..3] {
             for x in row {
@@ -164,7 +164,7 @@ impl Polished {
 pub fn polish<const N: usize>(
     arm: &impl Kinematics<N>,
     q: &mut [f64; N],
-    task: &Task,
+    task: &TaskTarget,
     length_scale: f64,
     steps: usize,
 ) -> Polished {
@@ -175,7 +175,7 @@ pub fn polish<const N: usize>(
 pub fn polish_to<const N: usize>(
     arm: &impl Kinematics<N>,
     q: &mut [f64; N],
-    task: &Task,
+    task: &TaskTarget,
     length_scale: f64,
     steps: usize,
     goal: f64,
@@ -200,7 +200,7 @@ pub fn polish_to<const N: usize>(
 /// away). What lies between two such ends reaches the task too; what lies between two solutions doesn't.
 pub fn same_solution<const N: usize>(
     arm: &impl Kinematics<N>,
-    task: &Task,
+    task: &TaskTarget,
     length_scale: f64,
     p: &[f64; N],
     q: &[f64; N],
@@ -381,7 +381,7 @@ fn solve_damped<const N: usize, const M: usize>(j: &[[f64; N]; M], e: &[f64; M],
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Chain;
+    use crate::NumericChain;
     use crate::testing::{Rng, general_6r, random_pose};
 
     #[test]
@@ -392,7 +392,7 @@ mod tests {
             let truth = [(); 6].map(|()| rng.angle());
             let target = arm.forward(&truth);
             let mut q = truth.map(|x| x + 1e-4 * rng.symmetric());
-            let done = polish(&arm, &mut q, &Task::Pose(target), arm.length_scale(), 8);
+            let done = polish(&arm, &mut q, &TaskTarget::Pose(target), arm.length_scale(), 8);
             assert!(done.reaches(1e-13), "{done:?}");
         }
     }
@@ -402,7 +402,7 @@ mod tests {
         let arm = general_6r();
         let mut q = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6];
         let before = q;
-        let done = polish(&arm, &mut q, &Task::Pose(arm.forward(&before)), arm.length_scale(), 5);
+        let done = polish(&arm, &mut q, &TaskTarget::Pose(arm.forward(&before)), arm.length_scale(), 5);
         assert_eq!((done.steps, q), (0, before));
     }
 
@@ -411,21 +411,25 @@ mod tests {
         // Stretched out planar arm (two of three joints suffice): J has rank one less at the start.
         let mut link = crate::pose::IDENTITY;
         link[0][3] = 1.0;
-        let arm = Chain { links: [link; 3], prismatic: [false; 3] };
+        let arm = NumericChain { links: [link; 3], prismatic: [false; 3] };
         let mut q = [0.0; 3];
-        let done = polish(&arm, &mut q, &Task::Position([2.0, 0.5, 0.0]), 3.0, 50);
+        let done = polish(&arm, &mut q, &TaskTarget::Position([2.0, 0.5, 0.0]), 3.0, 50);
         assert!(done.reaches(1e-12), "{done:?}");
     }
 
     #[test]
     fn redundant_and_partial_tasks_converge() {
         let mut rng = Rng::new(8);
-        let arm = Chain { links: [(); 7].map(|()| random_pose(&mut rng)), prismatic: [false; 7] };
+        let arm = NumericChain { links: [(); 7].map(|()| random_pose(&mut rng)), prismatic: [false; 7] };
         for _ in 0..100 {
             let truth = [(); 7].map(|()| rng.angle());
             let pose = arm.forward(&truth);
             let p = [pose[0][3], pose[1][3], pose[2][3]];
-            for task in [Task::Pose(pose), Task::Position(p), Task::Axis(p, [pose[0][2], pose[1][2], pose[2][2]])] {
+            for task in [
+                TaskTarget::Pose(pose),
+                TaskTarget::Position(p),
+                TaskTarget::Axis(p, [pose[0][2], pose[1][2], pose[2][2]]),
+            ] {
                 let mut q = truth.map(|x| x + 0.02 * rng.symmetric());
                 let done = polish(&arm, &mut q, &task, arm.length_scale(), 60);
                 assert!(done.reaches(1e-12), "{done:?}");
@@ -437,11 +441,11 @@ mod tests {
     fn planar_task_wraps_its_angle() {
         let mut link = crate::pose::IDENTITY;
         link[0][3] = 1.0;
-        let arm = Chain { links: [link; 3], prismatic: [false; 3] };
+        let arm = NumericChain { links: [link; 3], prismatic: [false; 3] };
         let truth = [1.0, 1.0, 1.1];
         let pose = arm.forward(&truth);
         for turns in [-1.0, 0.0, 2.0] {
-            let task = Task::Planar(pose[0][3], pose[1][3], 3.1 + turns * core::f64::consts::TAU);
+            let task = TaskTarget::Planar(pose[0][3], pose[1][3], 3.1 + turns * core::f64::consts::TAU);
             let mut q = [1.1, 0.9, 1.15];
             assert!(polish(&arm, &mut q, &task, 3.0, 20).reaches(1e-13));
             assert!(q.iter().zip(&truth).all(|(a, b)| (a - b).abs() < 1e-12));
@@ -454,7 +458,7 @@ mod tests {
         let mut q = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6];
         let mut target = arm.forward(&q);
         target[0][3] += 100.0;
-        let done = polish(&arm, &mut q, &Task::Pose(target), arm.length_scale(), 20);
+        let done = polish(&arm, &mut q, &TaskTarget::Pose(target), arm.length_scale(), 20);
         assert!(!done.reaches(1e-6) && q.iter().all(|x| x.is_finite()));
     }
 
@@ -462,7 +466,7 @@ mod tests {
     fn bad_numbers_end_at_once() {
         let arm = general_6r();
         let mut q = [f64::NAN; 6];
-        let done = polish(&arm, &mut q, &Task::Pose(random_pose(&mut Rng::new(1))), 1.0, 20);
+        let done = polish(&arm, &mut q, &TaskTarget::Pose(random_pose(&mut Rng::new(1))), 1.0, 20);
         assert!(done.steps == 0 && !done.reaches(1.0));
     }
 

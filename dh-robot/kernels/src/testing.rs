@@ -3,7 +3,7 @@
 use core::f64::consts::PI;
 
 use super::TrigPoly;
-use super::chain::Chain;
+use super::chain::NumericChain;
 use super::pose::{IDENTITY, Pose, compose, turn};
 
 /// SplitMix64 (Steele, Lea, Flood, 2014): the same numbers on every machine.
@@ -66,8 +66,8 @@ pub(crate) fn link(d: f64, a: f64, alpha: f64) -> Pose {
 }
 
 /// An arm without any structure.
-pub(crate) fn general_6r() -> Chain<6> {
-    Chain {
+pub(crate) fn general_6r() -> NumericChain<6> {
+    NumericChain {
         links: [
             link(0.1, 0.3, 40.0),
             link(0.2, 0.5, -70.0),

@@ -1,4 +1,4 @@
-//! What generated code and the solvers tell each other: which value a free unknown takes, which roots a candidate took, how a run of the plan ended.
+//! The interface between generated code and the solvers: samples for free unknowns, the roots behind a candidate, the outcome of a run.
 
 use super::path::{Equation, Path};
 use crate::{FreeJoints, Why};

@@ -1,5 +1,5 @@
-//! The circle of a free unknown, cut where later steps lose or change their roots: each piece is sampled once, and the pieces that one
-//! self-motion passes through are known without walking along it.
+//! Divides the circle of a free angle into cells at which later steps lose or change their roots: each cell is sampled once, and the cells
+//! that one self-motion passes through are known without walking along it.
 
 use super::path::{Equation, Path};
 use crate::math::atan2;
@@ -7,7 +7,7 @@ use dh_kernels::{Angles, Blank, List, TrigPoly, solve_many};
 
 /// Most angles at which the circle is cut.
 pub(super) const CUTS: usize = 12;
-/// Largest error of a coefficient's wave at the angle that checks it.
+/// Largest error of a coefficient's sinusoid at the angle that checks it.
 const CHECKED: f64 = 1e-9;
 /// Size of coefficients that vanish together.
 const VANISHES: f64 = 1e-9;
@@ -45,12 +45,12 @@ pub(super) struct Cells {
     pub(super) cuts: List<Cut, CUTS>,
     /// The angles of the folds, rising.
     folds: List<f64, CUTS>,
-    /// A coefficient is no wave of the free unknown: what the cuts say is not all.
+    /// A coefficient is no sinusoid of the free unknown: the list of cuts is incomplete.
     pub(super) rough: bool,
 }
 
 /// Coefficients of 1, cos and sin.
-type Wave = [f64; 3];
+type Sinusoid = [f64; 3];
 
 impl Cells {
     /// The cuts that follow from the equations seen at some angles of the free unknown, of which three are needed and a fourth checks.
@@ -70,8 +70,8 @@ impl Cells {
                         seen.push([*angle, a, b, c]);
                     }
                 }
-                match waves(&seen) {
-                    Some(waves) => cells.cut(e, &waves),
+                match sinusoids(&seen) {
+                    Some(sinusoids) => cells.cut(e, &sinusoids),
                     None => cells.rough = true,
                 }
             }
@@ -91,25 +91,25 @@ impl Cells {
         cells
     }
 
-    /// Notes where something happens to an equation whose coefficients are waves.
-    fn cut(&mut self, e: &Equation, waves: &[Wave; 3]) {
+    /// Notes where something happens to an equation whose coefficients are sinusoids.
+    fn cut(&mut self, e: &Equation, sinusoids: &[Sinusoid; 3]) {
         let note = |cuts: &mut List<Cut, CUTS>, root: [f64; 2], event: Event| {
             let angle = atan2(root[1], root[0]);
             cuts.push(Cut { angle, event, step: e.step, path: e.path });
         };
-        let size = |wave: &Wave| wave[1].abs() + wave[2].abs();
+        let size = |sinusoid: &Sinusoid| sinusoid[1].abs() + sinusoid[2].abs();
         // All three vanish together?
-        let crossing = solve_many(&waves.map(|[k, c, s]| [c, s, -k]), VANISHES);
+        let crossing = solve_many(&sinusoids.map(|[k, c, s]| [c, s, -k]), VANISHES);
         for root in &crossing {
-            let at = |w: &Wave| (w[0] + w[1] * root[0] + w[2] * root[1]).abs();
-            if waves.iter().all(|w| at(w) <= VANISHES) {
+            let at = |w: &Sinusoid| (w[0] + w[1] * root[0] + w[2] * root[1]).abs();
+            if sinusoids.iter().all(|w| at(w) <= VANISHES) {
                 note(&mut self.cuts, *root, Event::Crossing);
             }
         }
-        let [a, b, c] = waves.each_ref().map(square);
+        let [a, b, c] = sinusoids.each_ref().map(square);
         let discriminant = a.plus(&b, 1.0).plus(&c, -1.0);
-        let moves = waves.iter().any(|w| size(w) > VANISHES);
-        if !moves || waves[2] == [0.0; 3] {
+        let moves = sinusoids.iter().any(|w| size(w) > VANISHES);
+        if !moves || sinusoids[2] == [0.0; 3] {
             return;
         }
         let roots = discriminant.roots::<4>(VANISHES * VANISHES);
@@ -169,21 +169,21 @@ impl Cells {
     }
 }
 
-/// The angles at which quantities that are waves of the free unknown vanish together, from their values at four angles; quantities that are
-/// no waves do not count.
+/// The angles at which quantities that are sinusoids of the free unknown vanish together, from their values at four angles; quantities that are
+/// no sinusoids do not count.
 pub(super) fn common_zeros<const K: usize>(angles: [f64; 4], values: &[[f64; K]; 4]) -> Angles<2> {
     let mut rows = [[0.0; 3]; K];
     for (k, row) in rows.iter_mut().enumerate() {
         let seen = core::array::from_fn::<_, 4, _>(|i| [angles[i], values[i][k], 0.0, 0.0]);
-        if let Some([[constant, cos, sin], ..]) = waves(&seen) {
+        if let Some([[constant, cos, sin], ..]) = sinusoids(&seen) {
             *row = [cos, sin, -constant];
         }
     }
     solve_many(&rows, VANISHES)
 }
 
-/// The square of a wave.
-fn square([k, c, s]: &Wave) -> TrigPoly<2> {
+/// The square of a sinusoid.
+fn square([k, c, s]: &Sinusoid) -> TrigPoly<2> {
     TrigPoly {
         constant: k * k + 0.5 * (c * c + s * s),
         cos: [2.0 * k * c, 0.5 * (c * c - s * s)],
@@ -191,8 +191,8 @@ fn square([k, c, s]: &Wave) -> TrigPoly<2> {
     }
 }
 
-/// The waves through coefficients at three angles, if a fourth one agrees.
-fn waves(seen: &[[f64; 4]]) -> Option<[Wave; 3]> {
+/// The sinusoids through coefficients at three angles, if a fourth one agrees.
+fn sinusoids(seen: &[[f64; 4]]) -> Option<[Sinusoid; 3]> {
     let [p, q, r, check, ..] = seen else { return None };
     let at = |angle: f64| {
         let (s, c) = crate::math::sin_cos(angle);
@@ -204,15 +204,15 @@ fn waves(seen: &[[f64; 4]]) -> Option<[Wave; 3]> {
     if !(det.abs() > 1e-6) {
         return None;
     }
-    let wave = |k: usize| {
+    let sinusoid = |k: usize| {
         let (d1, d2) = (q[k] - p[k], r[k] - p[k]);
         let (c, s) = ((d1 * s2 - d2 * s1) / det, (c1 * d2 - c2 * d1) / det);
         [p[k] - c * pc - s * ps, c, s]
     };
-    let waves = [wave(1), wave(2), wave(3)];
+    let sinusoids = [sinusoid(1), sinusoid(2), sinusoid(3)];
     let [cc, cs] = at(check[0]);
-    let agrees = |(w, x): (&Wave, &f64)| (w[0] + w[1] * cc + w[2] * cs - x).abs() <= CHECKED;
-    waves.iter().zip(&check[1..]).all(agrees).then_some(waves)
+    let agrees = |(w, x): (&Sinusoid, &f64)| (w[0] + w[1] * cc + w[2] * cs - x).abs() <= CHECKED;
+    sinusoids.iter().zip(&check[1..]).all(agrees).then_some(sinusoids)
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The inverse at special poses, with a bound on its work: the plan root by root, at as many values of a free unknown as its later steps ask for.
+//! The inverse at singular and nearly singular poses, with bounded work: the plan is run at as many values of a free unknown as later steps need.
 //!
 //! Where a step leaves its unknown free, the solutions are self-motions of the arm. The unknown parametrises them; its circle is cut where a
 //! later step loses its roots or is free too (`cells`), and each piece is sampled once. Pieces that meet at a cut are one self-motion, of
@@ -11,14 +11,14 @@ use super::verifier::{SAME, Verifier};
 use super::work::Work;
 use super::{Attempt, Sample, Setting, newton};
 use crate::{Branch, FreeJoints, Real, Solution, Solutions, Why};
-use dh_kernels::{Kinematics, List, Pose, Task};
+use dh_kernels::{Kinematics, List, Pose, TaskTarget};
 
 /// Residual up to which a candidate is taken as it is.
 const EXACT: f64 = 1e-12;
 /// Newton steps for a candidate that misses by rounding, and for one that only leads to a solution.
 pub(super) const FEW: usize = 4;
 pub(super) const MANY: usize = 14;
-/// Starts from which an arm of few joints looks for the pose nearest to a target, and the miss at which it has found one.
+/// Starts of the search for the pose of a rank-deficient arm that is nearest to a target, and the miss at which one is found.
 const STARTS: usize = 4;
 const NEAR: f64 = 0.02;
 /// What counts as zero behind a double root, which is good to the square root of rounding.
@@ -45,7 +45,7 @@ impl<F, const N: usize> Plan<N> for F where F: Fn(&Pose, &Sample, &mut dyn FnMut
 pub fn solve<T: Real, const N: usize, const M: usize>(
     arm: &impl Kinematics<N>,
     setting: Setting<T, N>,
-    task: &Task,
+    task: &TaskTarget,
     frame: &Pose,
     most: Work,
     candidates: impl Fn(&Pose, &Sample, &mut dyn FnMut([f64; N], Branch, Path)) -> Attempt,
@@ -71,7 +71,7 @@ pub(super) struct Search<'a, A, T: 'static, const N: usize, const M: usize> {
 }
 
 impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'a, A, T, N, M> {
-    pub(super) fn new(arm: &'a A, setting: Setting<T, N>, task: &'a Task, most: Work) -> Self {
+    pub(super) fn new(arm: &'a A, setting: Setting<T, N>, task: &'a TaskTarget, most: Work) -> Self {
         Search { verifier: Verifier::new(arm, setting, task), work: Work::new(most), alone: false, blurred: false }
     }
 
@@ -81,7 +81,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'a, A
         newton::newton(v.arm, v.task, v.setting.length_scale, q, steps, EXACT, &mut self.work)
     }
 
-    /// Brings a candidate onto the target; is it a solution?
+    /// Brings a candidate onto the target; returns whether it is a solution.
     pub(super) fn settle(&mut self, q: &mut [f64; N], steps: usize) -> bool {
         self.work.evaluations += 1;
         let miss = self.verifier.miss(q);
@@ -174,7 +174,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'a, A
         self.verifier.push(Solution::new(q.map(T::of), branch).with_free(free));
     }
 
-    /// Does a self-motion at constant rates lead from a known solution to this one?
+    /// Whether a self-motion at constant rates leads from a known solution to this one.
     pub(super) fn is_known(&mut self, q: &[f64; N]) -> bool {
         let v = &self.verifier;
         let level = (4.0 * v.miss(q)).clamp(v.level(q), v.tolerance);

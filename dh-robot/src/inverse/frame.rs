@@ -1,4 +1,4 @@
-//! Targets as the plan wants them: a frame in `f64` with lengths over the length scale.
+//! Converts targets to the form the plan uses: a frame in `f64` with lengths over the length scale.
 
 use crate::{Real, Why};
 use dh_kernels::{Pose, pose};

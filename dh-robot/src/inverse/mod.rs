@@ -1,27 +1,27 @@
-//! What every generated inverse shares: candidates in, verified solutions out.
+//! The numeric part of every generated inverse: candidates of the closed form in, verified solutions out.
 //!
 //! A candidate is put through forward kinematics; one that misses the target by more than rounding is polished; one that still
-//! misses is dropped. Where the closed form degenerates at a pose, `rescue` looks for what it lost. Solutions that a motion of the arm
-//! joins, while the target stays reached, are one continuum: `component` tells, and one of them is kept.
+//! misses is dropped. Where the closed form degenerates at a pose, `rescue` looks for the solutions it lost. Solutions that a
+//! self-motion of the arm connects (`connectivity`) count as one, and one point of each self-motion is kept.
 
 #![allow(clippy::neg_cmp_op_on_partial_ord)] // `!(x <= y)` is how NaN ends on the safe side
 
 mod attempt;
 mod cells;
-mod component;
-mod crossing;
+mod connectivity;
 mod fallback;
 mod frame;
-mod motion;
+mod intersection;
 mod near;
 mod newton;
-mod off;
+mod null_space;
 mod path;
 mod range;
 mod rescue;
 mod self_motion;
 mod sheets;
 mod tangent;
+mod task_distance;
 mod verifier;
 mod work;
 
@@ -34,7 +34,7 @@ pub use tangent::self_motion;
 pub use work::Work;
 
 use crate::{Branch, Joint, Real, Solutions, Why};
-use dh_kernels::{Kinematics, Pose, Task};
+use dh_kernels::{Kinematics, Pose, TaskTarget};
 use verifier::Verifier;
 
 /// What a generated inverse knows of its arm.
@@ -44,7 +44,7 @@ pub struct Setting<T: 'static, const N: usize> {
     pub joints: &'static [Joint<T>; N],
     /// Sum of the link lengths, in table units.
     pub length_scale: f64,
-    /// Fewer joints than the task has dimensions?
+    /// Whether the arm reaches fewer dimensions than the task has.
     pub rank_deficient: bool,
     /// The values of the joints that the caller gives.
     pub given: [Option<f64>; N],
@@ -57,7 +57,7 @@ pub struct Setting<T: 'static, const N: usize> {
 pub fn solve<T: Real, const N: usize, const M: usize>(
     arm: &impl Kinematics<N>,
     setting: Setting<T, N>,
-    task: &Task,
+    task: &TaskTarget,
     frame: &Pose,
     candidates: impl Fn(&Pose, &Sample, &mut dyn FnMut([f64; N], Branch, Path)) -> Attempt,
 ) -> Solutions<T, N, M> {
@@ -69,7 +69,7 @@ pub fn solve<T: Real, const N: usize, const M: usize>(
     }
     verifier.move_into_ranges();
     if verifier.out.is_empty() {
-        let why = if setting.rank_deficient { verifier.off_the_arm(&attempt.why) } else { None };
+        let why = if setting.rank_deficient { verifier.distance_to_task(&attempt.why) } else { None };
         let why = why.unwrap_or_else(|| {
             let nearest = verifier.nearest;
             let missed = if nearest.is_finite() { Why::NotVerified { error: nearest } } else { Why::NoSolution };

@@ -1,4 +1,4 @@
-//! The inverse that goes on from given joint values: on a self-motion the point nearest to them, elsewhere the solution of least travel.
+//! The inverse that continues from given joint values: the nearest point of a self-motion, elsewhere the solution of least travel.
 
 use super::attempt::STEPS;
 use super::fallback::{RUN, Search};
@@ -8,7 +8,7 @@ use super::verifier::Verifier;
 use super::work::Work;
 use super::{Attempt, Sample, Setting};
 use crate::{Branch, FreeJoints, Joint, Real, Solution, Solutions, Why};
-use dh_kernels::{Blank, Kinematics, List, Pose, Task};
+use dh_kernels::{Blank, Kinematics, List, Pose, TaskTarget};
 
 /// Residual that is let pass where a smaller one would need a jump: beside a singular pose (position over the length scale, and radians).
 const LET_PASS: f64 = 1e-9;
@@ -84,7 +84,7 @@ pub fn nearest<T: Real, const N: usize, const M: usize>(
 pub fn solve_near<T: Real, const N: usize, const M: usize>(
     arm: &impl Kinematics<N>,
     setting: Setting<T, N>,
-    task: &Task,
+    task: &TaskTarget,
     frame: &Pose,
     most: Work,
     q: &[T; N],
@@ -158,7 +158,7 @@ impl<const N: usize> Blank for Candidate<N> {
 }
 
 impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'_, A, T, N, M> {
-    /// Slides along the self-motion through `x`, if there is one, to the point nearest to `q`; gives back the joints that take part.
+    /// Follows the self-motion through `x`, if there is one, to the point nearest to `q`; returns the joints that take part.
     fn slide(&mut self, x: [f64; N], q: &[f64; N]) -> ([f64; N], FreeJoints) {
         let (mut x, mut free) = (x, FreeJoints::NONE);
         let level = self.verifier.tolerance.max(LET_PASS);

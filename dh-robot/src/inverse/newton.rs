@@ -1,8 +1,8 @@
-//! Damped Newton steps with a fixed bound on their number: what brings a candidate of the plan onto its target.
+//! Damped Newton steps, bounded in number, that bring a candidate of the plan onto its target.
 
 use super::work::Work;
 use crate::math::sqrt;
-use dh_kernels::{Kinematics, Task};
+use dh_kernels::{Kinematics, TaskTarget};
 
 /// Damping of a step: this times the square of the error, and no less than the floor.
 const DAMPING: f64 = 1e-2;
@@ -72,7 +72,7 @@ pub(super) fn damped_step<const N: usize>(j: &[[f64; N]; 6], error: &[f64; 6], d
 /// `goal`, or where steps do not help. `q` never gets worse.
 pub(super) fn newton<const N: usize>(
     arm: &impl Kinematics<N>,
-    task: &Task,
+    task: &TaskTarget,
     length_scale: f64,
     q: &mut [f64; N],
     steps: usize,
@@ -122,7 +122,7 @@ pub(super) fn length<const N: usize>(v: &[f64; N]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dh_kernels::{Chain, pose};
+    use dh_kernels::{NumericChain, pose};
 
     fn planar() -> [pose::Pose; 3] {
         let mut link = pose::IDENTITY;
@@ -144,12 +144,12 @@ mod tests {
 
     #[test]
     fn a_stretched_arm_is_brought_onto_its_target_and_one_out_of_reach_ends() {
-        let arm = Chain { links: planar(), prismatic: [false; 3] };
+        let arm = NumericChain { links: planar(), prismatic: [false; 3] };
         let mut work = Work::new(Work::CLOSED_FORM);
         let mut q = [0.01, 0.0, -0.02];
-        let target = Task::Position([2.9, 0.3, 0.0]);
+        let target = TaskTarget::Position([2.9, 0.3, 0.0]);
         assert!(newton(&arm, &target, 3.0, &mut q, 20, 1e-14, &mut work) < 1e-12);
-        let out = Task::Position([3.5, 0.0, 0.0]);
+        let out = TaskTarget::Position([3.5, 0.0, 0.0]);
         let before = work.steps;
         assert!(newton(&arm, &out, 3.0, &mut q, 20, 1e-14, &mut work) > 0.1);
         assert!(work.steps - before <= 20);

@@ -1,4 +1,4 @@
-//! Which way a candidate went through the plan: the root of every step, and the steps whose unknown was free and took the value of a sample.
+//! The path of a candidate through the plan: the root taken at every step, and the steps whose unknown was free and took a sampled value.
 
 use crate::FreeJoints;
 use dh_kernels::Blank;

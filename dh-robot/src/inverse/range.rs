@@ -1,18 +1,18 @@
-//! Where a continuum of solutions passes through the ranges of the joints, its representative is taken there.
+//! Joint ranges on self-motions: the point that represents a self-motion is moved into the ranges where it passes through them.
 
 use super::verifier::Verifier;
 use crate::Real;
 use dh_kernels::Kinematics;
 
-/// Steps along a continuum (rad, or length scales), and how many on each side: a whole turn.
+/// Steps along a self-motion (rad, or length scales), and how many on each side: a whole turn.
 const STEP: f64 = 0.02;
 const STEPS: u16 = 314;
-/// What is kept from a limit (rad, or table units).
+/// Distance kept from a limit (rad, or table units).
 const EDGE: f64 = 0.01;
 
 impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, T, N, M> {
-    /// Moves representatives that are out of range along their continuum, no farther than needed, where one motion leads along it at
-    /// constant rates.
+    /// Moves representatives that are out of range along their self-motion, no farther than needed, where that is one motion at
+    /// constant joint rates.
     pub(super) fn move_into_ranges(&mut self) {
         for i in 0..self.out.len() {
             let Some(solution) = self.out.get(i).filter(|s| !s.free.is_empty()) else { continue };

@@ -1,4 +1,4 @@
-//! Where the closed form degenerates: other values for what it left free, nearby poses, and at last a search from many starts.
+//! Recovers solutions where the closed form degenerates: other values for free unknowns, nearby poses, and at last a multistart search.
 
 use super::verifier::Verifier;
 use super::{Attempt, Path, Sample};
@@ -10,7 +10,7 @@ const STEPS: usize = 60;
 /// Starts of the search for an arm whose plan chooses a value that no closed form can judge.
 const STARTS: usize = 60;
 
-/// Slides beyond this (over the length scale) come out of a division by next to nothing.
+/// Prismatic values beyond this (over the length scale) come from a division by nearly zero.
 const FAR: f64 = 20.0;
 
 /// The first values for free unknowns, far from each other.
@@ -37,7 +37,7 @@ pub(super) fn rescue<A: Kinematics<N>, T: Real, const N: usize, const M: usize>(
     candidates: &impl Fn(&Pose, &Sample, &mut dyn FnMut([f64; N], Branch, Path)) -> Attempt,
 ) {
     rescue_by_candidates(verifier, frame, first, candidates);
-    verifier.take_crossings();
+    verifier.take_intersections();
     verifier.forget_copies();
 }
 
@@ -104,13 +104,13 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
 
     /// A candidate that need not be near a solution.
     ///
-    /// `further`: others of its kind were taken before, and one that a known continuum may hold is not looked at.
+    /// `further`: others of its kind were taken before, and one that may lie on a known self-motion is skipped.
     fn take_rough(&mut self, mut q: [f64; N], branch: Branch, further: bool) {
         let far = FAR * self.setting.length_scale;
         if self.setting.joints.iter().zip(&q).any(|(joint, x)| !joint.is_revolute() && !(x.abs() <= far)) {
             return;
         }
-        if self.is_in_known_continuum(q, further) || !self.polish(&mut q, STEPS) {
+        if self.is_in_known_self_motion(q, further) || !self.polish(&mut q, STEPS) {
             return;
         }
         // What stops short of the target is on its way to a root of high order.
@@ -121,13 +121,13 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
         }
     }
 
-    /// Does a rough candidate belong to a continuum that is known? Most do, where there is one, and next to a singular pose the last digits
+    /// Whether a rough candidate belongs to a known self-motion. Most do where there is one, and next to a singular pose the last digits
     /// take longer than all others.
-    fn is_in_known_continuum(&mut self, mut q: [f64; N], further: bool) -> bool {
+    fn is_in_known_self_motion(&mut self, mut q: [f64; N], further: bool) -> bool {
         self.out.iter().any(|s| !s.free.is_empty())
             && self.brought_back(&mut q, STEPS, self.tolerance)
             && !self.is_regular(&q)
-            && (further && self.may_hold(&q) || self.known_continuum(&q).is_some())
+            && (further && self.may_hold(&q) || self.known_self_motion(&q).is_some())
     }
 }
 

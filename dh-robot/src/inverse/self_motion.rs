@@ -1,4 +1,4 @@
-//! Self-motions from runs of the plan: where a step is free, the values of its unknown are tried that tell which solutions hang together.
+//! Finds self-motions from runs of the plan: where a step leaves its unknown free, it is sampled so that connected solutions are recognised.
 
 use super::cells::{Cells, Cut, Event, common_zeros};
 use super::fallback::{BLUNT, FEW, MANY, Plan, RUN, Search};
@@ -8,7 +8,7 @@ use super::{Attempt, Sample};
 use crate::{Branch, FreeJoints, Real, Solution};
 use dh_kernels::{Kinematics, List, Pose};
 
-/// Angles at which the equations behind a free unknown are seen: three fix waves, the fourth checks.
+/// Angles at which the equations behind a free unknown are seen: three determine the sinusoids of the coefficients, the fourth checks them.
 const ANGLES: [f64; 4] = [0.0, 2.1, -2.1, 0.9];
 /// Further angles where that is not enough.
 const MORE: [f64; 5] = [-0.8, 1.5, 2.8, -1.5, 3.3];
@@ -61,7 +61,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'_, A, T,
         let mut sampled = 0_u32;
         let (drive, setting) = (self.verifier.drive, self.verifier.setting);
         let differ = |p: &[f64; N], q: &[f64; N]| {
-            let way = super::component::apart(&drive, &setting, p, q);
+            let way = super::connectivity::apart(&drive, &setting, p, q);
             (0..N).filter(|k| way[*k].abs() > 1e-6).fold(FreeJoints::NONE, FreeJoints::with)
         };
         let mut add = |sheets: &mut Sheets<N>, list: &List<Node<N>, RUN>, angle: f64| {
@@ -112,8 +112,8 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'_, A, T,
         self.take_sheets(&sheets, &cells);
     }
 
-    /// Self-motions of two dimensions, where two steps are free at values of no special kind: one point of each stands for it. Paths that differ
-    /// in the half turns of later steps meet where those are free too. Are there such?
+    /// Self-motions of two dimensions, where two steps are free at values of no special kind: one point represents each. Paths that differ
+    /// in the half turns of later steps meet where those are free too. Returns whether there are any.
     fn surfaces(&mut self, frame: &Pose, run: &Attempt, plan: &impl Plan<N>) -> bool {
         let mut lists: [List<Node<N>, RUN>; 2] = [List::new(); 2];
         for (k, list) in lists.iter_mut().enumerate() {
@@ -146,8 +146,8 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'_, A, T,
         !taken.is_empty()
     }
 
-    /// Solutions that stand alone, where a step left free what other equations decide: what the candidates miss changes with the unknown like a
-    /// wave, and where it vanishes is a solution.
+    /// Solutions that stand alone, where a step left free what other equations decide: the candidates' error is a sinusoid of the unknown, and
+    /// its zeros are solutions.
     fn take_alone(
         &mut self,
         frame: &Pose,
@@ -190,7 +190,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'_, A, T,
         }
     }
 
-    /// Brings a candidate behind a free unknown onto its target, if it misses by rounding only; does it?
+    /// Brings a candidate behind a free unknown onto its target, if it misses by rounding only; returns whether it does.
     fn keep(&mut self, node: &mut Node<N>) -> bool {
         self.work.evaluations += 1;
         let miss = self.verifier.miss(&node.q);

@@ -3,14 +3,14 @@
 use super::Setting;
 use super::verifier::Verifier;
 use crate::{Real, Solution};
-use dh_kernels::{Kinematics, Pose, Task};
+use dh_kernels::{Kinematics, Pose, TaskTarget};
 
 /// The direction of a solution's self-motion: joint speeds that keep the tool where `task` asks for it, the largest of them 1 (radians, or lengths
 /// over the length scale). `None` at a solution without free joints. Of several motions it is one that moves free joints only.
 pub fn self_motion<T: Real, const N: usize>(
     arm: &impl Kinematics<N>,
     setting: Setting<T, N>,
-    task: impl Fn(&Pose) -> Task,
+    task: impl Fn(&Pose) -> TaskTarget,
     solution: &Solution<T, N>,
 ) -> Option<[T; N]> {
     if solution.free.is_empty() {

@@ -1,20 +1,20 @@
-//! Takes candidates, keeps what reaches the target, each solution and each continuum once.
+//! Verifies candidates by forward kinematics and keeps those that reach the target: each solution and each self-motion once.
 
 use super::Setting;
 use crate::{Branch, FreeJoints, Real, Solution, Solutions};
-use dh_kernels::{Drive, Kinematics, Task, polish, polish_to, same_solution};
+use dh_kernels::{Drive, Kinematics, TaskTarget, polish, polish_to, same_solution};
 
 /// Residual (position over the length scale, rotation in rad) up to which a candidate is taken as it is: rounding of a chain of seven links.
 const EXACT: f64 = 1e-13;
 /// Residual up to which a polished candidate is a solution.
 const REACHED: f64 = 1e-10;
-/// The same for arms with fewer joints than the task has dimensions: their targets are rounded off what the arm can do.
+/// The same for arms with fewer joints than the task has dimensions: rounding moves their targets out of the reachable set.
 const REACHED_FEW: f64 = 1e-9;
 /// The same for `f32`, whose targets are rounded to 6e-8.
 const REACHED_SINGLE: f64 = 2e-6;
 /// A polished candidate that misses by no more than this may be on its way to a root of high order.
 const CREEPS: f64 = 1e-7;
-/// Steps that it is given.
+/// Newton steps allowed for such a candidate.
 const CREEPING: usize = 600;
 /// A candidate that misses by less and yet is not brought onto the target may be near a root of high order.
 const ROUGH: f64 = 1e-3;
@@ -25,11 +25,11 @@ pub(super) const SAME: f64 = 1e-6;
 /// Damped Newton steps for a candidate of the plan, which is near a solution if it belongs to one.
 const STEPS: usize = 12;
 
-/// Takes candidates, keeps what reaches the target.
+/// Verifies candidates and keeps those that reach the target.
 pub(super) struct Verifier<'a, A, T: 'static, const N: usize, const M: usize> {
     pub(super) arm: &'a A,
     pub(super) setting: Setting<T, N>,
-    pub(super) task: &'a Task,
+    pub(super) task: &'a TaskTarget,
     /// How actuators are coupled, where whole turns of rows are not whole turns of actuators.
     pub(super) drive: Option<Drive<N>>,
     /// Residual up to which a joint vector is a solution.
@@ -39,15 +39,15 @@ pub(super) struct Verifier<'a, A, T: 'static, const N: usize, const M: usize> {
     pub(super) nearest: f64,
     /// The joint vector that misses by so little.
     pub(super) best: [f64; N],
-    /// Other solutions may be missing: a chosen value led to no solution, or to one where nothing is free, or there is a continuum
-    /// that one chosen value need not stand for.
+    /// Other solutions may be missing: a chosen value led to no solution, or to one where nothing is free, or there is a self-motion
+    /// for which one chosen value is not enough.
     pub(super) lost: bool,
-    /// Something was found that was not known.
+    /// A new solution was found.
     pub(super) news: bool,
 }
 
 impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a, A, T, N, M> {
-    pub(super) fn new(arm: &'a A, setting: Setting<T, N>, task: &'a Task) -> Self {
+    pub(super) fn new(arm: &'a A, setting: Setting<T, N>, task: &'a TaskTarget) -> Self {
         let tolerance = if T::EPSILON > T::of(1e-10) {
             REACHED_SINGLE
         } else if setting.rank_deficient {
@@ -68,15 +68,15 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
         error.iter().fold(0.0_f64, |m, x| if x.abs() <= m { m } else { x.abs() })
     }
 
-    /// Residual up to which what moves on from a solution is a solution too: as well as it does itself. A thousand times less than what is
-    /// let pass for a target that was rounded: 1e-9 beside a singular pose there are solutions that stand alone. (A target in `f32` does not
-    /// tell them from a continuum.)
+    /// Residual up to which a point reached from a solution counts as a solution too: about the residual of the solution itself. A thousand
+    /// times less than the tolerance for rounded targets: 1e-9 beside a singular pose there are isolated solutions. (A target in `f32` does not
+    /// tell them from a self-motion.)
     pub(super) fn level(&self, q: &[f64; N]) -> f64 {
         let least = if self.tolerance < REACHED_SINGLE { 1e-3 * self.tolerance } else { self.tolerance };
         (4.0 * self.miss(q)).clamp(least, self.tolerance)
     }
 
-    /// Polishes; says whether the target is reached.
+    /// Polishes; returns whether the target is reached.
     pub(super) fn polish(&mut self, q: &mut [f64; N], steps: usize) -> bool {
         let polished = polish(self.arm, q, self.task, self.setting.length_scale, steps);
         let miss = polished.position.max(polished.rotation);
@@ -86,7 +86,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
         polished.reaches(self.tolerance)
     }
 
-    /// Moves a joint vector onto the target, no nearer than needed; says whether that is near enough.
+    /// Moves a joint vector onto the target, no nearer than needed; returns whether that is near enough.
     pub(super) fn brought_back(&self, q: &mut [f64; N], steps: usize, level: f64) -> bool {
         polish_to(self.arm, q, self.task, self.setting.length_scale, steps, 0.5 * level).reaches(level)
     }
@@ -127,7 +127,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
         }
     }
 
-    /// A singular solution: of a continuum, or a double one that stands alone. Gives back the joints that are free.
+    /// A singular solution: on a self-motion, or an isolated double one. Returns the joints that are free.
     #[cold]
     pub(super) fn take_singular(&mut self, q: [f64; N], branch: Branch) -> FreeJoints {
         let near = |p: &[f64; N], _| same_solution(self.arm, self.task, self.setting.length_scale, p, &q);
@@ -135,7 +135,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
             self.improve(i, &q);
             return self.out[i].free;
         }
-        if let Some(free) = self.known_continuum(&q) {
+        if let Some(free) = self.known_self_motion(&q) {
             return free;
         }
         let freedom = self.freedom(&q);
@@ -150,21 +150,21 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
             return self.free_at(i, free);
         }
         if !self.push(Solution::new(q.map(T::of), branch).with_free(free)) {
-            // Several curves that cross may be more than there are places: they count as one where the joints that move tell.
-            let crossing = |p: &[f64; N], known: FreeJoints| {
+            // Several crossing curves may be more than the list has room for: they count as one where the joints that move tell.
+            let intersecting = |p: &[f64; N], known: FreeJoints| {
                 let way = self.apart(p, &q);
                 let moves = known.union(free);
                 !known.is_empty() && (0..N).all(|k| moves.contains(k) || way[k].abs() < 1e-4)
             };
-            if let Some(i) = self.find(crossing) {
+            if let Some(i) = self.find(intersecting) {
                 self.free_at(i, free);
             }
         }
         free
     }
 
-    /// The free joints of the known continuum that holds a joint vector.
-    pub(super) fn known_continuum(&mut self, q: &[f64; N]) -> Option<FreeJoints> {
+    /// The free joints of the known self-motion that a joint vector lies on.
+    pub(super) fn known_self_motion(&mut self, q: &[f64; N]) -> Option<FreeJoints> {
         if let Some((i, way)) = self.find_map(|p, free| self.along(p, free, q)) {
             let moved = (0..N).filter(|k| way[*k].abs() > 1e-6).fold(FreeJoints::NONE, FreeJoints::with);
             return Some(self.free_at(i, moved));
@@ -202,12 +202,12 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
         self.out.iter().enumerate().find_map(|(i, s)| Some((i, value(&s.q.map(T::to_f64), s.free)?)))
     }
 
-    /// The way from a known solution straight along its continuum to `q`.
+    /// The straight path from a known solution along its self-motion to `q`.
     fn along(&self, p: &[f64; N], free: FreeJoints, q: &[f64; N]) -> Option<[f64; N]> {
         if free.is_empty() { None } else { self.straight_way(p, q) }
     }
 
-    /// Forgets solutions without free joints that lie on a continuum, or so near that they are copies of it: they came before it.
+    /// Forgets solutions without free joints that lie on a self-motion, or so near that they are copies of its points: they were found before it.
     #[cold]
     pub(super) fn forget_copies(&mut self) {
         let mut kept = Solutions::new(self.setting.joints);
@@ -220,12 +220,12 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
         self.out = kept;
     }
 
-    /// Does a known continuum agree in all joints that do not move along it?
+    /// Whether a known self-motion agrees with `q` in all joints that do not move along it.
     pub(super) fn may_hold(&self, q: &[f64; N]) -> bool {
         self.find(|p, free| self.holds(p, free, q)).is_some()
     }
 
-    /// Does a continuum with these free joints agree in all others?
+    /// Whether a self-motion with these free joints agrees in all others.
     fn holds(&self, p: &[f64; N], free: FreeJoints, q: &[f64; N]) -> bool {
         let way = self.apart(p, q);
         !free.is_empty() && (0..N).all(|k| free.contains(k) || way[k].abs() <= SAME)
@@ -276,7 +276,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'a,
         new
     }
 
-    /// Brings rows to less than a turn, and actuators into their ranges by whole turns of the rows; is the solution known then?
+    /// Brings rows to less than a turn, and actuators into their ranges by whole turns of the rows; returns whether the solution is known then.
     #[cold]
     fn is_another_turn(&mut self, drive: &Drive<N>, solution: &mut Solution<T, N>) -> bool {
         let mut q = drive.principal(solution.q.map(T::to_f64), &self.setting.given);

@@ -1,4 +1,4 @@
-//! How much a call of the inverse may compute: counters, and the bounds that each robot states.
+//! Bounds on the work of one call of the inverse, and the counters that are checked against them.
 
 /// What a call of an inverse computes at most, or has computed.
 ///

@@ -12,7 +12,7 @@ pub use crate::inverse::{
 pub use crate::math::{atan2, sin_cos};
 pub use crate::sincos::sincos_batch;
 pub use dh_kernels::{
-    Drive, Kinematics, Pose, Task, solve_bilinear_choosing, solve_general, solve_half_turn,
+    Drive, Kinematics, Pose, TaskTarget, solve_bilinear_choosing, solve_general, solve_half_turn,
     solve_length_squared_and_angle_choosing, solve_many, solve_pair, solve_quadratic, solve_second_harmonic,
     solve_sincos,
 };

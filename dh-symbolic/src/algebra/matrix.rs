@@ -1,5 +1,6 @@
 //! Vectors of three formulas and rigid transforms.
 
+use super::vector::{cross, dot};
 use super::{Poly, Rational};
 
 /// Three formulas.
@@ -12,19 +13,6 @@ pub struct Transform {
     pub r: [[Poly; 3]; 3],
     /// Translation.
     pub p: Vector,
-}
-
-/// Scalar product.
-pub(crate) fn dot(a: &Vector, b: &Vector) -> Poly {
-    Poly::sum_of_products(a.iter().zip(b))
-}
-
-/// Cross product.
-pub(crate) fn cross(a: &Vector, b: &Vector) -> Vector {
-    std::array::from_fn(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        &(&a[j] * &b[k]) - &(&a[k] * &b[j])
-    })
 }
 
 impl Transform {

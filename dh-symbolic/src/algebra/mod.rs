@@ -27,16 +27,15 @@ mod symbol;
 #[cfg(test)]
 mod tests;
 mod text;
+mod vector;
 
 pub use angle::Angle;
 pub(crate) use determinant::{adjugate, determinant};
 pub use evaluate::Point;
 pub use field::{Element, FieldPoint};
-#[cfg(feature = "documents")]
-pub(crate) use matrix::cross;
-pub(crate) use matrix::dot;
 pub use matrix::{Transform, Vector};
 pub use monomial::{Factor, Monomial};
 pub use poly::Poly;
 pub use rational::Rational;
 pub use symbol::{AngleVar, LinearAngle, Ring, Symbol};
+pub(crate) use vector::{RingElement, cross, dot, minus};

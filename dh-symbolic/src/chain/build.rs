@@ -153,7 +153,7 @@ impl Builder {
 
     /// The named constant of a magnitude.
     fn number(&mut self, x: &Rational, name: &str) -> Symbol {
-        let role = Role::Constant(Value::Length(x.clone()));
+        let role = Role::Constant(Nominal::Length(x.clone()));
         // A length and an offset of the same size keep names of their own: a2 and d4 of the PUMA are different things.
         let same_letter = |p: &Parameter| p.name.chars().next() == name.chars().next();
         let known = self.parameters.iter().find(|p| !p.declared && p.role == role && same_letter(p)).map(|p| p.handle);
@@ -185,7 +185,7 @@ impl Builder {
         let flip = |x: &Option<Rational>| x.as_ref().map(|x| if negative { x * &minus_one } else { x.clone() });
         let magnitude =
             AngleCell { half_turns: flip(&number.half_turns), approx: flip(&number.approx), symbols: Vec::new() };
-        let role = Role::Constant(Value::Angle(magnitude));
+        let role = Role::Constant(Nominal::Angle(magnitude));
         let known = self.parameters.iter().find(|p| !p.declared && p.role == role).map(|p| p.handle);
         let v = match known {
             Some(Handle::Angle(v)) => v,

@@ -134,8 +134,8 @@ impl Chain {
             Role::Constant(v) => Some(v),
         });
         match value {
-            Some(Value::Length(x)) => x.to_f64(),
-            Some(Value::Angle(cell)) => cell.radians(),
+            Some(Nominal::Length(x)) => x.to_f64(),
+            Some(Nominal::Angle(cell)) => cell.radians(),
             None => 0.0,
         }
     }

@@ -145,14 +145,14 @@ pub enum Quantity {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Role {
     /// `let a2: length;` or `let a2: length = 431.8mm;`: a public field, with its nominal value.
-    Field(Option<Value>),
+    Field(Option<Nominal>),
     /// `let a2 = 431.8mm;` or a number in a cell: folded into the code.
-    Constant(Value),
+    Constant(Nominal),
 }
 
 /// The value of a parameter.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Value {
+pub enum Nominal {
     /// Table units.
     Length(Rational),
     /// An angle without declared angles in it.

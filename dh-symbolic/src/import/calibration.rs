@@ -14,7 +14,7 @@ use super::write;
 use super::yaml::{self, Entry};
 use super::{Imported, Options, Rounding, describe};
 use crate::chain::table::parse;
-use crate::chain::{AngleCell, Bound, ChainSpec, Convention, LengthCell, MotionSpec, Role, Value};
+use crate::chain::{AngleCell, Bound, ChainSpec, Convention, LengthCell, MotionSpec, Nominal, Role};
 use crate::diagnostic::lex;
 
 /// A calibration file as a table. `nominal`: the text of the nominal table.
@@ -149,8 +149,8 @@ fn parameter(spec: &ChainSpec, i: usize) -> Result<f64, Problem> {
         Role::Field(None) => None,
     });
     match value {
-        Some(Value::Length(x)) => Ok(x.to_f64()),
-        Some(Value::Angle(cell)) => Ok(cell.radians()),
+        Some(Nominal::Length(x)) => Ok(x.to_f64()),
+        Some(Nominal::Angle(cell)) => Ok(cell.radians()),
         None => Err(Problem::new("the nominal table has a name without a nominal value")),
     }
 }

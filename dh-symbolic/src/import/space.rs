@@ -2,6 +2,8 @@
 
 use std::f64::consts::PI;
 
+pub(super) use dh_kernels::vector::{cross, dot, norm};
+
 /// A point or a direction.
 pub(super) type Vector = [f64; 3];
 
@@ -15,18 +17,6 @@ pub(super) fn minus(a: Vector, b: Vector) -> Vector {
 
 pub(super) fn scale(a: Vector, k: f64) -> Vector {
     a.map(|x| x * k)
-}
-
-pub(super) fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub(super) fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-pub(super) fn norm(a: Vector) -> f64 {
-    dot(a, a).sqrt()
 }
 
 /// The direction of a vector; as it is, where it is zero.

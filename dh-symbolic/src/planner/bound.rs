@@ -1,7 +1,7 @@
 //! How many isolated solutions a plan can have at most.
 
 use super::axes::{Axes, generic_parameter};
-use super::known::{Collected, Knowledge, Part};
+use super::known::{Basis, Collected, Knowledge};
 use super::mobility::Mobility;
 use super::sample::Sample;
 use super::step::Step;
@@ -48,7 +48,7 @@ fn most(axes: &Axes, knowledge: &Knowledge, steps: &[Step]) -> usize {
 
 /// What two equations say of the cosine and sine of an angle.
 fn slopes<V: Default>(row: &Collected, value: impl Fn(&Poly) -> V) -> [V; 2] {
-    [Part::Cos(1), Part::Sin(1)].map(|p| row.get(&vec![p]).map(&value).unwrap_or_default())
+    [Basis::Cos(1), Basis::Sin(1)].map(|p| row.get(&vec![p]).map(&value).unwrap_or_default())
 }
 
 fn pairs<V>(rows: &[V]) -> impl Iterator<Item = (&V, &V)> {

@@ -3,7 +3,7 @@
 use super::axes::Axes;
 use super::known::Knowledge;
 use super::prismatic;
-use super::scalar::{Equation, Scalar, fold};
+use super::scalar::{Equation, FrameScalar, fold};
 use crate::algebra::{Poly, Transform, Vector, dot};
 
 /// About how many terms the products of an equation have before any are put together.
@@ -13,16 +13,16 @@ pub(super) fn weight(axes: &Axes, knowledge: &mut Knowledge, e: &Equation) -> us
         |t: &Transform| -> usize { t.r.iter().flatten().chain(&t.p).map(|p| p.terms().len()).max().unwrap_or(0) };
     let sides = || (size(axes.between(left, e.a)), size(axes.between(e.b, right)));
     match e.scalar {
-        Scalar::Distance => {
+        FrameScalar::Distance => {
             let (before, after) = sides();
             (before * after).max(after.pow(2)).max(size(axes.between(e.a, e.b)).pow(2))
         }
-        Scalar::Rotation(..) | Scalar::Position(_) | Scalar::Back(_) => {
+        FrameScalar::Rotation(..) | FrameScalar::Position(_) | FrameScalar::Back(_) => {
             let (before, after) = sides();
             before * after
         }
-        Scalar::Across(j) => prismatic::across_weight(axes, knowledge, e, usize::from(j)),
-        Scalar::Bridge(i, j) => prismatic::bridge_weight(axes, knowledge, e, [i, j].map(usize::from)),
+        FrameScalar::Across(j) => prismatic::across_weight(axes, knowledge, e, usize::from(j)),
+        FrameScalar::Bridge(i, j) => prismatic::bridge_weight(axes, knowledge, e, [i, j].map(usize::from)),
     }
 }
 
@@ -34,13 +34,13 @@ pub(super) fn exact(axes: &Axes, knowledge: &mut Knowledge, e: &Equation) -> Pol
     let k = known.transform();
     // The other side is before^-1 K after^-1.
     match e.scalar {
-        Scalar::Rotation(i, j) => {
+        FrameScalar::Rotation(i, j) => {
             let (before, after, direct) = sides();
             let row: Vector = before.column(usize::from(i)); // row of the inverse
             let column: Vector = std::array::from_fn(|c| after.r[usize::from(j)][c].clone());
             &direct.r[usize::from(i)][usize::from(j)] - &dot(&row, &k.rotate(&column))
         }
-        Scalar::Position(i) => {
+        FrameScalar::Position(i) => {
             let (before, _, direct) = sides();
             let v = &axes.back(e.b, right).p;
             // R^T (w - p) = R^T w + (-R^T p), the latter without multiplying out what cancels.
@@ -48,7 +48,7 @@ pub(super) fn exact(axes: &Axes, knowledge: &mut Knowledge, e: &Equation) -> Pol
             let other = &dot(&before.column(usize::from(i)), &w) + &axes.back(left, e.a).p[usize::from(i)];
             &direct.p[usize::from(i)] - &other
         }
-        Scalar::Back(j) => {
+        FrameScalar::Back(j) => {
             let (before, after, _) = sides();
             // The inverse: after K^-1 before, with K^-1 = (R^T, back).
             let kt = Transform {
@@ -59,7 +59,7 @@ pub(super) fn exact(axes: &Axes, knowledge: &mut Knowledge, e: &Equation) -> Pol
             let other = &dot(&after.r[usize::from(j)], &w) + &after.p[usize::from(j)];
             &axes.back(e.a, e.b).p[usize::from(j)] - &other
         }
-        Scalar::Distance => {
+        FrameScalar::Distance => {
             let before = axes.between(left, e.a);
             // |R v + k - t|^2 with R orthogonal
             let v = &axes.back(e.b, right).p;
@@ -77,8 +77,8 @@ pub(super) fn exact(axes: &Axes, knowledge: &mut Knowledge, e: &Equation) -> Pol
             .sum();
             axes.square(e.a, e.b) - &other
         }
-        Scalar::Across(j) => prismatic::across_exact(axes, knowledge, e, usize::from(j)),
-        Scalar::Bridge(i, j) => prismatic::bridge_exact(axes, knowledge, e, [i, j].map(usize::from)),
+        FrameScalar::Across(j) => prismatic::across_exact(axes, knowledge, e, usize::from(j)),
+        FrameScalar::Bridge(i, j) => prismatic::bridge_exact(axes, knowledge, e, [i, j].map(usize::from)),
     }
 }
 

@@ -40,7 +40,7 @@ pub struct KnownPose {
 
 /// The dependence on one unknown in a term.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Part {
+pub enum Basis {
     /// Not at all.
     One,
     /// cos(k u).
@@ -52,10 +52,10 @@ pub enum Part {
 }
 
 /// A scalar equation "sum of coefficient times parts = 0".
-pub type Collected = BTreeMap<Vec<Part>, Poly>;
+pub type Collected = BTreeMap<Vec<Basis>, Poly>;
 
 /// A sine or cosine as a sum of coefficients times parts.
-type Split = Vec<(Vec<Part>, Poly)>;
+type Split = Vec<(Vec<Basis>, Poly)>;
 
 /// Everything known at a stage of the plan.
 #[derive(Clone, Debug)]
@@ -197,17 +197,17 @@ impl Knowledge {
     pub fn collect(&self, axes: &Axes, p: &Poly, unknown: &[JointCombination]) -> Option<Collected> {
         let forms: Vec<JointCombination> =
             unknown.iter().cloned().chain(self.known.iter().map(|k| k.form.clone())).collect();
-        let mut out: BTreeMap<Vec<Part>, Vec<Poly>> = BTreeMap::new();
+        let mut out: BTreeMap<Vec<Basis>, Vec<Poly>> = BTreeMap::new();
         // The same few sines and cosines occur in all terms.
         let mut seen: Vec<(Factor, Split)> = Vec::new();
         for (m, c) in p.terms() {
-            let mut sum: BTreeMap<Vec<Part>, Poly> = BTreeMap::new();
+            let mut sum: BTreeMap<Vec<Basis>, Poly> = BTreeMap::new();
             let is_joint = |f: &Factor| match f {
                 Factor::Power(s, _) => axes.coordinates.contains(&Coordinate::Length(*s)),
                 Factor::Cos(t) | Factor::Sin(t) => t.iter().any(|(v, _)| axes.index_of_angle(*v).is_some()),
                 Factor::Root(_) => false,
             };
-            sum.insert(vec![Part::One; unknown.len()], Poly::term(m.filter(|f| !is_joint(f)), c.clone()));
+            sum.insert(vec![Basis::One; unknown.len()], Poly::term(m.filter(|f| !is_joint(f)), c.clone()));
             for f in m.factors().filter(|f| is_joint(f)) {
                 let place = match seen.iter().position(|s| s.0 == f) {
                     Some(place) => place,
@@ -218,13 +218,13 @@ impl Knowledge {
                     }
                 };
                 let factor = &seen[place].1;
-                let mut next: BTreeMap<Vec<Part>, Poly> = BTreeMap::new();
+                let mut next: BTreeMap<Vec<Basis>, Poly> = BTreeMap::new();
                 for (a, x) in &sum {
                     for (b, y) in factor {
                         let mut key = Vec::with_capacity(a.len());
                         for (p, q) in a.iter().zip(b) {
                             key.push(match (*p, *q) {
-                                (Part::One, x) | (x, Part::One) => x,
+                                (Basis::One, x) | (x, Basis::One) => x,
                                 _ => return None,
                             });
                         }
@@ -249,7 +249,7 @@ impl Knowledge {
         unknown: &[JointCombination],
         forms: &[JointCombination],
     ) -> Option<Split> {
-        let one = vec![Part::One; unknown.len()];
+        let one = vec![Basis::One; unknown.len()];
         match f {
             Factor::Root(_) => None,
             Factor::Power(s, n) => {
@@ -259,7 +259,7 @@ impl Knowledge {
                 match unknown.iter().position(|u| *u == unit) {
                     Some(u) => {
                         let mut key = one;
-                        key[u] = Part::Power(u8::try_from(*n).ok()?);
+                        key[u] = Basis::Power(u8::try_from(*n).ok()?);
                         Some(vec![(key, Poly::one())])
                     }
                     None if self.has(axes, i) => Some(vec![(one, Poly::power(*s, *n))]),
@@ -284,7 +284,7 @@ impl Knowledge {
                 let mut cosine = vec![(one.clone(), c)];
                 let mut sine = vec![(one, s)];
                 for (u, w) in weights[..unknown.len()].iter().enumerate().filter(|(_, w)| **w != 0) {
-                    let times = |list: &[(Vec<Part>, Poly)], part: Part, sign: i64| -> Vec<(Vec<Part>, Poly)> {
+                    let times = |list: &[(Vec<Basis>, Poly)], part: Basis, sign: i64| -> Vec<(Vec<Basis>, Poly)> {
                         list.iter()
                             .map(|(key, p)| {
                                 let mut key = key.clone();
@@ -294,10 +294,10 @@ impl Knowledge {
                             .collect()
                     };
                     let (ku, sign) = (w.unsigned_abs(), i64::from(w.signum()));
-                    let mut c = times(&cosine, Part::Cos(ku), 1);
-                    c.extend(times(&sine, Part::Sin(ku), -sign));
-                    let mut s = times(&sine, Part::Cos(ku), 1);
-                    s.extend(times(&cosine, Part::Sin(ku), sign));
+                    let mut c = times(&cosine, Basis::Cos(ku), 1);
+                    c.extend(times(&sine, Basis::Sin(ku), -sign));
+                    let mut s = times(&sine, Basis::Cos(ku), 1);
+                    s.extend(times(&cosine, Basis::Sin(ku), sign));
                     (cosine, sine) = (c, s);
                 }
                 Some(if matches!(f, Factor::Cos(_)) { cosine } else { sine })

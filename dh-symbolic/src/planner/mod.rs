@@ -29,11 +29,11 @@ mod subspace;
 
 pub use axes::{Axes, Item, LinkTransform};
 pub(crate) use axes::{generic_parameter, numeric};
-pub use known::{Collected, Knowledge, Known, KnownPose, Part};
+pub use known::{Basis, Collected, Knowledge, Known, KnownPose};
 pub use mobility::Mobility;
 pub use refusal::{MOST_OPEN_JOINTS, Refusal};
 pub(crate) use sample::joint_vectors;
-pub use scalar::{Equation, Scalar};
+pub use scalar::{Equation, FrameScalar};
 pub use search::search;
 pub use step::{Plan, Step};
 pub use steps::{

@@ -11,7 +11,7 @@
 use super::axes::Axes;
 use super::prismatic;
 use super::random::Random;
-use super::scalar::{Equation, Scalar};
+use super::scalar::{Equation, FrameScalar};
 use super::subspace::Subspace;
 use dh_kernels::pose::{self, Pose};
 
@@ -24,8 +24,8 @@ pub struct Family {
     pub equations: Vec<Equation>,
 }
 
-const SCALARS: [Scalar; 16] = {
-    use Scalar::{Back, Distance, Position, Rotation};
+const SCALARS: [FrameScalar; 16] = {
+    use FrameScalar::{Back, Distance, Position, Rotation};
     [
         Rotation(0, 0),
         Rotation(0, 1),

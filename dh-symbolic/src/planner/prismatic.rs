@@ -1,7 +1,7 @@
 //! Equations in which no length of a sliding joint occurs.
 //!
 //! Around the loop of links and target the ways from joint to joint add up to nothing. Two slides' directions u and v span a plane; the
-//! component of that sum across it, (u x v).p, is free of both lengths: [`Scalar::Across`].
+//! component of that sum across it, (u x v).p, is free of both lengths: [`FrameScalar::Across`].
 //!
 //! An arm with two slides and four turning joints has four angles and only three equations of directions. The fourth one is made of the
 //! same component: where the neighbouring turning axes x and y have no slide between them, the way from x to y is taken apart,
@@ -12,65 +12,19 @@
 //! ```
 //!
 //! x.y is a constant of the arm. So all of it is said with directions seen over the other two turning joints, linear in the sine and
-//! cosine of each: [`Scalar::Bridge`]. With the angle between x and y, seen from the same side, these are two equations in two angles.
+//! cosine of each: [`FrameScalar::Bridge`]. With the angle between x and y, seen from the same side, these are two equations in two angles.
 
 use super::axes::Axes;
 use super::known::Knowledge;
-use super::scalar::{Equation, Scalar, fold};
+use super::scalar::{Equation, FrameScalar, fold};
 use super::subspace::Subspace;
-use crate::algebra::Poly;
+use crate::algebra::{Poly, RingElement, cross, dot, minus};
 use dh_kernels::pose::{self, Pose};
-
-/// What the formulas are made of: numbers to measure with, polynomials for the plan.
-trait Number: Clone + Default {
-    fn plus(&self, other: &Self) -> Self;
-    fn minus(&self, other: &Self) -> Self;
-    fn times(&self, other: &Self) -> Self;
-}
-
-impl Number for f64 {
-    fn plus(&self, other: &f64) -> f64 {
-        self + other
-    }
-    fn minus(&self, other: &f64) -> f64 {
-        self - other
-    }
-    fn times(&self, other: &f64) -> f64 {
-        self * other
-    }
-}
-
-impl Number for Poly {
-    fn plus(&self, other: &Poly) -> Poly {
-        self + other
-    }
-    fn minus(&self, other: &Poly) -> Poly {
-        self - other
-    }
-    fn times(&self, other: &Poly) -> Poly {
-        self * other
-    }
-}
 
 type V<T> = [T; 3];
 
-fn minus<T: Number>(a: &V<T>, b: &V<T>) -> V<T> {
-    std::array::from_fn(|i| a[i].minus(&b[i]))
-}
-
-fn dot<T: Number>(a: &V<T>, b: &V<T>) -> T {
-    a.iter().zip(b).fold(T::default(), |sum, (a, b)| sum.plus(&a.times(b)))
-}
-
-fn cross<T: Number>(a: &V<T>, b: &V<T>) -> V<T> {
-    std::array::from_fn(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        a[j].times(&b[k]).minus(&a[k].times(&b[j]))
-    })
-}
-
 /// (z x u).p in a frame whose z axis slides.
-fn across<T: Number>(u: &V<T>, p: &V<T>) -> T {
+fn across<T: RingElement>(u: &V<T>, p: &V<T>) -> T {
     u[0].times(&p[1]).minus(&u[1].times(&p[0]))
 }
 
@@ -87,7 +41,7 @@ struct Target<T> {
     columns: [V<T>; 3],
 }
 
-impl<T: Number> Target<T> {
+impl<T: RingElement> Target<T> {
     fn dot(&self, a: &Seen<T>, b: &Seen<T>) -> T {
         match (a.here, b.here) {
             (true, false) => dot(&self.columns.each_ref().map(|c| dot(c, &a.v)), &b.v),
@@ -122,7 +76,7 @@ struct Loop<T> {
 
 /// The equation of the bridge; `y` and `p` are the second axis and the way to it as the first axis' frame sees them. Times the squared
 /// sine of the axes' angle.
-fn bridge<T: Number>(l: &Loop<T>, y: &V<T>, p: &V<T>) -> T {
+fn bridge<T: RingElement>(l: &Loop<T>, y: &V<T>, p: &V<T>) -> T {
     let square = y[0].times(&y[0]).plus(&y[1].times(&y[1]));
     // p = f x + g y + k (x cross y), each times the square.
     let g = p[0].times(&y[0]).plus(&p[1].times(&y[1]));
@@ -130,7 +84,7 @@ fn bridge<T: Number>(l: &Loop<T>, y: &V<T>, p: &V<T>) -> T {
     let f = p[2].times(&square).minus(&g.times(&y[2]));
     let Loop { target: t, x, y: axis, way, u, v } = l;
     let across = |w: &Seen<T>| t.triple(v, u, w);
-    let way = way.iter().fold(T::default(), |sum, w| sum.plus(&across(w))).times(&square);
+    let way = way.iter().fold(T::zero(), |sum, w| sum.plus(&across(w))).times(&square);
     let along = across(x).times(&f).plus(&across(axis).times(&g));
     let seen = |a: &Seen<T>, b: &Seen<T>| Seen { here: a.here, v: cross(&a.v, &b.v) };
     // (x cross v).(u cross y)
@@ -160,7 +114,7 @@ pub(super) fn equations(axes: &Axes) -> Vec<(Equation, Subspace)> {
     };
     let mut list: Vec<Equation> = Vec::new();
     for [i, j] in pairs() {
-        let scalar = Scalar::Across(j as u8);
+        let scalar = FrameScalar::Across(j as u8);
         list.extend((i + 2..frames).map(|b| Equation { a: i + 1, b, scalar }));
     }
     let moves: Vec<(usize, usize)> = axes.links.iter().enumerate().filter_map(|(h, x)| Some((h, x.joint?))).collect();
@@ -168,7 +122,7 @@ pub(super) fn equations(axes: &Axes) -> Vec<(Equation, Subspace)> {
         let (a, b) = (w[0].0, w[1].0 + 1);
         let link = link_number(axes, a, b);
         if link[0][2].hypot(link[1][2]) > 1e-6 {
-            let bridge = |[i, j]: [usize; 2]| Equation { a, b, scalar: Scalar::Bridge(i as u8, j as u8) };
+            let bridge = |[i, j]: [usize; 2]| Equation { a, b, scalar: FrameScalar::Bridge(i as u8, j as u8) };
             list.extend(pairs().map(bridge));
         }
     }
@@ -215,7 +169,7 @@ pub(super) fn number(axes: &Axes, e: &Equation, f: &[Pose], target: &Pose) -> Op
     let tail = pose::compose(target, &pose::inverse(f.last()?));
     let outer = |k: usize| pose::compose(&tail, &f[k]);
     match e.scalar {
-        Scalar::Across(j) => {
+        FrameScalar::Across(j) => {
             let back = pose::inverse(&f[e.a]);
             let j = usize::from(j) + 1;
             let inside = pose::compose(&back, &f[e.b]);
@@ -224,7 +178,7 @@ pub(super) fn number(axes: &Axes, e: &Equation, f: &[Pose], target: &Pose) -> Op
             let p = minus(&column(&inside, 3), &column(&outside, 3));
             Some(across(&column(&u, 2), &p))
         }
-        Scalar::Bridge(i, j) => {
+        FrameScalar::Bridge(i, j) => {
             let [u, v] = ordered([i, j].map(usize::from), e.b);
             let here = |v: V<f64>| Seen { here: true, v };
             let seen = |h: usize| here(column(&if h < e.b { f[h + 1] } else { outer(h + 1) }, 2));
@@ -342,8 +296,8 @@ mod tests {
         for (e, span) in list {
             let mut knowledge = Knowledge::new(&axes);
             let p = match e.scalar {
-                Scalar::Across(j) => across_exact(&axes, &mut knowledge, &e, usize::from(j)),
-                Scalar::Bridge(i, j) => bridge_exact(&axes, &mut knowledge, &e, [i, j].map(usize::from)),
+                FrameScalar::Across(j) => across_exact(&axes, &mut knowledge, &e, usize::from(j)),
+                FrameScalar::Bridge(i, j) => bridge_exact(&axes, &mut knowledge, &e, [i, j].map(usize::from)),
                 _ => panic!("{e:?} is of another kind"),
             };
             let at = |x: &[f64]| Sample::new(&chain, &axes, &knowledge, x.to_vec()).evaluate(&p);
@@ -357,7 +311,7 @@ mod tests {
                 };
                 assert_eq!(moves, angle, "{kinds} {e:?}, joint {}", k + 1);
             }
-            if let Scalar::Bridge(..) = e.scalar {
+            if let FrameScalar::Bridge(..) = e.scalar {
                 assert_eq!(span.dimension(), 2, "{kinds}: all but two angles and two lengths");
             }
         }

@@ -5,7 +5,7 @@ use super::known::Knowledge;
 
 /// Which scalar of a pair of transforms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Scalar {
+pub enum FrameScalar {
     /// Direction cosine (row, column).
     Rotation(u8, u8),
     /// Component of the position.
@@ -29,7 +29,7 @@ pub struct Equation {
     /// Second frame.
     pub b: usize,
     /// Which scalar.
-    pub scalar: Scalar,
+    pub scalar: FrameScalar,
 }
 
 /// The frames up to which, and from which on, the target is brought back over known joints for this equation.

@@ -4,7 +4,7 @@
 use super::Program;
 use super::fold::Arithmetic;
 use super::proof::Disproof;
-use crate::algebra::{Element, FieldPoint, LinearAngle, Poly, Symbol, Transform};
+use crate::algebra::{Element, FieldPoint, LinearAngle, Poly, Symbol, Transform, cross};
 use crate::chain::{Chain, Coordinate, Elementary};
 use crate::kinematics::Kinematics;
 
@@ -12,7 +12,7 @@ use crate::kinematics::Kinematics;
 const POINTS: u64 = 4;
 
 /// Columns and position.
-type Frame = [[Element; 3]; 4];
+type FieldFrame = [[Element; 3]; 4];
 
 /// Elements of a prime field, at a point.
 struct Elements<'a>(&'a FieldPoint);
@@ -54,11 +54,11 @@ fn values(program: &Program, at: &FieldPoint) -> Vec<Element> {
     program.graph.fold(&program.outputs, &mut Elements(at))
 }
 
-fn frame_of(t: &Transform, at: &FieldPoint) -> Frame {
+fn frame_of(t: &Transform, at: &FieldPoint) -> FieldFrame {
     std::array::from_fn(|j| t.column(j).map(|p| at.value(&p)))
 }
 
-fn times(a: &Frame, b: &Frame) -> Frame {
+fn times(a: &FieldFrame, b: &FieldFrame) -> FieldFrame {
     let apply = |v: &[Element; 3], shift: bool| -> [Element; 3] {
         std::array::from_fn(|i| {
             let sum = (0..3).fold(Element::ZERO, |s, k| s.plus(a[k][i].times(v[k])));
@@ -68,18 +68,11 @@ fn times(a: &Frame, b: &Frame) -> Frame {
     std::array::from_fn(|j| apply(&b[j], j == 3))
 }
 
-fn cross(a: &[Element; 3], b: &[Element; 3]) -> [Element; 3] {
-    std::array::from_fn(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        a[j].times(b[k]).plus(a[k].times(b[j]).negative())
-    })
-}
-
 /// What the product of link transforms gives: every frame, the pose, and per joint its axis and a point on it.
 struct Truth {
-    frames: Vec<Frame>,
-    pose: Frame,
-    axes: Vec<Frame>,
+    frames: Vec<FieldFrame>,
+    pose: FieldFrame,
+    axes: Vec<FieldFrame>,
 }
 
 fn truth(chain: &Chain, kinematics: &Kinematics, at: &FieldPoint) -> Truth {
@@ -121,7 +114,7 @@ pub fn test_identities(forward: &super::Forward, chain: &Chain, kinematics: &Kin
     for n in 0..POINTS {
         let at = FieldPoint::new(n);
         let truth = truth(chain, kinematics, &at);
-        let entries = |f: &Frame| f.concat().into_iter().collect::<Vec<_>>().into_iter();
+        let entries = |f: &FieldFrame| f.concat().into_iter().collect::<Vec<_>>().into_iter();
         same(&values(&forward.pose, &at), entries(&truth.pose), |k| format!("output {k} of the pose"))?;
         let frames = truth.frames.iter().flat_map(|f| f.concat()).collect::<Vec<_>>().into_iter();
         same(&values(&forward.frames, &at), frames, |k| format!("output {} of frame {}", k % 12, k / 12 + 1))?;

@@ -6,10 +6,10 @@ use super::vector::{V3, identity, turn_columns};
 use crate::chain::{Chain, Convention, Elementary};
 
 /// Columns and origin of a frame.
-pub(super) type Frame = ([V3; 3], V3);
+pub(super) type LinkFrame = ([V3; 3], V3);
 
 /// The pose of the tool, and per joint its axis and a point on it.
-pub(super) fn link_by_link(g: &mut Graph, chain: &Chain) -> (Frame, Vec<(V3, V3)>) {
+pub(super) fn link_by_link(g: &mut Graph, chain: &Chain) -> (LinkFrame, Vec<(V3, V3)>) {
     let mut now = step(g, (identity(), [ZERO; 3]), &chain.base);
     let mut axes = Vec::with_capacity(chain.joints.len());
     for (row, link) in chain.links.iter().enumerate() {
@@ -24,8 +24,8 @@ pub(super) fn link_by_link(g: &mut Graph, chain: &Chain) -> (Frame, Vec<(V3, V3)
 }
 
 /// A frame times the matrix of some factors.
-fn step(g: &mut Graph, (m, origin): Frame, factors: &[Elementary]) -> Frame {
-    let mut link: Frame = (identity(), [ZERO; 3]);
+fn step(g: &mut Graph, (m, origin): LinkFrame, factors: &[Elementary]) -> LinkFrame {
+    let mut link: LinkFrame = (identity(), [ZERO; 3]);
     for factor in factors {
         match factor {
             Elementary::Translate(axis, length) => {

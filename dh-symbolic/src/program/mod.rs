@@ -23,8 +23,8 @@ pub use graph::{Graph, Node, Value};
 pub use identity::test_identities;
 pub use interpret::Inputs;
 pub use inverse::{
-    Attempt, Batched, BatchedSolve, Candidate, Choice, Distance, Indicator, Instruction, Inverse, Item, Loop, Mirror,
-    Naming, Report, Residual, Sequence, Shortfall, Solve, TOLERANCE, What, Yield,
+    Batched, BatchedSolve, Choice, Distance, Indicator, Instruction, InterpretedRun, InterpretedSolution, Inverse,
+    Item, Loop, Mirror, Naming, Report, Residual, Sequence, Shortfall, Solve, TOLERANCE, What, Yield,
 };
 pub use proof::{Disproof, prove_frames, prove_jacobian, prove_pose};
 

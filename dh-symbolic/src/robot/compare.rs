@@ -5,7 +5,7 @@
 
 use super::Robot;
 use crate::algebra::{Angle, AngleVar, LinearAngle, Poly, Rational, Ring, Symbol, Transform};
-use crate::chain::{AngleCell, Chain, Coordinate, Handle, Parameter, Role, Value};
+use crate::chain::{AngleCell, Chain, Coordinate, Handle, Nominal, Parameter, Role};
 use crate::kinematics::Kinematics;
 use crate::render::formula::grouping::Order;
 use crate::render::formula::plain;
@@ -236,9 +236,9 @@ impl<'a> Side<'a> {
                 Role::Field(None) => None,
             };
             match (p.handle, value) {
-                (Handle::Length(s), Some(Value::Length(x))) => symbols.push((s, Poly::constant(x.clone()))),
+                (Handle::Length(s), Some(Nominal::Length(x))) => symbols.push((s, Poly::constant(x.clone()))),
                 (Handle::Length(s), _) => symbols.push((s, Poly::symbol(common.ring.symbol(&p.name)).scale(&back))),
-                (Handle::Angle(v), Some(Value::Angle(cell))) => angles.push((v, common.angle(cell))),
+                (Handle::Angle(v), Some(Nominal::Angle(cell))) => angles.push((v, common.angle(cell))),
                 (Handle::Angle(v), _) => angles.push((v, common.named_angle(&p.name))),
             }
         }

@@ -1,6 +1,6 @@
 //! The arm of the general elimination: six joints, lengths over its length scale.
 
-use super::super::chain::Chain;
+use super::super::chain::NumericChain;
 use super::super::elementary::wrapped;
 use super::super::pose::{Pose, slide};
 use super::choice::Choice;
@@ -9,7 +9,7 @@ use super::choice::Choice;
 #[derive(Clone, Copy, Debug)]
 pub struct General6R {
     /// With lengths over the length scale.
-    pub(super) arm: Chain<6>,
+    pub(super) arm: NumericChain<6>,
     pub(super) length_scale: f64,
     /// The best choices first.
     pub(super) choices: [Choice; 3],
@@ -25,7 +25,7 @@ impl General6R {
     /// The same with `Tz(q)` instead of `Rz(q)` where `prismatic`: one joint, or two neighbours in the closed loop (1 and 6 are neighbours
     /// too). Other arms have no usable choice.
     pub fn with_prismatic(links: &[Pose; 6], prismatic: &[bool; 6], choices: [Choice; 3]) -> Self {
-        let mut arm = Chain { links: shortened(links), prismatic: *prismatic };
+        let mut arm = NumericChain { links: shortened(links), prismatic: *prismatic };
         let length_scale = arm.length_scale();
         for link in &mut arm.links {
             *link = shrunk(link, length_scale);
@@ -34,7 +34,7 @@ impl General6R {
     }
 
     /// The arm with lengths over its length scale.
-    pub(super) fn scaled_arm(&self) -> &Chain<6> {
+    pub(super) fn scaled_arm(&self) -> &NumericChain<6> {
         &self.arm
     }
 

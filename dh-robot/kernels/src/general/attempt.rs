@@ -4,7 +4,7 @@ use super::super::elementary::{atan2, sin_cos};
 use super::super::pose::{IDENTITY, Pose, compose, inverse, slide, turn};
 use super::super::root_isolation::square;
 use super::super::tolerance::REACHED;
-use super::super::{Kinematics, List, Task, polish};
+use super::super::{Kinematics, List, TaskTarget, polish};
 use super::arm::General6R;
 use super::choice::Choice;
 use super::closure::Closure;
@@ -36,7 +36,7 @@ pub(super) enum Account {
 }
 
 /// How one elimination went.
-pub(super) struct Attempt {
+pub(super) struct Elimination {
     /// What became of the roots of the determinant.
     pub(super) account: Account,
     /// Roughly the number of factorisations of a 12 x 12 matrix that it took.
@@ -45,7 +45,7 @@ pub(super) struct Attempt {
 
 impl General6R {
     /// Adds the solutions that one elimination finds.
-    pub(super) fn attempt(&self, target: &Pose, choice: Choice, solutions: &mut List<[f64; 6], 16>) -> Attempt {
+    pub(super) fn attempt(&self, target: &Pose, choice: Choice, solutions: &mut List<[f64; 6], 16>) -> Elimination {
         if choice.is_pairs() {
             return self.attempt_in_pairs(target, choice, solutions);
         }
@@ -78,8 +78,8 @@ impl General6R {
         target: &Pose,
         choice: Choice,
         solutions: &mut List<[f64; 6], 16>,
-    ) -> Attempt {
-        let mut attempt = Attempt { account: Account::Open, work: K };
+    ) -> Elimination {
+        let mut attempt = Elimination { account: Account::Open, work: K };
         if !determinant.means_something() {
             return attempt;
         }
@@ -88,7 +88,7 @@ impl General6R {
         let effort = determinant.each_root(dialytic, |root, kind| {
             let mut try_from = |refined: &Refined| {
                 let mut q = self.joints(closure, choice, target, refined);
-                let done = polish(self.scaled_arm(), &mut q, &Task::Pose(*target), 1.0, STEPS);
+                let done = polish(self.scaled_arm(), &mut q, &TaskTarget::Pose(*target), 1.0, STEPS);
                 work += 1 + done.steps;
                 let reached = done.reaches(REACHED);
                 (reached, reached && self.add(target, solutions, self.wrapped(q)))

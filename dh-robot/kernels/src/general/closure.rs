@@ -1,6 +1,6 @@
 //! The closed loop of six joints as fourteen equations in five joint values, and the linear elimination of two of them.
 
-use super::super::chain::Chain;
+use super::super::chain::NumericChain;
 use super::super::elementary::sqrt;
 use super::super::pose::{Pose, compose, inverse};
 use super::choice::Choice;
@@ -30,7 +30,7 @@ pub(super) struct Closure {
 
 impl Closure {
     /// `arm` and `target` with lengths of order one.
-    pub(super) fn new(arm: &Chain<6>, target: &Pose, choice: Choice) -> Self {
+    pub(super) fn new(arm: &NumericChain<6>, target: &Pose, choice: Choice) -> Self {
         let links = loop_links(arm, target, choice);
         let prismatic = choice.joints().map(|joint| arm.prismatic[joint]);
         // Columns: 27 monomials of the left side, then 8 of the right side; the right side's constant goes to the left.
@@ -173,7 +173,7 @@ pub(super) fn monomials([x, y]: [f64; 2], prismatic: bool) -> [f64; 3] {
 /// The link transforms `D` of the loop in the order of the choice; the pose is part of the one after joint 6.
 ///
 /// Against the order of the joints, the loop is `(X1 ... X6)^-1`, with negative angles.
-pub(super) fn loop_links(arm: &Chain<6>, target: &Pose, choice: Choice) -> [Pose; 6] {
+pub(super) fn loop_links(arm: &NumericChain<6>, target: &Pose, choice: Choice) -> [Pose; 6] {
     let mut links = arm.links;
     links[5] = compose(&links[5], &inverse(target));
     choice.joints().map(|joint| if choice.reversed() { inverse(&links[(joint + 5) % 6]) } else { links[joint] })

@@ -15,7 +15,7 @@
 //! `v` and `l`; the product over both `n`, times the fourth power of the distance of `w` from A, is a trigonometric polynomial of degree 8.
 //! If nothing tells `n` from `-n`, half of that is enough. No angle is singled out, and no matrix is needed.
 
-use super::super::chain::Chain;
+use super::super::chain::NumericChain;
 use super::super::elementary::sqrt;
 use super::super::pose::{IDENTITY, Pose, compose, inverse, turn};
 use super::super::vector::{cross, dot, norm};
@@ -91,7 +91,7 @@ pub(super) struct Pairs {
 }
 
 /// What the angle of F fixes.
-struct Place {
+struct AxisE {
     /// The direction of E, and where D and E meet.
     e: [f64; 3],
     w: [f64; 3],
@@ -105,20 +105,20 @@ struct Place {
 
 /// A candidate for the four angles that fix all others.
 #[derive(Clone, Copy)]
-pub(super) struct Candidate {
+pub(super) struct PairCandidate {
     n: [f64; 3],
     l: [f64; 3],
     /// How far (relative) it is from closing the loop.
     pub(super) misses: f64,
 }
 
-impl Blank for Candidate {
+impl Blank for PairCandidate {
     const BLANK: Self = Self { n: [0.0; 3], l: [0.0; 3], misses: 0.0 };
 }
 
 impl Pairs {
     /// `arm` and `target` with lengths of order one; nothing if the arm isn't of this kind, cut that way.
-    pub(super) fn new(arm: &Chain<6>, target: &Pose, choice: Choice) -> Option<Self> {
+    pub(super) fn new(arm: &NumericChain<6>, target: &Pose, choice: Choice) -> Option<Self> {
         if !fits(arm, choice) {
             return None;
         }
@@ -163,17 +163,17 @@ impl Pairs {
         Some(Self { links, e, w, first, same, second, c4, c1, delta, d4, g3, g1, u0, vv0, p, symmetric })
     }
 
-    fn place(&self, [c, s]: [f64; 2]) -> Place {
+    fn place(&self, [c, s]: [f64; 2]) -> AxisE {
         let at = |v: &[[f64; 3]; 3]| [0, 1, 2].map(|i| v[0][i] + c * v[1][i] + s * v[2][i]);
         let (e, w) = (at(&self.e), at(&self.w));
         let far = w[0] * w[0] + w[1] * w[1];
         let along = self.delta - self.c1 * w[2];
         let across = far * (1.0 - self.c1 * self.c1) - along * along;
-        Place { e, w, ww: far + w[2] * w[2], far, middle: [along * w[0], along * w[1], self.c1 * far], across }
+        AxisE { e, w, ww: far + w[2] * w[2], far, middle: [along * w[0], along * w[1], self.c1 * far], across }
     }
 
     /// `v` without what is along `n`.
-    fn v(&self, place: &Place, n: [f64; 3]) -> [f64; 3] {
+    fn v(&self, place: &AxisE, n: [f64; 3]) -> [f64; 3] {
         let (wn, zn) = (cross(place.w, n), [-n[1], n[0], 0.0]);
         let mut v = [0, 1, 2].map(|i| self.d4 * (self.g1 * zn[i] - place.w[i]) - self.g3 * wn[i]);
         v[2] -= self.g3 * self.g1;
@@ -181,8 +181,8 @@ impl Pairs {
     }
 
     /// The Gram determinant for both `n`: `x + y r` with the root `r` of `place.across`; that is `[x, y]`.
-    fn gram_of_both(&self, place: &Place) -> [f64; 2] {
-        let Place { w, far, middle, across, .. } = *place;
+    fn gram_of_both(&self, place: &AxisE) -> [f64; 2] {
+        let AxisE { w, far, middle, across, .. } = *place;
         let one = 1.0 / far;
         // n.x = [middle.x, g.x] / far
         let times_n = |x: [f64; 3]| [dot(middle, x) * one, (w[0] * x[1] - w[1] * x[0]) * one];
@@ -192,8 +192,8 @@ impl Pairs {
     /// The Gram determinant, with all numbers of the form `x + y r`: `[x, y]`, where `r^2 = across`; from the products of `n` with vectors,
     /// and with `z x w`.
     #[inline]
-    fn gram(&self, place: &Place, times_n: impl Fn([f64; 3]) -> [f64; 2], turned: [f64; 2], across: f64) -> [f64; 2] {
-        let Place { e, w, ww, .. } = *place;
+    fn gram(&self, place: &AxisE, times_n: impl Fn([f64; 3]) -> [f64; 2], turned: [f64; 2], across: f64) -> [f64; 2] {
+        let AxisE { e, w, ww, .. } = *place;
         let (c3, c4, p) = (self.second.cos, self.c4, self.p);
         let product = |a: [f64; 2], b: [f64; 2]| [a[0] * b[0] + a[1] * b[1] * across, a[0] * b[1] + a[1] * b[0]];
         let kappa = times_n(e);
@@ -218,9 +218,9 @@ impl Pairs {
     }
 
     /// The candidates at a root of the polynomial, best first; more of them for a root that is not simple. None only where all are complex.
-    pub(super) fn candidates(&self, at: [f64; 2], multiple: bool) -> List<Candidate, 16> {
+    pub(super) fn candidates(&self, at: [f64; 2], multiple: bool) -> List<PairCandidate, 16> {
         let place = self.place(at);
-        let mut candidates = List::<Candidate, 16>::new();
+        let mut candidates = List::<PairCandidate, 16>::new();
         // Where the two directions fall together, the root may be off by a little.
         if !(place.across > -TOGETHER * place.far) {
             return candidates;
@@ -245,25 +245,25 @@ impl Pairs {
     }
 
     /// Adds the candidates with a given `n`.
-    fn complete(&self, place: &Place, n: [f64; 3], candidates: &mut List<Candidate, 16>) {
+    fn complete(&self, place: &AxisE, n: [f64; 3], candidates: &mut List<PairCandidate, 16>) {
         let v = self.v(place, n);
         let u = 0.5 * (place.ww + self.u0) + self.g1 * (place.w[0] * n[1] - place.w[1] * n[0]);
         let size = norm(v) + u.abs();
         let kappa = dot(place.e, n);
         for &l in meeting(n, self.second.cos, place.e, self.c4).iter() {
-            candidates.push(Candidate { n, l, misses: (dot(v, l) + u).abs() / size });
+            candidates.push(PairCandidate { n, l, misses: (dot(v, l) + u).abs() / size });
         }
         if 1.0 - kappa * kappa < BLIND {
             // Where E is parallel to C, its angle with D says nothing.
             for &l in meeting(n, self.second.cos, v, -u).iter() {
-                candidates.push(Candidate { n, l, misses: (dot(place.e, l) - self.c4).abs() });
+                candidates.push(PairCandidate { n, l, misses: (dot(place.e, l) - self.c4).abs() });
             }
         }
     }
 
     /// Where the point in which D and E meet lies on A, any `n` at the right angle to A will do, and the Gram determinant tells which: its
     /// roots as candidates, and whether they are all. Nothing where that point is elsewhere.
-    pub(super) fn candidates_on_axis(&self, at: [f64; 2]) -> Option<(List<Candidate, 16>, bool)> {
+    pub(super) fn candidates_on_axis(&self, at: [f64; 2]) -> Option<(List<PairCandidate, 16>, bool)> {
         let place = self.place(at);
         let along = self.delta - self.c1 * place.w[2];
         if !(place.far < ON_AXIS * ON_AXIS && along.abs() < ON_AXIS) {
@@ -276,7 +276,7 @@ impl Pairs {
             let before = candidates.len();
             self.complete(&shoulder.place, shoulder.direction(angle), &mut candidates);
             // Of the two at a simple root one is right.
-            let mut best: Option<Candidate> = None;
+            let mut best: Option<PairCandidate> = None;
             while candidates.len() > before {
                 let candidate = candidates.pop();
                 best = match (best, candidate) {
@@ -293,14 +293,14 @@ impl Pairs {
     }
 
     /// The size of the terms in the Gram determinant.
-    fn size(&self, place: &Place) -> f64 {
+    fn size(&self, place: &AxisE) -> f64 {
         let u = place.ww + self.u0.abs();
         u * u + 4.0 * (self.d4 * self.d4 + self.g3 * self.g3) * place.ww
     }
 
     /// The cosines and sines of all angles, in the order of the loop, and by how much the loop doesn't close.
-    pub(super) fn angles(&self, at: [f64; 2], candidate: &Candidate) -> ([[f64; 2]; 6], f64) {
-        let Candidate { n, l, .. } = *candidate;
+    pub(super) fn angles(&self, at: [f64; 2], candidate: &PairCandidate) -> ([[f64; 2]; 6], f64) {
+        let PairCandidate { n, l, .. } = *candidate;
         let (links, place) = (&self.links, self.place(at));
         let column = |t: &Pose, k: usize| [t[0][k], t[1][k], t[2][k]];
         // What a vector looks like in a frame, without its z.
@@ -339,7 +339,7 @@ impl Pairs {
 /// The Gram determinant as a function of the angle of `n` about A.
 struct Shoulder<'a> {
     pairs: &'a Pairs,
-    place: Place,
+    place: AxisE,
 }
 
 impl Shoulder<'_> {
@@ -405,7 +405,7 @@ fn meeting(n: [f64; 3], cos: f64, x: [f64; 3], along: f64) -> List<[f64; 3], 2> 
 }
 
 /// Has an arm the structure that this cut needs?
-pub(super) fn fits(arm: &Chain<6>, choice: Choice) -> bool {
+pub(super) fn fits(arm: &NumericChain<6>, choice: Choice) -> bool {
     let joints = choice.joints();
     // Against the order of the joints, a link belongs to the joint before.
     let link = |part: usize| if choice.reversed() { (joints[part] + 5) % 6 } else { joints[part] };

@@ -1,6 +1,6 @@
 //! The search for the best choices of an arm: by condition, then by trial.
 
-use super::super::chain::Chain;
+use super::super::chain::NumericChain;
 use super::super::elementary::sin_cos;
 use super::super::{Blank, Kinematics, List};
 use super::arm::General6R;
@@ -49,7 +49,7 @@ const USELESS: i32 = -36;
 /// without values), so should it from sample to sample. The first is the choice that misses nothing, accounts for most roots
 /// and takes least work; one that uses the arm's structure goes before all others. The following ones hide other joints where possible,
 /// because they then fail at other poses.
-pub fn rank<const K: usize>(samples: &[(Chain<6>, [f64; 6])]) -> List<Ranked, K> {
+pub fn rank<const K: usize>(samples: &[(NumericChain<6>, [f64; 6])]) -> List<Ranked, K> {
     let mut best = List::<Ranked, K>::new();
     let Some(rest) = samples.get(1..).filter(|_| K > 0) else { return best };
     let mut structured = structured(samples);
@@ -100,7 +100,7 @@ pub fn rank<const K: usize>(samples: &[(Chain<6>, [f64; 6])]) -> List<Ranked, K>
 
 impl Ranked {
     /// Runs the elimination on samples whose solutions are known in part.
-    fn try_on(&mut self, samples: &[(Chain<6>, [f64; 6])]) {
+    fn try_on(&mut self, samples: &[(NumericChain<6>, [f64; 6])]) {
         if self.condition <= USELESS {
             self.misses += samples.len();
             return;
@@ -127,10 +127,10 @@ impl Ranked {
 }
 
 /// The choices whose structure all samples have.
-fn structured(samples: &[(Chain<6>, [f64; 6])]) -> List<Ranked, 4> {
+fn structured(samples: &[(NumericChain<6>, [f64; 6])]) -> List<Ranked, 4> {
     let mut fitting = List::new();
     for choice in (Choice::GENERAL..Choice::COUNT).map(Choice::new) {
-        let fits = |(arm, _): &(Chain<6>, [f64; 6])| {
+        let fits = |(arm, _): &(NumericChain<6>, [f64; 6])| {
             let arm = General6R::with_prismatic(&arm.links, &arm.prismatic, [choice; 3]);
             pairs::fits(arm.scaled_arm(), choice)
         };
@@ -142,7 +142,7 @@ fn structured(samples: &[(Chain<6>, [f64; 6])]) -> List<Ranked, 4> {
 }
 
 /// All choices without structure, the best conditioned ones first.
-fn by_condition(samples: &[(Chain<6>, [f64; 6])]) -> [Ranked; Choice::GENERAL as usize] {
+fn by_condition(samples: &[(NumericChain<6>, [f64; 6])]) -> [Ranked; Choice::GENERAL as usize] {
     let mut all = [Ranked::BLANK; Choice::GENERAL as usize];
     for (number, ranked) in all.iter_mut().enumerate() {
         ranked.choice = Choice::new(number as u8);
@@ -166,7 +166,7 @@ fn by_condition(samples: &[(Chain<6>, [f64; 6])]) -> [Ranked; Choice::GENERAL as
 /// The best `K` choices for an arm by their condition at two poses that have nothing special; fewer if fewer are of use.
 ///
 /// What is left of [`rank`] where there is no time for trials: at run time, on an arm that the ranked choices don't fit.
-pub(super) fn best_conditioned<const K: usize>(arm: &Chain<6>) -> List<Choice, K> {
+pub(super) fn best_conditioned<const K: usize>(arm: &NumericChain<6>) -> List<Choice, K> {
     let samples = [[0.7, -1.1, 0.9, -0.4, 1.3, -2.1], [-2.0, 0.5, -0.6, 1.7, -0.9, 0.3]].map(|q| (*arm, q));
     let mut best = List::new();
     for ranked in structured(&samples).iter().chain(&by_condition(&samples)) {
@@ -184,7 +184,7 @@ fn exponent(x: f64) -> i32 {
 
 /// How well choices that share their equations work at a pose: the least relevant pivot over the largest, at the solution and elsewhere.
 /// Conditions only get worse; hopeless ones are left alone.
-fn condition(arm: &Chain<6>, q: &[f64; 6], group: &mut [Ranked], hopeless: i32) {
+fn condition(arm: &NumericChain<6>, q: &[f64; 6], group: &mut [Ranked], hopeless: i32) {
     let Some(first) = group.first().filter(|_| group.iter().any(|r| r.condition > hopeless)) else { return };
     let closure = Closure::new(arm, &arm.forward(q), first.choice);
     let [one, two, ..] = first.choice.joints();

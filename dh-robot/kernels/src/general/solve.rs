@@ -1,11 +1,11 @@
 //! All solutions of a target: eliminations with several choices, and what is left to do at singular poses.
 
-use super::super::chain::Chain;
+use super::super::chain::NumericChain;
 use super::super::elementary::{sin_cos, wrapped};
 use super::super::pose::Pose;
 use super::super::tolerance::{NEAR, REACHED};
 use super::super::{
-    Kinematics, List, Outcome, Roots, Task, polish, same_solution, solve_from_everywhere, solve_nearby,
+    Kinematics, List, Outcome, Roots, TaskTarget, polish, same_solution, solve_from_everywhere, solve_nearby,
 };
 use super::arm::General6R;
 use super::attempt::{Account, ELSEWHERE};
@@ -24,7 +24,7 @@ const STARTS: usize = 64;
 pub struct Solved {
     /// Joint vectors, angles in (-pi, pi].
     pub solutions: List<[f64; 6], 16>,
-    /// Did the last elimination account for each of its roots? If not, the pose is singular or nearly so: a fold, or a continuum.
+    /// Did the last elimination account for each of its roots? If not, the pose is singular or nearly so: a fold, or a self-motion.
     pub clean: bool,
 }
 
@@ -93,7 +93,7 @@ impl General6R {
 
     /// What can be found at a singular pose (scaled).
     fn rescue(&self, target: &Pose, choices: &[Choice], solutions: &mut List<[f64; 6], 16>) {
-        let task = Task::Pose(*target);
+        let task = TaskTarget::Pose(*target);
         let solve = |pose: &Pose| {
             let mut solved = Solved { solutions: List::new(), clean: false };
             self.eliminate(pose, choices, &mut solved);
@@ -135,7 +135,7 @@ impl General6R {
 
     /// The place of a solution in the list, where it is added if it is new.
     pub(super) fn place(&self, target: &Pose, solutions: &mut List<[f64; 6], 16>, q: [f64; 6]) -> (usize, bool) {
-        let task = Task::Pose(*target);
+        let task = TaskTarget::Pose(*target);
         let known =
             solutions.iter().position(|p| self.may_be_same(p, &q) && same_solution(&self.arm, &task, 1.0, p, &q));
         if let Some(place) = known {
@@ -144,7 +144,7 @@ impl General6R {
         if solutions.push(q) {
             return (solutions.len() - 1, true);
         }
-        // Full of points of a continuum, one of which makes room.
+        // Full of points of a self-motion, one of which makes room.
         let full = solutions.as_mut_slice();
         let room = full.iter().position(|p| is_singular(&self.arm, p)).filter(|_| !is_singular(&self.arm, &q));
         if let Some(p) = room.and_then(|place| full.get_mut(place)) {
@@ -164,7 +164,7 @@ impl General6R {
 }
 
 /// Is there a motion of the arm that hardly moves the tool?
-pub(super) fn is_singular(arm: &Chain<6>, q: &[f64; 6]) -> bool {
+pub(super) fn is_singular(arm: &NumericChain<6>, q: &[f64; 6]) -> bool {
     let mut m = arm.forward_and_jacobian(q).1;
     for k in 0..6 {
         let (mut row, mut column) = (k, k);

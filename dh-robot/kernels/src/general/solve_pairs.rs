@@ -3,12 +3,12 @@
 use super::super::elementary::{atan2, sin_cos};
 use super::super::pose::Pose;
 use super::super::tolerance::REACHED;
-use super::super::{List, Task, polish};
+use super::super::{List, TaskTarget, polish};
 use super::arm::General6R;
-use super::attempt::{Account, Attempt, NEIGHBOURS, STEPS};
+use super::attempt::{Account, Elimination, NEIGHBOURS, STEPS};
 use super::choice::Choice;
 use super::determinant::{Determinant, Root, crossing};
-use super::pairs::{Candidate, Pairs};
+use super::pairs::{PairCandidate, Pairs};
 
 /// A root whose best candidate misses by more is computed anew from the function itself.
 const SLOPPY: f64 = 1e-8;
@@ -23,9 +23,9 @@ impl General6R {
         target: &Pose,
         choice: Choice,
         solutions: &mut List<[f64; 6], 16>,
-    ) -> Attempt {
+    ) -> Elimination {
         match Pairs::new(self.scaled_arm(), target, choice) {
-            None => Attempt { account: Account::Open, work: 0 },
+            None => Elimination { account: Account::Open, work: 0 },
             Some(pairs) if pairs.symmetric => {
                 self.solutions_in_pairs(&Determinant::<4, 9, 12>::new(&pairs), &pairs, target, choice, solutions)
             }
@@ -42,8 +42,8 @@ impl General6R {
         target: &Pose,
         choice: Choice,
         solutions: &mut List<[f64; 6], 16>,
-    ) -> Attempt {
-        let mut attempt = Attempt { account: Account::Open, work: 1 };
+    ) -> Elimination {
+        let mut attempt = Elimination { account: Account::Open, work: 1 };
         if !polynomial.means_something() {
             return attempt;
         }
@@ -52,7 +52,7 @@ impl General6R {
         let (mut clean, mut roots, mut found, mut extra) = (true, 0, 0, 0);
         let effort = polynomial.each_root(pairs, |root, kind| {
             // Different solutions that candidates lead to, and how many of them are new.
-            let mut try_all = |at: [f64; 2], candidates: &[Candidate]| {
+            let mut try_all = |at: [f64; 2], candidates: &[PairCandidate]| {
                 let (mut reached, mut new) = ([false; 16], 0);
                 for candidate in candidates {
                     let mut q = [0.0; 6];
@@ -61,7 +61,7 @@ impl General6R {
                         q[joint] = atan2(if choice.reversed() { -s } else { s }, c);
                     }
                     let closed = gap < CLOSED || {
-                        let done = polish(self.scaled_arm(), &mut q, &Task::Pose(*target), 1.0, STEPS);
+                        let done = polish(self.scaled_arm(), &mut q, &TaskTarget::Pose(*target), 1.0, STEPS);
                         attempt.work += 1 + done.steps;
                         done.reaches(REACHED)
                     };

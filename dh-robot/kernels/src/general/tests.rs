@@ -5,12 +5,12 @@ use super::*;
 use crate::pose::{IDENTITY, Pose, compose, turn};
 use crate::testing::{Rng, general_6r, link};
 use crate::tolerance::REACHED;
-use crate::{Chain, Kinematics, List, Task, polish};
+use crate::{Kinematics, List, NumericChain, TaskTarget, polish};
 
 mod locked;
 
-fn arm(links: [Pose; 6]) -> Chain<6> {
-    Chain { links, prismatic: [false; 6] }
+fn arm(links: [Pose; 6]) -> NumericChain<6> {
+    NumericChain { links, prismatic: [false; 6] }
 }
 
 /// A link of the modified convention: Tz(d) of this joint, then Rx(alpha) Tx(a) before the next one.
@@ -19,7 +19,7 @@ fn modified(d: f64, alpha: f64, a: f64) -> Pose {
 }
 
 /// FANUC CRX-10iA: axes 2 and 3 parallel, neighbours 1-2, 3-4, 4-5, 5-6 meet, no common point in the wrist.
-fn offset_wrist() -> Chain<6> {
+fn offset_wrist() -> NumericChain<6> {
     let minus_quarter_turn = turn(&IDENTITY, [0.0, -1.0]);
     arm([
         modified(0.0, -90.0, 0.0),
@@ -32,7 +32,7 @@ fn offset_wrist() -> Chain<6> {
 }
 
 /// The arm of Manseur and Doty (*A robot manipulator with 16 real inverse kinematic solution sets*, 1989).
-fn sixteen_solutions() -> Chain<6> {
+fn sixteen_solutions() -> NumericChain<6> {
     arm([
         link(0.0, 0.3, 90.0),
         link(0.0, 1.0, 1.0),
@@ -44,7 +44,7 @@ fn sixteen_solutions() -> Chain<6> {
 }
 
 /// UFACTORY xArm6: as the CRX, and axes 3 and 4, 5 and 6 don't meet.
-fn ufactory() -> Chain<6> {
+fn ufactory() -> NumericChain<6> {
     let (s, c) = 79.34995f64.to_radians().sin_cos();
     arm([
         modified(0.267, -90.0, 0.0),
@@ -56,9 +56,9 @@ fn ufactory() -> Chain<6> {
     ])
 }
 
-fn solver(arm: &Chain<6>) -> General6R {
+fn solver(arm: &NumericChain<6>) -> General6R {
     let mut rng = Rng::new(70);
-    let samples: [(Chain<6>, [f64; 6]); 4] = [(); 4].map(|()| (*arm, [(); 6].map(|()| rng.angle())));
+    let samples: [(NumericChain<6>, [f64; 6]); 4] = [(); 4].map(|()| (*arm, [(); 6].map(|()| rng.angle())));
     let best = rank::<3>(&samples);
     let at = |i: usize| best.get(i).or(best.first()).map_or(Choice::default(), |r| r.choice);
     General6R::with_prismatic(&arm.links, &arm.prismatic, [at(0), at(1), at(2)])
@@ -69,16 +69,16 @@ fn apart(p: &[f64; 6], q: &[f64; 6]) -> f64 {
 }
 
 /// Every solution reaches the target, and no two are the same.
-fn assert_sound(arm: &Chain<6>, target: &Pose, solved: &Solved) {
+fn assert_sound(arm: &NumericChain<6>, target: &Pose, solved: &Solved) {
     for (i, q) in solved.solutions.iter().enumerate() {
-        let miss = polish(arm, &mut q.clone(), &Task::Pose(*target), arm.length_scale(), 0);
+        let miss = polish(arm, &mut q.clone(), &TaskTarget::Pose(*target), arm.length_scale(), 0);
         assert!(miss.reaches(2.0 * REACHED), "{miss:?}");
         assert!((0..6).all(|j| arm.prismatic[j] || q[j].abs() <= core::f64::consts::PI));
         assert!(solved.solutions[..i].iter().all(|p| apart(p, q) > 1e-7));
     }
 }
 
-fn generated_poses_come_back(arm: &Chain<6>, seed: u64, most: usize) {
+fn generated_poses_come_back(arm: &NumericChain<6>, seed: u64, most: usize) {
     let solver = solver(arm);
     let mut rng = Rng::new(seed);
     let mut largest = 0;
@@ -110,7 +110,7 @@ fn an_arm_with_many_solutions() {
 }
 
 /// UFACTORY xArm7 with joint 3 held at 0: axes 2 and 3 parallel, no common point anywhere.
-fn locked_seven_axis_arm() -> Chain<6> {
+fn locked_seven_axis_arm() -> NumericChain<6> {
     arm([
         modified(0.267, -90.0, 0.0),
         compose(&modified(0.0, 90.0, 0.0), &modified(0.293, 90.0, 0.0525)),
@@ -176,7 +176,7 @@ fn two_solutions_may_share_the_hidden_angle() {
 }
 
 /// Links of a random arm with the structure that this choice needs; none if that would be a structure of the target.
-fn arm_for(choice: Choice, rng: &mut Rng) -> Option<Chain<6>> {
+fn arm_for(choice: Choice, rng: &mut Rng) -> Option<NumericChain<6>> {
     let joints = choice.joints();
     let link_after = |part: usize| if choice.reversed() { (joints[part] + 5) % 6 } else { joints[part] };
     let (parallel, meeting) = (link_after(1), link_after(3));
@@ -265,7 +265,7 @@ fn a_calibrated_arm_with_distant_normals_keeps_its_digits() {
         assert!(solved.solutions.iter().any(|p| apart(p, &q) < 1e-6), "{q:?}");
         for q in solved.solutions.iter() {
             // In metres: forward kinematics itself loses three digits on its way up and down.
-            let miss = polish(&arm, &mut q.clone(), &Task::Pose(target), 1.0, 0);
+            let miss = polish(&arm, &mut q.clone(), &TaskTarget::Pose(target), 1.0, 0);
             assert!(miss.reaches(1e-11), "{miss:?}");
         }
     }

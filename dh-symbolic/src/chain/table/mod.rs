@@ -264,7 +264,7 @@ fn fields(lets: &[statements::Let], scope: &Scope) -> Vec<Field> {
     list
 }
 
-fn motions_text(settings: &[statements::Setting]) -> Vec<(String, String)> {
+fn motions_text(settings: &[statements::SettingLine]) -> Vec<(String, String)> {
     let motions = settings.iter().filter(|s| s.name == "base" || s.name == "tool");
     motions.map(|s| (s.name.to_string(), text::of(&s.value))).collect()
 }

@@ -5,7 +5,7 @@ use super::cursor::Cursor;
 use super::expression;
 use super::scope::{Kind, Scope};
 use super::spelling::suggestion;
-use super::statements::Setting;
+use super::statements::SettingLine;
 use crate::chain::MotionSpec;
 use crate::diagnostic::{Error, Errors, Place};
 use proc_macro2::{Delimiter, Ident, TokenTree};
@@ -15,7 +15,7 @@ const MOST: usize = 16;
 const MOTIONS: [&str; 6] = ["tx", "ty", "tz", "rx", "ry", "rz"];
 
 /// Reads `tz(206mm) * ry(90deg)`; all errors of the factors are collected.
-pub(super) fn read(setting: &Setting, scope: &Scope, errors: &mut Errors) -> Vec<MotionSpec> {
+pub(super) fn read(setting: &SettingLine, scope: &Scope, errors: &mut Errors) -> Vec<MotionSpec> {
     let mut list = Vec::new();
     let mut c = Cursor::new(&setting.value);
     loop {

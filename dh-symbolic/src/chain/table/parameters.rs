@@ -8,7 +8,7 @@ use super::spelling::suggestion;
 use super::statements::Let;
 use super::sum::{AngleUnit, Sum, Term};
 use crate::algebra::Rational;
-use crate::chain::{AngleCell, ParameterSpec, Quantity, Role, Value};
+use crate::chain::{AngleCell, Nominal, ParameterSpec, Quantity, Role};
 use crate::diagnostic::{Error, Errors};
 
 /// Most names of one table.
@@ -136,9 +136,9 @@ pub(super) fn specs(scope: &Scope) -> Vec<ParameterSpec> {
             let quantity = if d.kind == Kind::Angle { Quantity::Angle } else { Quantity::Length };
             let value = d.value.as_ref().map(|sum| match quantity {
                 Quantity::Angle => {
-                    Value::Angle(cell::angle(sum, scope, Site("")).unwrap_or_else(|_| AngleCell::default()))
+                    Nominal::Angle(cell::angle(sum, scope, Site("")).unwrap_or_else(|_| AngleCell::default()))
                 }
-                Quantity::Length => Value::Length(d.number().unwrap_or(Rational::ZERO)),
+                Quantity::Length => Nominal::Length(d.number().unwrap_or(Rational::ZERO)),
             });
             let role = match value {
                 Some(value) if !d.field => Role::Constant(value),

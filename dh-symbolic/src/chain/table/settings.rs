@@ -2,7 +2,7 @@
 
 use super::number;
 use super::spelling::{shown, suggestion};
-use super::statements::Setting;
+use super::statements::SettingLine;
 use super::text;
 use crate::algebra::Rational;
 use crate::chain::{Convention, LengthUnit, Scalar, Task};
@@ -29,7 +29,7 @@ pub(super) struct Settings {
 }
 
 /// Reads them; the later of two of one name is an error.
-pub(super) fn read(list: &[Setting], errors: &mut Errors) -> Settings {
+pub(super) fn read(list: &[SettingLine], errors: &mut Errors) -> Settings {
     let mut s = Settings {
         convention: None,
         unit: LengthUnit { name: "m", metres: Rational::ONE },
@@ -101,7 +101,7 @@ pub(super) fn read(list: &[Setting], errors: &mut Errors) -> Settings {
 }
 
 /// The words of a list with commas.
-fn words(setting: &Setting) -> Vec<(String, Place)> {
+fn words(setting: &SettingLine) -> Vec<(String, Place)> {
     let comma = |t: &TokenTree| matches!(t, TokenTree::Punct(p) if p.as_char() == ',');
     let parts = setting.value.split(comma).take(MOST);
     parts.map(|tokens| (text::of(tokens), Place::of_all(tokens).unwrap_or(setting.place))).collect()

@@ -27,7 +27,7 @@ pub(super) struct Words {
 
 /// `NAME = VALUE;`
 #[derive(Clone, Debug)]
-pub(super) struct Setting {
+pub(super) struct SettingLine {
     pub(super) name: Ident,
     pub(super) value: Vec<TokenTree>,
     /// The value's place (the name's, where there is no value).
@@ -57,7 +57,7 @@ pub struct ClaimTokens {
 #[derive(Debug, Default)]
 pub(super) struct Written {
     pub(super) head: Head,
-    pub(super) settings: Vec<Setting>,
+    pub(super) settings: Vec<SettingLine>,
     pub(super) lets: Vec<Let>,
     pub(super) grid: Option<Grid>,
     pub(super) claims: Vec<ClaimTokens>,
@@ -96,7 +96,7 @@ pub(super) fn read(tokens: &[TokenTree], errors: &mut Errors) -> Written {
             c.next();
             let value = value(&mut c, errors);
             let place = Place::of_all(&value).unwrap_or_else(|| Place::at(name.span()));
-            written.settings.push(Setting { name: name.clone(), value, place });
+            written.settings.push(SettingLine { name: name.clone(), value, place });
         } else {
             let error = Error::new(Place::of(token), "this belongs to no line of the table");
             errors.push(match token {

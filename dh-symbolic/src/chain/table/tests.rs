@@ -73,7 +73,7 @@ fn the_puma_of_the_contract() {
     assert_eq!(spec.rows[1].alpha, half_turns(-1, 2));
     assert_eq!(spec.rows[3].a.terms, [(Rational::ONE, vec![1])]);
     assert_eq!(spec.rows[0].range, Some((Bound::HalfTurns(ratio(-8, 9)), Bound::HalfTurns(ratio(8, 9)))));
-    assert_eq!(spec.parameters[0].role, Role::Field(Some(Value::Length(ratio(2159, 5000)))));
+    assert_eq!(spec.parameters[0].role, Role::Field(Some(Nominal::Length(ratio(2159, 5000)))));
     assert_eq!(parsed.sketch.table[2], ["2", "-90deg", "0", "0", "q2", "-225deg..=45deg"]);
     assert_eq!((parsed.origins.cell(3, Column::A).start(), parsed.origins.joint(5).start()), ((14, 19), (16, 29)));
 }
@@ -119,7 +119,7 @@ fn angles_are_exact() {
         spec("let beta: angle; let gamma: angle = 30deg;", "| beta - 2*gamma + approx -1.2rad | 0 | 0 | q1 | - |");
     let alpha = &spec.rows[0].alpha;
     assert_eq!((alpha.approx.clone(), alpha.symbols.clone()), (Some(ratio(-6, 5)), vec![(0, 1), (1, -2)]));
-    assert_eq!(spec.parameters[1].role, Role::Field(Some(Value::Angle(half_turns(1, 6)))));
+    assert_eq!(spec.parameters[1].role, Role::Field(Some(Nominal::Angle(half_turns(1, 6)))));
 }
 
 #[test]
@@ -157,12 +157,12 @@ fn names_and_their_roles() {
     let (length, angle) = (Quantity::Length, Quantity::Angle);
     let want = [
         ("a2", length, Role::Field(None)),
-        ("b", angle, Role::Field(Some(Value::Angle(half_turns(1, 3))))),
-        ("k", length, Role::Field(Some(Value::Length(ratio(2, 1))))),
-        ("l", length, Role::Constant(Value::Length(ratio(3, 100)))),
-        ("m2", length, Role::Constant(Value::Length(ratio(3, 50)))),
-        ("w", angle, Role::Constant(Value::Angle(half_turns(-1, 2)))),
-        ("n", length, Role::Constant(Value::Length(ratio(7, 1)))),
+        ("b", angle, Role::Field(Some(Nominal::Angle(half_turns(1, 3))))),
+        ("k", length, Role::Field(Some(Nominal::Length(ratio(2, 1))))),
+        ("l", length, Role::Constant(Nominal::Length(ratio(3, 100)))),
+        ("m2", length, Role::Constant(Nominal::Length(ratio(3, 50)))),
+        ("w", angle, Role::Constant(Nominal::Angle(half_turns(-1, 2)))),
+        ("n", length, Role::Constant(Nominal::Length(ratio(7, 1)))),
     ];
     assert_eq!(roles, want.map(|(n, q, r)| (n.to_string(), q, r)));
     assert_eq!(

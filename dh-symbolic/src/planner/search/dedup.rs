@@ -5,7 +5,7 @@
 
 use super::super::axes::Axes;
 use super::super::random::Random;
-use super::super::scalar::{Equation, Scalar};
+use super::super::scalar::{Equation, FrameScalar};
 use dh_kernels::pose::{self, Pose};
 
 /// Equations whose values (lengths over the length scale) differ by less at joint vectors and targets of no special kind are one.
@@ -42,11 +42,11 @@ fn value(e: &Equation, frames: &[Pose], target: &Pose) -> Option<f64> {
     // M(0, a)^-1 W M(b, n)^-1
     let right = pose::compose(&pose::compose(&a, target), &pose::compose(&pose::inverse(last), b));
     let scalar = |t: &Pose| match e.scalar {
-        Scalar::Rotation(i, j) => Some(t[usize::from(i)][usize::from(j)]),
-        Scalar::Position(i) => Some(t[usize::from(i)][3]),
-        Scalar::Back(j) => Some(pose::inverse(t)[usize::from(j)][3]),
-        Scalar::Distance => Some(t.iter().map(|row| row[3] * row[3]).sum()),
-        Scalar::Across(_) | Scalar::Bridge(..) => None,
+        FrameScalar::Rotation(i, j) => Some(t[usize::from(i)][usize::from(j)]),
+        FrameScalar::Position(i) => Some(t[usize::from(i)][3]),
+        FrameScalar::Back(j) => Some(pose::inverse(t)[usize::from(j)][3]),
+        FrameScalar::Distance => Some(t.iter().map(|row| row[3] * row[3]).sum()),
+        FrameScalar::Across(_) | FrameScalar::Bridge(..) => None,
     };
     Some(scalar(&left)? - scalar(&right)?)
 }
@@ -72,10 +72,10 @@ mod tests {
         let values = |a, b, scalar| probes.values(&Equation { a, b, scalar }).expect("no slides");
         // Frames 1 and 2 stand on the first axis, before and after the shift along it.
         assert!(axes.links[1].joint.is_none());
-        let [before, after] = [1, 2].map(|a| values(a, 6, Scalar::Position(2)));
+        let [before, after] = [1, 2].map(|a| values(a, 6, FrameScalar::Position(2)));
         assert!(is_same(&before, &after) && is_same(&before, &after.iter().map(|x| -x).collect()));
-        let [before, after] = [1, 2].map(|a| values(a, 6, Scalar::Distance));
+        let [before, after] = [1, 2].map(|a| values(a, 6, FrameScalar::Distance));
         assert!(!is_same(&before, &after));
-        assert!(!is_same(&values(1, 6, Scalar::Position(0)), &values(1, 6, Scalar::Position(1))));
+        assert!(!is_same(&values(1, 6, FrameScalar::Position(0)), &values(1, 6, FrameScalar::Position(1))));
     }
 }

@@ -18,7 +18,7 @@ use super::known::Knowledge;
 use super::mobility::Mobility;
 use super::pool::{Family, families};
 use super::refusal::{self, Refusal};
-use super::scalar::{Equation, Scalar, fold};
+use super::scalar::{Equation, FrameScalar, fold};
 use super::step::{Plan, Step};
 use super::steps::{Offer, Scene, StepKind};
 use super::subspace::{JointCombination, Subspace, numbers};
@@ -150,11 +150,11 @@ impl Search<'_> {
                 let outside = joints(prefix.min(e.a), e.a) + joints(e.b, suffix.max(e.b));
                 let unfolded = joints(e.a, prefix) + joints(suffix, e.b);
                 let size = match e.scalar {
-                    Scalar::Rotation(..) => 0,
-                    Scalar::Position(_) => 1,
-                    Scalar::Back(_) => 2,
-                    Scalar::Distance => 2,
-                    Scalar::Across(_) | Scalar::Bridge(..) => 3,
+                    FrameScalar::Rotation(..) => 0,
+                    FrameScalar::Position(_) => 1,
+                    FrameScalar::Back(_) => 2,
+                    FrameScalar::Distance => 2,
+                    FrameScalar::Across(_) | FrameScalar::Bridge(..) => 3,
                 };
                 list.push((4 * (joints(e.a, e.b) + 2 * outside) + 6 * unfolded + size, *e));
             }
@@ -164,7 +164,7 @@ impl Search<'_> {
         // Those without lengths are few, and there are many of one and the same direction cosine: each kind has its own limit.
         let mut taken = [0; 2];
         let mut fits = |e: &Equation| {
-            let taken = &mut taken[usize::from(matches!(e.scalar, Scalar::Across(_) | Scalar::Bridge(..)))];
+            let taken = &mut taken[usize::from(matches!(e.scalar, FrameScalar::Across(_) | FrameScalar::Bridge(..)))];
             let fits = *taken < LOOK && weight(axes, knowledge, e) <= HEAVY;
             *taken += usize::from(fits);
             fits

@@ -1,6 +1,6 @@
 //! Steps with one unknown: every kind of step is asked for its ways to find one combination of joints.
 
-use super::super::known::Part;
+use super::super::known::Basis;
 use super::super::scalar::Equation;
 use super::super::steps::{Offer, Row, SingleUnknown, StepKind};
 use super::super::subspace::JointCombination;
@@ -29,7 +29,7 @@ impl Search<'_> {
         for &equation in equations {
             let p = self.write(&equation);
             if let Some(collected) = self.knowledge.collect(&self.axes, &p, std::slice::from_ref(form))
-                && collected.keys().any(|k| k[0] != Part::One)
+                && collected.keys().any(|k| k[0] != Basis::One)
                 && !rows.iter().any(|r| r.collected == collected)
             {
                 rows.push(Row { equation, collected });

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use super::super::known::{Collected, Part};
+use super::super::known::{Basis, Collected};
 use super::super::scalar::Equation;
 use super::super::steps::{Offer, Row, StepKind, TwoUnknowns};
 use super::super::subspace::{JointCombination, numbers};
@@ -54,8 +54,8 @@ impl Search<'_> {
     fn pair_offer(&self, pair: &[JointCombination; 2], polys: &[(Equation, Rc<Poly>)]) -> Option<Offer> {
         let fits = |c: &Collected| {
             c.keys().all(|k| {
-                matches!(k[0], Part::One | Part::Cos(1) | Part::Sin(1) | Part::Power(1 | 2))
-                    && matches!(k[1], Part::One | Part::Cos(1) | Part::Sin(1))
+                matches!(k[0], Basis::One | Basis::Cos(1) | Basis::Sin(1) | Basis::Power(1 | 2))
+                    && matches!(k[1], Basis::One | Basis::Cos(1) | Basis::Sin(1))
             })
         };
         let rows: Vec<Row> = polys

@@ -4,7 +4,7 @@ use super::kernel::{Argument, BatchedKernel, BatchedRoots, Call, Coefficient, Ke
 use super::kernel::{minus, plus, row};
 use super::recognise::{Offer, Rank, Row, SingleUnknown};
 use super::{Kind, StepKind, Words};
-use crate::planner::known::Part;
+use crate::planner::known::Basis;
 use crate::planner::step::Step;
 use dh_kernels::{solve_many, solve_pair};
 
@@ -50,8 +50,8 @@ impl Kind for AtanPair {
         chosen.map(|rows| at.offer(Rank::AtanPair, StepKind::AtanPair, 1, &rows)).into_iter().collect()
     }
 
-    fn columns(&self) -> Vec<Vec<Part>> {
-        vec![vec![Part::Cos(1)], vec![Part::Sin(1)], vec![Part::One]]
+    fn columns(&self) -> Vec<Vec<Basis>> {
+        vec![vec![Basis::Cos(1)], vec![Basis::Sin(1)], vec![Basis::One]]
     }
 
     fn call(&self, equations: usize, _: bool) -> Call<Coefficient> {
@@ -103,8 +103,10 @@ fn independent<'r>(at: &SingleUnknown<'_>, rows: &[&'r Row]) -> Option<Vec<&'r R
         return None;
     }
     let samples = at.scene.samples(2, 8);
-    let slopes: Vec<Vec<[f64; 2]>> =
-        rows.iter().map(|r| samples.iter().map(|s| [r.at(Part::Cos(1), s), r.at(Part::Sin(1), s)]).collect()).collect();
+    let slopes: Vec<Vec<[f64; 2]>> = rows
+        .iter()
+        .map(|r| samples.iter().map(|s| [r.at(Basis::Cos(1), s), r.at(Basis::Sin(1), s)]).collect())
+        .collect();
     // How well a set of rows fixes the angle at sample k: the determinant of its normal matrix.
     let quality = |set: &[usize], k: usize| {
         let (mut a, mut b, mut c) = (0.0, 0.0, 0.0);

@@ -3,7 +3,7 @@
 use super::kernel::{Argument, Call, Coefficient, Kernel, Representative, Roots, row};
 use super::recognise::{Offer, TwoUnknowns};
 use super::{Kind, Slot, StepKind, Words};
-use crate::planner::known::{Collected, Part};
+use crate::planner::known::{Basis, Collected};
 use dh_kernels::solve_bilinear_choosing;
 
 /// The sums of e[3 i + j] U_i V_j = 0, U = (1, cos u, sin u) and V = (1, cos v, sin v).
@@ -28,8 +28,8 @@ impl Kind for Bilinear {
         (!at.prismatic).then(|| at.offer(StepKind::Bilinear, roots(&first.collected, &second.collected)))
     }
 
-    fn columns(&self) -> Vec<Vec<Part>> {
-        let parts = [Part::One, Part::Cos(1), Part::Sin(1)];
+    fn columns(&self) -> Vec<Vec<Basis>> {
+        let parts = [Basis::One, Basis::Cos(1), Basis::Sin(1)];
         parts.iter().flat_map(|u| parts.map(|v| vec![*u, v])).collect()
     }
 
@@ -52,12 +52,13 @@ impl Kind for Bilinear {
 /// quarter turn (then its elimination is a square sum with a common factor, Pieper's quartic), or where one equation lacks an
 /// angle's products.
 fn roots(a: &Collected, b: &Collected) -> usize {
-    let get = |c: &Collected, u: Part, v: Part| c.get(&vec![u, v]).cloned().unwrap_or_default();
-    let parts = [Part::One, Part::Cos(1), Part::Sin(1)];
+    let get = |c: &Collected, u: Basis, v: Basis| c.get(&vec![u, v]).cloned().unwrap_or_default();
+    let parts = [Basis::One, Basis::Cos(1), Basis::Sin(1)];
     for swap in [false, true] {
-        let at = |c: &Collected, u: Part, v: Part| if swap { get(c, v, u) } else { get(c, u, v) };
-        let row = |c: &Collected, u: Part| parts.map(|v| at(c, u, v));
-        let (ca, sa, cb, sb) = (row(a, Part::Cos(1)), row(a, Part::Sin(1)), row(b, Part::Cos(1)), row(b, Part::Sin(1)));
+        let at = |c: &Collected, u: Basis, v: Basis| if swap { get(c, v, u) } else { get(c, u, v) };
+        let row = |c: &Collected, u: Basis| parts.map(|v| at(c, u, v));
+        let (ca, sa, cb, sb) =
+            (row(a, Basis::Cos(1)), row(a, Basis::Sin(1)), row(b, Basis::Cos(1)), row(b, Basis::Sin(1)));
         // cb = k sa, sb = -k ca: all cross products vanish.
         let proportional = (0..3).all(|i| (0..3).all(|j| &cb[i] * &ca[j] == -&(&sb[j] * &sa[i])));
         if proportional {

@@ -5,7 +5,7 @@ use super::quadratic::QUADRATIC;
 use super::recognise::Scene;
 use super::sin_cos::SIN_COS;
 use super::{Kind, StepKind, Words};
-use crate::planner::known::Part;
+use crate::planner::known::Basis;
 use crate::planner::step::Step;
 
 pub(super) struct Choose;
@@ -18,7 +18,7 @@ impl Kind for Choose {
         Some(Step { kind: StepKind::Choose, unknown, equations: vec![], collected: vec![], roots: 1, before })
     }
 
-    fn columns(&self) -> Vec<Vec<Part>> {
+    fn columns(&self) -> Vec<Vec<Basis>> {
         Vec::new()
     }
 

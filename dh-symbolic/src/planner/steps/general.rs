@@ -3,7 +3,7 @@
 use super::kernel::{Argument, Call, Coefficient, Kernel, Representative, Roots, plus};
 use super::recognise::Scene;
 use super::{Kind, StepKind, Words};
-use crate::planner::known::Part;
+use crate::planner::known::Basis;
 use crate::planner::step::Step;
 use crate::planner::subspace::JointCombination;
 use dh_kernels::{Pose, solve_general};
@@ -48,7 +48,7 @@ impl Kind for General {
         Some(Step { kind: StepKind::General, unknown, equations: vec![], collected: vec![], roots: 16, before })
     }
 
-    fn columns(&self) -> Vec<Vec<Part>> {
+    fn columns(&self) -> Vec<Vec<Basis>> {
         Vec::new()
     }
 

@@ -6,7 +6,7 @@ use super::kernel::{plus, row, zero};
 use super::recognise::{Offer, Rank, Row, SingleUnknown};
 use super::sin_cos::SIN_COS;
 use super::{Kind, StepKind, Words};
-use crate::planner::known::Part;
+use crate::planner::known::Basis;
 use crate::planner::sample::Sample;
 use dh_kernels::solve_half_turn;
 
@@ -39,8 +39,8 @@ impl Kind for HalfTurn {
             .collect()
     }
 
-    fn columns(&self) -> Vec<Vec<Part>> {
-        vec![vec![Part::Cos(1)], vec![Part::Sin(1)]]
+    fn columns(&self) -> Vec<Vec<Basis>> {
+        vec![vec![Basis::Cos(1)], vec![Basis::Sin(1)]]
     }
 
     fn call(&self, equations: usize, _: bool) -> Call<Coefficient> {
@@ -73,7 +73,7 @@ impl Kind for HalfTurn {
 
 /// The shortest other equation without a constant term that still fixes the angle where this one vanishes, at some special pose.
 fn second<'r>(at: &SingleUnknown<'_>, first: &Row, rows: &[&'r Row], special: &[Sample<'_>]) -> Option<&'r Row> {
-    let slope = |row: &Row, s: &Sample<'_>| row.at(Part::Cos(1), s).hypot(row.at(Part::Sin(1), s));
+    let slope = |row: &Row, s: &Sample<'_>| row.at(Basis::Cos(1), s).hypot(row.at(Basis::Sin(1), s));
     let empty: Vec<&Sample<'_>> = special.iter().filter(|s| slope(first, s) < 1e-9).collect();
     let mut others = rows.to_vec();
     others.retain(|r| r.collected != first.collected && empty.iter().any(|s| slope(r, s) > 1e-3));

@@ -3,7 +3,7 @@
 use super::kernel::{Argument, Call, Coefficient, Kernel, Representative, Roots, row};
 use super::recognise::{Offer, TwoUnknowns};
 use super::{Kind, Slot, StepKind, Words};
-use crate::planner::known::Part;
+use crate::planner::known::Basis;
 use dh_kernels::solve_length_squared_and_angle_choosing;
 
 /// The sums of e[3 i + j] D_i V_j = 0, D = (1, d, d^2) and V = (1, cos v, sin v).
@@ -28,8 +28,9 @@ impl Kind for LengthAndAngle {
         at.prismatic.then(|| at.offer(StepKind::LengthAndAngle, 8))
     }
 
-    fn columns(&self) -> Vec<Vec<Part>> {
-        let (lengths, angles) = ([Part::One, Part::Power(1), Part::Power(2)], [Part::One, Part::Cos(1), Part::Sin(1)]);
+    fn columns(&self) -> Vec<Vec<Basis>> {
+        let (lengths, angles) =
+            ([Basis::One, Basis::Power(1), Basis::Power(2)], [Basis::One, Basis::Cos(1), Basis::Sin(1)]);
         lengths.iter().flat_map(|d| angles.map(|v| vec![*d, v])).collect()
     }
 

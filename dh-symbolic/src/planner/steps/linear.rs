@@ -4,7 +4,7 @@ use super::kernel::{Argument, BatchedKernel, BatchedRoots, Call, Coefficient, pl
 use super::quadratic::QUADRATIC;
 use super::recognise::{Offer, Rank, SingleUnknown};
 use super::{Kind, StepKind, Words};
-use crate::planner::known::Part;
+use crate::planner::known::Basis;
 
 pub(super) struct Linear;
 
@@ -13,14 +13,14 @@ impl Kind for Linear {
         let linear = at.rows.iter().filter(|r| !at.is_angle && r.degree() == 1);
         linear
             .map(|r| {
-                let firm = r.collected.get(&vec![Part::Power(1)]).is_some_and(|p| at.scene.is_constant(p));
+                let firm = r.collected.get(&vec![Basis::Power(1)]).is_some_and(|p| at.scene.is_constant(p));
                 at.offer(if firm { Rank::FirmLength } else { Rank::Length }, StepKind::Linear, 1, &[r])
             })
             .collect()
     }
 
-    fn columns(&self) -> Vec<Vec<Part>> {
-        vec![vec![Part::Power(1)], vec![Part::One]]
+    fn columns(&self) -> Vec<Vec<Basis>> {
+        vec![vec![Basis::Power(1)], vec![Basis::One]]
     }
 
     fn call(&self, _: usize, _: bool) -> Call<Coefficient> {

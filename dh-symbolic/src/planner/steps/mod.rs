@@ -23,8 +23,8 @@ pub(super) use recognise::{Offer, Row, Scene, SingleUnknown, TwoUnknowns};
 pub use sin_cos::ReachLimit;
 pub use words::{Slot, Wording, Words};
 
-use super::known::Part;
-use super::scalar::Scalar;
+use super::known::Basis;
+use super::scalar::FrameScalar;
 use super::step::{Plan, Step};
 
 /// Lists the kinds: the search asks them in this order, and of equally good offers the first one counts.
@@ -91,7 +91,7 @@ trait Kind: Sync {
     }
 
     /// What the coefficients of one equation belong to, in their order.
-    fn columns(&self) -> Vec<Vec<Part>>;
+    fn columns(&self) -> Vec<Vec<Basis>>;
 
     /// The call of its kernel for so many equations; `is_angle`: is the (first) unknown an angle?
     fn call(&self, equations: usize, is_angle: bool) -> Call<Coefficient>;
@@ -103,7 +103,7 @@ trait Kind: Sync {
 
     /// Do the numbers of its equations measure a length? Else they are pure numbers.
     fn measures_length(&self, step: &Step) -> bool {
-        step.equations.iter().any(|e| !matches!(e.scalar, Scalar::Rotation(..)))
+        step.equations.iter().any(|e| !matches!(e.scalar, FrameScalar::Rotation(..)))
     }
 
     /// The distance behind the step, where it is a law of cosines.
@@ -134,7 +134,7 @@ impl StepKind {
     }
 
     /// What the coefficients of one equation belong to, in their order.
-    pub fn columns(self) -> Vec<Vec<Part>> {
+    pub fn columns(self) -> Vec<Vec<Basis>> {
         self.kind().columns()
     }
 
@@ -157,7 +157,7 @@ impl StepKind {
 impl Step {
     /// Does every equation say how far two origins are apart?
     pub fn is_distance(&self) -> bool {
-        !self.equations.is_empty() && self.equations.iter().all(|e| e.scalar == Scalar::Distance)
+        !self.equations.is_empty() && self.equations.iter().all(|e| e.scalar == FrameScalar::Distance)
     }
 
     /// Do the numbers of its equations measure a length? Else they are pure numbers.

@@ -3,7 +3,7 @@
 use super::kernel::{Call, Coefficient, Kernel, Representative, Roots, row};
 use super::recognise::{Offer, Rank, SingleUnknown};
 use super::{Kind, StepKind, Words};
-use crate::planner::known::Part;
+use crate::planner::known::Basis;
 use dh_kernels::solve_quadratic;
 
 /// Two lengths, or one where the equation is linear.
@@ -28,8 +28,8 @@ impl Kind for Quadratic {
         rows.map(|r| at.offer(Rank::Quadratic, StepKind::Quadratic, 2, &[r])).collect()
     }
 
-    fn columns(&self) -> Vec<Vec<Part>> {
-        vec![vec![Part::Power(2)], vec![Part::Power(1)], vec![Part::One]]
+    fn columns(&self) -> Vec<Vec<Basis>> {
+        vec![vec![Basis::Power(2)], vec![Basis::Power(1)], vec![Basis::One]]
     }
 
     fn call(&self, _: usize, _: bool) -> Call<Coefficient> {

@@ -4,10 +4,10 @@ use super::StepKind;
 use crate::algebra::Poly;
 use crate::chain::{Chain, Handle, Role};
 use crate::planner::axes::Axes;
-use crate::planner::known::{Collected, Knowledge, Part};
+use crate::planner::known::{Basis, Collected, Knowledge};
 use crate::planner::pool::rates;
 use crate::planner::sample::{Sample, joint_vectors};
-use crate::planner::scalar::{Equation, Scalar};
+use crate::planner::scalar::{Equation, FrameScalar};
 use crate::planner::step::Step;
 use crate::planner::subspace::{JointCombination, Subspace};
 
@@ -86,7 +86,8 @@ impl<'a> Scene<'a> {
     /// alone come first, and errors do not pile up).
     pub(in crate::planner) fn size(&self, row: &Row) -> usize {
         // An element of a known matrix is seen at once.
-        let unusual = if matches!(row.equation.scalar, Scalar::Across(_) | Scalar::Bridge(..)) { 12 } else { 0 };
+        let unusual =
+            if matches!(row.equation.scalar, FrameScalar::Across(_) | FrameScalar::Bridge(..)) { 12 } else { 0 };
         let terms: usize = row.collected.values().map(|p| p.terms().len()).sum();
         let mut symbols: Vec<_> = row.collected.values().flat_map(Poly::symbols).collect();
         symbols.sort_unstable();
@@ -140,20 +141,20 @@ pub(in crate::planner) struct Row {
 impl Row {
     /// The highest multiple of the first unknown's angle, or power of its length.
     pub(super) fn degree(&self) -> u8 {
-        let degree = |k: &Vec<Part>| match k.first() {
-            Some(Part::Power(n) | Part::Cos(n) | Part::Sin(n)) => *n,
-            Some(Part::One) | None => 0,
+        let degree = |k: &Vec<Basis>| match k.first() {
+            Some(Basis::Power(n) | Basis::Cos(n) | Basis::Sin(n)) => *n,
+            Some(Basis::One) | None => 0,
         };
         self.collected.keys().map(degree).max().unwrap_or(0)
     }
 
     /// Has it a term without the unknown?
     pub(super) fn has_constant(&self) -> bool {
-        self.collected.contains_key(&vec![Part::One])
+        self.collected.contains_key(&vec![Basis::One])
     }
 
     /// The value of a coefficient at a sample.
-    pub(super) fn at(&self, part: Part, sample: &Sample<'_>) -> f64 {
+    pub(super) fn at(&self, part: Basis, sample: &Sample<'_>) -> f64 {
         self.collected.get(&vec![part]).map_or(0.0, |p| sample.evaluate(p))
     }
 
@@ -164,11 +165,11 @@ impl Row {
         s: &Sample<'_>,
     ) -> [f64; N] {
         let angles = unknown.map(|f| f.iter().zip(&s.x).map(|(k, x)| f64::from(*k) * x).sum::<f64>());
-        let part = |p: Part, x: f64| match p {
-            Part::One => (1.0, 0.0),
-            Part::Cos(n) => ((f64::from(n) * x).cos(), -f64::from(n) * (f64::from(n) * x).sin()),
-            Part::Sin(n) => ((f64::from(n) * x).sin(), f64::from(n) * (f64::from(n) * x).cos()),
-            Part::Power(n) => (x.powi(i32::from(n)), f64::from(n) * x.powi(i32::from(n) - 1)),
+        let part = |p: Basis, x: f64| match p {
+            Basis::One => (1.0, 0.0),
+            Basis::Cos(n) => ((f64::from(n) * x).cos(), -f64::from(n) * (f64::from(n) * x).sin()),
+            Basis::Sin(n) => ((f64::from(n) * x).sin(), f64::from(n) * (f64::from(n) * x).cos()),
+            Basis::Power(n) => (x.powi(i32::from(n)), f64::from(n) * x.powi(i32::from(n) - 1)),
         };
         let mut slopes = [0.0; N];
         for (key, p) in &self.collected {

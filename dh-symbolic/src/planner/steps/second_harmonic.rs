@@ -3,7 +3,7 @@
 use super::kernel::{Argument, Call, Coefficient, Kernel, Representative, Roots, plus};
 use super::recognise::{Offer, Rank, SingleUnknown};
 use super::{Kind, Slot, StepKind, Words};
-use crate::planner::known::Part;
+use crate::planner::known::Basis;
 use dh_kernels::solve_second_harmonic;
 
 /// a + b cos u + c sin u + d cos 2u + e sin 2u = 0.
@@ -28,8 +28,8 @@ impl Kind for SecondHarmonic {
         rows.map(|r| at.offer(Rank::SecondHarmonic, StepKind::SecondHarmonic, 4, &[r])).collect()
     }
 
-    fn columns(&self) -> Vec<Vec<Part>> {
-        [Part::One, Part::Cos(1), Part::Sin(1), Part::Cos(2), Part::Sin(2)].map(|p| vec![p]).to_vec()
+    fn columns(&self) -> Vec<Vec<Basis>> {
+        [Basis::One, Basis::Cos(1), Basis::Sin(1), Basis::Cos(2), Basis::Sin(2)].map(|p| vec![p]).to_vec()
     }
 
     fn call(&self, _: usize, _: bool) -> Call<Coefficient> {

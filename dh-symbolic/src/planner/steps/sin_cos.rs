@@ -5,8 +5,8 @@ use super::kernel::{BatchedKernel, BatchedRoots, Call, Coefficient, Kernel, Repr
 use super::recognise::{Offer, Rank, SingleUnknown};
 use super::{Kind, StepKind, Words};
 use crate::algebra::{Poly, dot};
-use crate::planner::known::{Knowledge, Part};
-use crate::planner::scalar::{Equation, Scalar};
+use crate::planner::known::{Basis, Knowledge};
+use crate::planner::scalar::{Equation, FrameScalar};
 use crate::planner::step::{Plan, Step};
 use dh_kernels::solve_sincos;
 
@@ -32,8 +32,8 @@ impl Kind for SinCos {
         rows.map(|r| at.offer(Rank::SinCos, StepKind::SinCos, 2, &[r])).collect()
     }
 
-    fn columns(&self) -> Vec<Vec<Part>> {
-        vec![vec![Part::Cos(1)], vec![Part::Sin(1)], vec![Part::One]]
+    fn columns(&self) -> Vec<Vec<Basis>> {
+        vec![vec![Basis::Cos(1)], vec![Basis::Sin(1)], vec![Basis::One]]
     }
 
     fn call(&self, _: usize, _: bool) -> Call<Coefficient> {
@@ -78,7 +78,8 @@ pub struct ReachLimit {
 }
 
 fn reach_limit(plan: &Plan, step: &Step) -> Option<ReachLimit> {
-    let ([Equation { a, b, scalar: Scalar::Distance }], [form]) = (step.equations.as_slice(), step.unknown.as_slice())
+    let ([Equation { a, b, scalar: FrameScalar::Distance }], [form]) =
+        (step.equations.as_slice(), step.unknown.as_slice())
     else {
         return None;
     };
@@ -89,8 +90,8 @@ fn reach_limit(plan: &Plan, step: &Step) -> Option<ReachLimit> {
     let squared = |a: usize, b: usize| {
         let p = &axes.between(a, b).p;
         let parts = before.collect(axes, &dot(p, p), &step.unknown)?;
-        let constant = parts.get(&vec![Part::One]).cloned().unwrap_or_default();
-        Some((constant, parts.keys().all(|k| *k == [Part::One])))
+        let constant = parts.get(&vec![Basis::One]).cloned().unwrap_or_default();
+        Some((constant, parts.keys().all(|k| *k == [Basis::One])))
     };
     let (direct, still) = squared(*a, *b)?;
     if !still {

@@ -12,7 +12,7 @@ use ik::{Pose, Status};
 
 /// One candidate of the inverse.
 #[derive(Clone, Debug)]
-pub struct Candidate {
+pub struct InterpretedSolution {
     /// Joint coordinates; lengths over the length scale.
     pub x: Vec<f64>,
     /// Which root each step took.
@@ -23,9 +23,9 @@ pub struct Candidate {
 
 /// How a run of the program ended.
 #[derive(Clone, Debug, Default)]
-pub struct Attempt {
+pub struct InterpretedRun {
     /// What it found.
-    pub candidates: Vec<Candidate>,
+    pub candidates: Vec<InterpretedSolution>,
     /// What may be missing.
     pub status: Status,
     /// The step that came nearest to a root and had none.
@@ -74,7 +74,7 @@ impl Inverse {
         let solves = self.body.solves();
         let Some((solve, prismatic)) = solves.iter().find_map(|s| Some((*s, prismatic(s)?))) else { return };
         let step = &self.plan.steps[solve.step];
-        let samples: Vec<(ik::Chain<6>, [f64; 6])> = crate::planner::joint_vectors(&self.plan.axes, TRIALS, 0)
+        let samples: Vec<(ik::NumericChain<6>, [f64; 6])> = crate::planner::joint_vectors(&self.plan.axes, TRIALS, 0)
             .into_iter()
             .map(|x| {
                 let machine = Machine { inverse: self, chain, target: &ik::pose::IDENTITY, sample: &ZERO };
@@ -95,7 +95,7 @@ impl Inverse {
                 for (q, x) in q.iter_mut().zip(open) {
                     *q = x;
                 }
-                (ik::Chain { links: std::array::from_fn(pose), prismatic }, q)
+                (ik::NumericChain { links: std::array::from_fn(pose), prismatic }, q)
             })
             .collect();
         let ranked = ik::general::rank::<3>(&samples);
@@ -109,14 +109,14 @@ impl Inverse {
     }
 
     /// All candidates for a target (lengths over the length scale) and given values of the known combinations.
-    pub fn solve(&self, chain: &Chain, target: &Pose, given: &[f64]) -> Vec<Candidate> {
+    pub fn solve(&self, chain: &Chain, target: &Pose, given: &[f64]) -> Vec<InterpretedSolution> {
         self.attempt(chain, target, given, &ZERO).candidates
     }
 
     /// The same, with a choice of values for what steps leave free: step to `[cos, sin]` and length over the length scale.
-    pub fn attempt(&self, chain: &Chain, target: &Pose, given: &[f64], sample: Sample<'_>) -> Attempt {
+    pub fn attempt(&self, chain: &Chain, target: &Pose, given: &[f64], sample: Sample<'_>) -> InterpretedRun {
         let machine = Machine { inverse: self, chain, target, sample };
-        let mut attempt = Attempt::default();
+        let mut attempt = InterpretedRun::default();
         let values = vec![0.0; self.graph.nodes().len()];
         machine.run(&self.body, State { values, given, ..State::default() }, &mut attempt);
         attempt
@@ -175,7 +175,7 @@ struct State<'a> {
 
 impl Machine<'_> {
     /// Runs a block in a state of its own.
-    fn run(&self, block: &Sequence, mut state: State<'_>, attempt: &mut Attempt) {
+    fn run(&self, block: &Sequence, mut state: State<'_>, attempt: &mut InterpretedRun) {
         let mut last: Option<Roots> = None;
         for instruction in &block.0 {
             match instruction {
@@ -207,7 +207,7 @@ impl Machine<'_> {
         }
     }
 
-    fn each_root(&self, over: &Loop, found: &Roots, state: &State<'_>, attempt: &mut Attempt) {
+    fn each_root(&self, over: &Loop, found: &Roots, state: &State<'_>, attempt: &mut InterpretedRun) {
         for (number, root) in found.roots.iter().enumerate() {
             let mut inner = state.clone();
             inner.branch.push(number);
@@ -254,7 +254,7 @@ impl Machine<'_> {
         }
     }
 
-    fn candidate(&self, joints: &[Vec<i8>], state: &State<'_>) -> Candidate {
+    fn candidate(&self, joints: &[Vec<i8>], state: &State<'_>) -> InterpretedSolution {
         let known = &self.inverse.plan.knowledge.known;
         let value = |i: usize| {
             let [x, y] = state.known[i];
@@ -264,7 +264,7 @@ impl Machine<'_> {
             form.iter().enumerate().filter(|(_, k)| **k != 0).map(|(i, k)| f64::from(*k) * value(i)).sum()
         };
         let x = joints.iter().map(joint).collect();
-        Candidate { x, branch: state.branch.clone(), free: state.free.clone() }
+        InterpretedSolution { x, branch: state.branch.clone(), free: state.free.clone() }
     }
 }
 

@@ -17,7 +17,7 @@ mod step;
 mod text;
 
 pub use batched::{Batched, BatchedSolve, Item, Mirror, Residual, What};
-pub use interpret::{Attempt, Candidate, Shortfall, TOLERANCE};
+pub use interpret::{InterpretedRun, InterpretedSolution, Shortfall, TOLERANCE};
 pub use ir::{Choice, Distance, Indicator, Instruction, Loop, Naming, Report, Sequence, Solve, Yield};
 
 use super::Node;

@@ -3,11 +3,11 @@
 use super::super::graph::{Graph, Value, ZERO};
 use super::lower::Lower;
 use crate::algebra::{Factor, Monomial, Poly, Rational, Symbol};
-use crate::planner::{Collected, Part};
+use crate::planner::{Basis, Collected};
 
 impl Lower<'_> {
     /// The coefficients of an equation, in the order of some columns.
-    pub(super) fn row(&mut self, columns: &[Vec<Part>], c: &Collected) -> Vec<Value> {
+    pub(super) fn row(&mut self, columns: &[Vec<Basis>], c: &Collected) -> Vec<Value> {
         columns.iter().map(|k| c.get(k).map_or(ZERO, |p| self.formula(p))).collect()
     }
 

@@ -29,13 +29,13 @@ pub(super) fn subscript(ring: &Ring, angle_sum: &LinearAngle) -> String {
 
 /// Hands out each name once.
 #[derive(Default)]
-pub(super) struct Names {
+pub(super) struct CodeNames {
     taken: Vec<String>,
 }
 
-impl Names {
-    pub(super) fn new(reserved: &[&str]) -> Names {
-        Names { taken: reserved.iter().map(|s| (*s).to_string()).collect() }
+impl CodeNames {
+    pub(super) fn new(reserved: &[&str]) -> CodeNames {
+        CodeNames { taken: reserved.iter().map(|s| (*s).to_string()).collect() }
     }
 
     /// Keeps a name for somebody else.

@@ -3,7 +3,7 @@
 use super::body::{Body, Code, Dialect};
 use super::drive::chosen;
 use super::literal;
-use super::names::Names;
+use super::names::CodeNames;
 use crate::algebra::Symbol;
 use crate::chain::{Chain, Scalar};
 use crate::planner::{Argument, Call, Representative};
@@ -48,7 +48,7 @@ pub(in crate::render) struct Variables {
 impl Variables {
     /// Names everything.
     pub(in crate::render) fn of(inverse: &Inverse) -> Variables {
-        let (knowledge, mut names) = (&inverse.plan.knowledge, Names::new(&RESERVED));
+        let (knowledge, mut names) = (&inverse.plan.knowledge, CodeNames::new(&RESERVED));
         let mut symbols: Vec<(Symbol, String)> = Vec::new();
         for (i, s) in inverse.target.iter().enumerate() {
             let (row, column) = if i < 9 { (i / 3, i % 3) } else { (i - 9, 3) };

@@ -5,7 +5,7 @@ use super::math::{Math, Sign};
 use super::notation::Notation;
 use super::typeset::{decimal, number};
 use crate::algebra::{Angle, LinearAngle, Poly, Rational, Transform};
-use crate::chain::{AngleCell, Chain, Convention, Coordinate, Elementary, Handle, Parameter, Role, Value};
+use crate::chain::{AngleCell, Chain, Convention, Coordinate, Elementary, Handle, Nominal, Parameter, Role};
 
 /// The same robot with the names that stand in documents. `None` where they are the same.
 ///
@@ -61,8 +61,8 @@ impl Chain {
         let Some(p) = self.parameters.get_mut(parameter) else { return };
         let minus = |x: &mut Rational| *x = &*x * &Rational::int(-1);
         match &mut p.role {
-            Role::Constant(Value::Length(x)) => minus(x),
-            Role::Constant(Value::Angle(cell)) => cell.half_turns.iter_mut().chain(&mut cell.approx).for_each(minus),
+            Role::Constant(Nominal::Length(x)) => minus(x),
+            Role::Constant(Nominal::Angle(cell)) => cell.half_turns.iter_mut().chain(&mut cell.approx).for_each(minus),
             Role::Field(_) => return,
         }
         let handle = p.handle;
@@ -169,8 +169,8 @@ pub(in crate::render) fn value(notation: &Notation, p: &Parameter) -> Option<Mat
         Role::Constant(v) => v,
     };
     let (negative, m) = match value {
-        Value::Length(x) => (x.is_negative(), length(&x.abs())),
-        Value::Angle(cell) => constant_angle(notation, cell),
+        Nominal::Length(x) => (x.is_negative(), length(&x.abs())),
+        Nominal::Angle(cell) => constant_angle(notation, cell),
     };
     Some(if negative { Math::Row(vec![Math::Sign(Sign::Negative), m]) } else { m })
 }

@@ -5,7 +5,7 @@ use super::refusal::{At, Understood, refuse};
 use super::value::{Matrix, Turn, Value};
 use super::{Condition, Evaluator};
 use crate::algebra::{Factor, Monomial, Poly, Rational, Symbol};
-use crate::chain::{Handle, Role, Value as Nominal};
+use crate::chain::{Handle, Nominal, Role};
 use crate::verify::language::Place;
 
 /// The result of comparing two numbers or angles.

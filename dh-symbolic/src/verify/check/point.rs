@@ -8,8 +8,8 @@ use super::refusal::{Understood, refuse};
 use super::substitute::{Variable, variable_of};
 use super::value::{Turn, Value};
 use crate::algebra::{Angle, AngleVar, LinearAngle, Monomial, Point, Poly, Rational, Symbol};
-use crate::chain::{AngleCell, Bound, Chain, Coordinate, Handle, Joint, Parameter, Role, Value as Nominal};
-use crate::verify::language::{Expr, ExprKind, Setting};
+use crate::chain::{AngleCell, Bound, Chain, Coordinate, Handle, Joint, Nominal, Parameter, Role};
+use crate::verify::language::{AtValue, Expr, ExprKind};
 use std::collections::BTreeMap;
 
 /// One value of an `at` line.
@@ -200,7 +200,7 @@ impl Evaluator<'_> {
     }
 
     /// Reads a setting of an `at` line.
-    pub(super) fn setting(&mut self, s: &Setting) -> Understood<Given> {
+    pub(super) fn setting(&mut self, s: &AtValue) -> Understood<Given> {
         let old = self.name(&s.name).or_else(|why| refuse(&s.place, why))?;
         let joint = self.chain.joints.iter().position(|j| j.name == s.name);
         let what = match (joint, variable_of(&old)) {

@@ -4,7 +4,7 @@ use super::Evaluator;
 use super::ratio::{Ratio, Worked};
 use super::value::{Turn, Value};
 use crate::algebra::{Angle, AngleVar, Poly, Rational, adjugate};
-use crate::chain::{AngleCell, Chain, Convention, Coordinate, Handle, Parameter, Role, Value as Nominal};
+use crate::chain::{AngleCell, Chain, Convention, Coordinate, Handle, Nominal, Parameter, Role};
 
 /// `prefix` and a number from 0: `a2` is ("a", 2).
 pub(super) fn numbered(name: &str) -> Option<(&str, usize)> {

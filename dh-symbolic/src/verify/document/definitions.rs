@@ -3,7 +3,7 @@
 use super::layout::{Item, ItemKind};
 use super::letter::Letter;
 use super::meaning::formula;
-use super::names::{Names, Unknown};
+use super::names::{DocumentNames, Unknown};
 use super::pieces::Statement;
 use super::statements::{declare_general, is_number, text};
 use super::transforms;
@@ -11,7 +11,7 @@ use super::{Sheet, Word};
 
 impl Statement {
     /// `{}^0_6T = G` with a letter G without a meaning: G is that transform, and r_{11} and p_x are its entries from here on.
-    pub(super) fn gives_pose(&self, names: &mut Names<'_>) -> bool {
+    pub(super) fn gives_pose(&self, names: &mut DocumentNames<'_>) -> bool {
         let [left, right] = self.sides.as_slice() else { return false };
         let ([transform], [given]) = (left.as_slice(), right.as_slice()) else { return false };
         let Some(letter) = Letter::of(given).filter(|l| l.stem == "G" && l.index.is_empty()) else { return false };
@@ -25,7 +25,7 @@ impl Statement {
     }
 
     /// `{}^{4'}_4T = D_z(d_4)`: a frame beside those of the table.
-    pub(super) fn defines_frame(&self, names: &mut Names<'_>) -> bool {
+    pub(super) fn defines_frame(&self, names: &mut DocumentNames<'_>) -> bool {
         let ([transform], [right]) =
             (self.sides.first().map_or(&[][..], Vec::as_slice), self.sides.get(1..).unwrap_or(&[]))
         else {
@@ -41,7 +41,7 @@ impl Statement {
     }
 
     /// `cos psi = E` with an angle psi without a meaning: psi is the angle with this cosine.
-    pub(super) fn gives_function(&self, names: &mut Names<'_>, sheet: &mut Sheet) -> bool {
+    pub(super) fn gives_function(&self, names: &mut DocumentNames<'_>, sheet: &mut Sheet) -> bool {
         let [left, right] = self.sides.as_slice() else { return false };
         let inverse = match left.first().and_then(Item::name) {
             Some("cos") => "acos",
@@ -73,7 +73,7 @@ impl Statement {
     }
 
     /// Lines that waited for a name.
-    fn release(&self, letter: &Letter, names: &mut Names<'_>, sheet: &mut Sheet) {
+    fn release(&self, letter: &Letter, names: &mut DocumentNames<'_>, sheet: &mut Sheet) {
         let own = letter.own();
         let (ready, others): (Vec<_>, Vec<_>) =
             std::mem::take(&mut sheet.waiting).into_iter().partition(|w| w.1.name.as_ref() == Some(&own));
@@ -99,7 +99,7 @@ impl Statement {
     }
 
     /// In a sentence, `s_5 = 0` is a condition and no claim, and so is `theta_3 = atan2(-d_4, a_3)`.
-    pub(super) fn is_condition(&self, names: &Names<'_>) -> bool {
+    pub(super) fn is_condition(&self, names: &DocumentNames<'_>) -> bool {
         let (Some(left), Some(right)) = (self.sides.first(), self.sides.get(1)) else { return false };
         let signed = |i: &Item| matches!(i.kind, ItemKind::PlusMinus | ItemKind::MinusPlus);
         if !self.loose || self.sides.iter().flatten().any(signed) {
@@ -129,7 +129,7 @@ impl Statement {
     }
 
     /// `c_i = cos theta_i`, `c_2 = cos q_2`.
-    pub(super) fn is_legend(&self, names: &mut Names<'_>) -> bool {
+    pub(super) fn is_legend(&self, names: &mut DocumentNames<'_>) -> bool {
         let [left, right] = self.sides.as_slice() else { return false };
         let ([short], [function, angle, ..]) = (left.as_slice(), right.as_slice()) else { return false };
         let (Some(short), Some(f)) = (Letter::of(short), function.name()) else { return false };
@@ -161,7 +161,7 @@ impl Statement {
     }
 
     /// A matrix of names on the right: each is from now on that entry of the left side.
-    pub(super) fn names_entries(&self, names: &mut Names<'_>) -> bool {
+    pub(super) fn names_entries(&self, names: &mut DocumentNames<'_>) -> bool {
         let Some([Item { kind: ItemKind::Matrix(rows), .. }]) = self.sides.last().map(Vec::as_slice) else {
             return self.names_entries_in_brackets(names);
         };
@@ -170,7 +170,7 @@ impl Statement {
     }
 
     /// The same for `[a, b; c, d]` of plain text.
-    fn names_entries_in_brackets(&self, names: &mut Names<'_>) -> bool {
+    fn names_entries_in_brackets(&self, names: &mut DocumentNames<'_>) -> bool {
         let Some([open, inner @ .., close]) = self.sides.last().map(Vec::as_slice) else { return false };
         if !open.is('[') || !close.is(']') {
             return false;
@@ -179,7 +179,7 @@ impl Statement {
         self.bind_entries(&rows, names)
     }
 
-    fn bind_entries(&self, rows: &[Vec<&[Item]>], names: &mut Names<'_>) -> bool {
+    fn bind_entries(&self, rows: &[Vec<&[Item]>], names: &mut DocumentNames<'_>) -> bool {
         let Some(first) = self.sides.first() else { return false };
         let letters: Vec<(usize, usize, Letter)> = rows
             .iter()
@@ -222,7 +222,7 @@ impl Statement {
         true
     }
 
-    pub(super) fn define(&self, letter: &Letter, names: &mut Names<'_>, sheet: &mut Sheet) {
+    pub(super) fn define(&self, letter: &Letter, names: &mut DocumentNames<'_>, sheet: &mut Sheet) {
         let rest = Statement {
             sides: self.sides.get(1..).unwrap_or_default().to_vec(),
             relations: self.relations.get(1..).unwrap_or_default().to_vec(),
@@ -263,7 +263,13 @@ impl Statement {
         }
     }
 
-    pub(super) fn is_given(&self, left: &[Word], right: &[Word], names: &mut Names<'_>, sheet: &mut Sheet) -> bool {
+    pub(super) fn is_given(
+        &self,
+        left: &[Word],
+        right: &[Word],
+        names: &mut DocumentNames<'_>,
+        sheet: &mut Sheet,
+    ) -> bool {
         let name = text(left);
         let value = text(right);
         let declared = names.chain.parameters.iter().any(|p| p.name == name && p.declared);

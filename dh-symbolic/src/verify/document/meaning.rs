@@ -4,7 +4,7 @@ use super::Word;
 use super::brackets::{closing, describe, matrix_alone, separator_places, top_level};
 use super::layout::{Item, ItemKind};
 use super::letter::{Letter, field, index_text};
-use super::names::{Names, Unknown};
+use super::names::{DocumentNames, Unknown};
 use super::tables::function;
 use super::transforms;
 
@@ -18,8 +18,8 @@ fn refuse<T>(why: impl Into<String>) -> Read<T> {
 }
 
 /// A whole formula.
-pub(super) fn formula(items: &[Item], names: &Names<'_>) -> Read<Vec<Word>> {
-    let mut w = Writer { items, at: 0, names, depth: 0, out: Vec::new() };
+pub(super) fn formula(items: &[Item], names: &DocumentNames<'_>) -> Read<Vec<Word>> {
+    let mut w = Translator { items, at: 0, names, depth: 0, out: Vec::new() };
     w.sum()?;
     match w.peek() {
         None => Ok(w.out),
@@ -27,15 +27,15 @@ pub(super) fn formula(items: &[Item], names: &Names<'_>) -> Read<Vec<Word>> {
     }
 }
 
-struct Writer<'a> {
+struct Translator<'a> {
     items: &'a [Item],
     at: usize,
-    names: &'a Names<'a>,
+    names: &'a DocumentNames<'a>,
     depth: usize,
     out: Vec<Word>,
 }
 
-impl<'a> Writer<'a> {
+impl<'a> Translator<'a> {
     fn peek(&self) -> Option<&'a Item> {
         self.items.get(self.at)
     }
@@ -64,7 +64,7 @@ impl<'a> Writer<'a> {
         if depth > DEPTH {
             return refuse(format!("brackets nested more than {DEPTH} deep"));
         }
-        let mut w = Writer { items, at: 0, names: self.names, depth, out: std::mem::take(&mut self.out) };
+        let mut w = Translator { items, at: 0, names: self.names, depth, out: std::mem::take(&mut self.out) };
         let done = w.sum();
         let rest = w.peek();
         self.out = std::mem::take(&mut w.out);

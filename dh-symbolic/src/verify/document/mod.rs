@@ -45,7 +45,7 @@ mod unapplied;
 
 use super::language::{Derivation, NotUnderstood, Place, Statement, Token, TokenKind};
 use crate::chain::Chain;
-use names::Names;
+use names::DocumentNames;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A document: its lines as a derivation, and where they stand.
@@ -69,7 +69,7 @@ impl DocumentClaims {
 
     /// The same, with theta_i as the variable of joint i instead of the table's angle, where the two differ; and whether they do anywhere.
     pub(super) fn read_as(chain: &Chain, text: &str, theta_is_variable: bool) -> (DocumentClaims, bool) {
-        let mut names = Names::new(chain);
+        let mut names = DocumentNames::new(chain);
         names.theta_is_variable = theta_is_variable;
         let mut sheet = Sheet::default();
         if text.len() > LARGEST {

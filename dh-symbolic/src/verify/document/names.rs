@@ -4,7 +4,7 @@ use super::layout::Item;
 use super::letter::{Letter, field, general};
 use super::tables::function;
 use crate::algebra::{Poly, Rational};
-use crate::chain::{Chain, Convention, Coordinate, Handle, Parameter, Role, Value};
+use crate::chain::{Chain, Convention, Coordinate, Handle, Nominal, Parameter, Role};
 use crate::render::formula::greek;
 
 /// A name without a meaning, or why it has none.
@@ -16,7 +16,7 @@ pub(super) struct Unknown {
 }
 
 /// Everything that names depend on.
-pub(super) struct Names<'a> {
+pub(super) struct DocumentNames<'a> {
     pub(super) chain: &'a Chain,
     /// Entries that a matrix of names has named: the letter, what it is.
     bound: Vec<(Letter, String)>,
@@ -38,9 +38,9 @@ pub(super) struct Names<'a> {
     pub(super) theta_differs: std::cell::Cell<bool>,
 }
 
-impl<'a> Names<'a> {
-    pub(super) fn new(chain: &'a Chain) -> Names<'a> {
-        Names {
+impl<'a> DocumentNames<'a> {
+    pub(super) fn new(chain: &'a Chain) -> DocumentNames<'a> {
+        DocumentNames {
             chain,
             bound: Vec::new(),
             given: Vec::new(),
@@ -149,7 +149,7 @@ impl<'a> Names<'a> {
 
     /// c_{23}, s_1, c_{2-3}; `None` where the index is no list of joints.
     fn abbreviation(&self, stem: &str, index: &str) -> Option<String> {
-        let joints = Names::joints(index)?;
+        let joints = DocumentNames::joints(index)?;
         let angles: Vec<(bool, String)> = joints.iter().map(|(m, n)| (*m, self.numbered_angle(*n))).collect();
         let short = angles.iter().all(|(minus, a)| !minus && a.starts_with('q') && a.len() == 2);
         if short {
@@ -256,7 +256,7 @@ impl<'a> Names<'a> {
 
     /// theta_{23} of an arm with fewer rows than 23.
     fn sum_of_angles(&self, index: &str) -> Option<String> {
-        let joints = Names::joints(index).filter(|j| j.len() > 1)?;
+        let joints = DocumentNames::joints(index).filter(|j| j.len() > 1)?;
         let angles: Option<Vec<String>> = joints
             .iter()
             .map(|(_, n)| self.table_name(&Letter { stem: "theta".into(), index: n.to_string(), ..Letter::default() }))
@@ -339,7 +339,7 @@ impl<'a> Names<'a> {
     pub(super) fn say_size(&mut self, letter: &Letter, value: &str) -> bool {
         let name = format!("{}{}", letter.stem, letter.index);
         let Some(p) = self.chain.parameters.iter().find(|p| p.name == name && !p.declared) else { return false };
-        let (Handle::Length(s), Role::Constant(Value::Length(x))) = (p.handle, &p.role) else { return false };
+        let (Handle::Length(s), Role::Constant(Nominal::Length(x))) = (p.handle, &p.role) else { return false };
         let ahead = usize::from(self.chain.convention == Convention::Modified);
         let number: usize = letter.index.parse().unwrap_or(usize::MAX);
         let cell = match letter.stem.as_str() {

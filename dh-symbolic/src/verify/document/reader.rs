@@ -1,7 +1,7 @@
 //! The letters and signs of a document, read as pieces of formulas: indices go to the letter that carries them.
 
 use super::layout::{Item, ItemKind};
-use super::names::Names;
+use super::names::DocumentNames;
 use super::tables::{function, relation, script};
 use crate::render::formula::greek;
 
@@ -9,11 +9,11 @@ use crate::render::formula::greek;
 const DEPTH: usize = 40;
 
 /// Reads formulas.
-pub(super) fn items(text: &[(char, usize)], plain: bool, names: &Names<'_>) -> Vec<Item> {
+pub(super) fn items(text: &[(char, usize)], plain: bool, names: &DocumentNames<'_>) -> Vec<Item> {
     nested(text, plain, names, 0)
 }
 
-fn nested(text: &[(char, usize)], plain: bool, names: &Names<'_>, depth: usize) -> Vec<Item> {
+fn nested(text: &[(char, usize)], plain: bool, names: &DocumentNames<'_>, depth: usize) -> Vec<Item> {
     let mut reader = Reader { text, at: 0, plain, names, depth, braces: 0, out: Vec::new(), spaced: false };
     if depth <= DEPTH {
         reader.run(None);
@@ -25,7 +25,7 @@ pub(super) struct Reader<'a> {
     pub(super) text: &'a [(char, usize)],
     pub(super) at: usize,
     plain: bool,
-    names: &'a Names<'a>,
+    names: &'a DocumentNames<'a>,
     depth: usize,
     /// Braces over several rows that are open: `\left\{ ... \right.`
     pub(super) braces: usize,

@@ -1,7 +1,7 @@
 //! The parts of a document that hold formulas.
 
 use super::ascii_matrices;
-use super::names::Names;
+use super::names::DocumentNames;
 use super::tables::{DISPLAYS, relation};
 
 /// Longest stretch of formulas, in characters.
@@ -21,7 +21,7 @@ pub(super) struct Region {
 }
 
 /// All regions, in order.
-pub(super) fn split(text: &str, names: &Names<'_>) -> Vec<Region> {
+pub(super) fn split(text: &str, names: &DocumentNames<'_>) -> Vec<Region> {
     let marked =
         text.contains('$') || text.contains("```math") || ["\\[", "\\(", "\\begin{"].iter().any(|m| text.contains(m));
     if marked { Marked::new(text).regions(names) } else { plain(&numbered(ascii_matrices::flatten(text)), names) }
@@ -111,7 +111,7 @@ impl Marked {
         None
     }
 
-    fn regions(mut self, names: &Names<'_>) -> Vec<Region> {
+    fn regions(mut self, names: &DocumentNames<'_>) -> Vec<Region> {
         let mut line = String::new();
         while let Some(&(c, number)) = self.text.get(self.at) {
             let opening = if c == '$' || c == '\\' { self.opening() } else { None };
@@ -152,7 +152,7 @@ fn without_comment(line: &str) -> &str {
 }
 
 /// Lines of plain text that hold formulas; lines without a gap between them belong together.
-fn plain(lines: &[(usize, String)], names: &Names<'_>) -> Vec<Region> {
+fn plain(lines: &[(usize, String)], names: &DocumentNames<'_>) -> Vec<Region> {
     let mut out: Vec<Region> = Vec::new();
     let mut open = false;
     // indentation of the sentence before, where there is no gap
@@ -224,7 +224,7 @@ fn without_number(line: &str) -> &str {
 }
 
 /// The part of a line that may be a formula, and whether words stand before it.
-fn formula<'a>(line: &'a str, names: &Names<'_>) -> Option<(&'a str, bool)> {
+fn formula<'a>(line: &'a str, names: &DocumentNames<'_>) -> Option<(&'a str, bool)> {
     let relations = |c: char| relation(c.encode_utf8(&mut [0; 4])).is_some();
     let first = line.find(relations)?;
     let mut start = 0;
@@ -253,7 +253,7 @@ fn formula<'a>(line: &'a str, names: &Names<'_>) -> Option<(&'a str, bool)> {
 }
 
 /// The beginning up to the next word that is no formula.
-fn until_words<'a>(text: &'a str, names: &Names<'_>) -> &'a str {
+fn until_words<'a>(text: &'a str, names: &DocumentNames<'_>) -> &'a str {
     let mut word = 0;
     for (i, c) in text.char_indices().chain([(text.len(), ' ')]) {
         if c.is_ascii_alphabetic() {

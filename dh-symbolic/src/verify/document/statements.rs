@@ -3,7 +3,7 @@
 use super::layout::{Item, ItemKind};
 use super::letter::Letter;
 use super::meaning::formula;
-use super::names::{Names, Unknown};
+use super::names::{DocumentNames, Unknown};
 use super::pieces::{Statement, pieces, rows};
 use super::reader::items;
 use super::regions::LONGEST;
@@ -13,7 +13,7 @@ use super::{Sheet, Word};
 use crate::verify::language::TokenKind;
 
 /// Reads a stretch of formulas.
-pub(super) fn read(region: &Region, names: &mut Names<'_>, sheet: &mut Sheet) {
+pub(super) fn read(region: &Region, names: &mut DocumentNames<'_>, sheet: &mut Sheet) {
     if region.text.len() > LONGEST {
         let line = region.text.first().map_or(0, |t| t.1);
         let raw: String = region.text.iter().take(100).map(|t| t.0).collect();
@@ -44,7 +44,7 @@ pub(super) fn read(region: &Region, names: &mut Names<'_>, sheet: &mut Sheet) {
 }
 
 /// What still waits for a name when the document ends is not understood.
-pub(super) fn finish(names: &mut Names<'_>, sheet: &mut Sheet) {
+pub(super) fn finish(names: &mut DocumentNames<'_>, sheet: &mut Sheet) {
     for (statement, unknown) in std::mem::take(&mut sheet.waiting) {
         if statement.defined(names).is_some() {
             statement.define_late(unknown, sheet);
@@ -78,12 +78,12 @@ pub(super) fn text(words: &[Word]) -> String {
 
 impl Statement {
     /// The words of all sides.
-    pub(super) fn words(&self, names: &Names<'_>) -> Result<Vec<Vec<Word>>, Unknown> {
+    pub(super) fn words(&self, names: &DocumentNames<'_>) -> Result<Vec<Vec<Word>>, Unknown> {
         self.sides.iter().map(|s| formula(s, names)).collect()
     }
 
     /// The single letter on the left, if it has no meaning yet.
-    pub(super) fn defined(&self, names: &Names<'_>) -> Option<Letter> {
+    pub(super) fn defined(&self, names: &DocumentNames<'_>) -> Option<Letter> {
         let first = match self.sides.first()?.as_slice() {
             [only] if only.sup.is_none() && only.before_sub.is_none() => Letter::of(only)?,
             _ => return None,
@@ -92,7 +92,7 @@ impl Statement {
         (free && self.relations.first() == Some(&"=") && !first.is_general()).then_some(first)
     }
 
-    pub(super) fn tell(&self, names: &mut Names<'_>, sheet: &mut Sheet) {
+    pub(super) fn tell(&self, names: &mut DocumentNames<'_>, sheet: &mut Sheet) {
         if self.is_condition(names) {
             if self.marked {
                 sheet.remark(&self.raw, self.line);
@@ -139,7 +139,7 @@ impl Statement {
     }
 
     /// A name that a later line may define.
-    fn missing(&self, names: &Names<'_>) -> Option<Unknown> {
+    fn missing(&self, names: &DocumentNames<'_>) -> Option<Unknown> {
         let skipped = usize::from(self.defined(names).is_some());
         let parts = self.sides.iter().skip(skipped).flat_map(|s| {
             let mut depth = 0;
@@ -152,7 +152,7 @@ impl Statement {
         parts.filter_map(|p| formula(p, names).err()).find(|u| u.name.is_some())
     }
 
-    fn tell_now(&self, names: &mut Names<'_>, sheet: &mut Sheet) {
+    fn tell_now(&self, names: &mut DocumentNames<'_>, sheet: &mut Sheet) {
         if let Some(letter) = self.defined(names) {
             return self.define(&letter, names, sheet);
         }
@@ -169,7 +169,7 @@ impl Statement {
     }
 
     /// A side that is not understood is left out; the others are still compared.
-    fn partly(&self, unknown: Unknown, names: &mut Names<'_>, sheet: &mut Sheet) {
+    fn partly(&self, unknown: Unknown, names: &mut DocumentNames<'_>, sheet: &mut Sheet) {
         let good: Vec<Vec<Word>> = self.sides.iter().filter_map(|s| formula(s, names).ok()).collect();
         if good.len() < 2 && self.loose && !(self.marked && unknown.name.is_none()) {
             return;
@@ -184,7 +184,7 @@ impl Statement {
         &self,
         words: Vec<Vec<Word>>,
         relations: &[&'static str],
-        names: &mut Names<'_>,
+        names: &mut DocumentNames<'_>,
         sheet: &mut Sheet,
     ) {
         let s = Statement { relations: relations.to_vec(), ..self.clone() };
@@ -192,7 +192,7 @@ impl Statement {
     }
 
     /// `theta = atan2(±y, x)` or `atan2(y, ±x)`, as `theta = atan2(y, x)`, and the function that both signs have in common.
-    fn signed_side(&self, names: &Names<'_>) -> Option<(Statement, &'static str)> {
+    fn signed_side(&self, names: &DocumentNames<'_>) -> Option<(Statement, &'static str)> {
         let [left, right] = self.sides.as_slice() else { return None };
         let angle = formula(left, names).ok().filter(|w| names.variable(&text(w)) == Some(true));
         let [function, open, ..] = right.as_slice() else { return None };
@@ -210,7 +210,7 @@ impl Statement {
     }
 
     /// A function of both sides.
-    fn tell_in(&self, function: &str, names: &mut Names<'_>, sheet: &mut Sheet) {
+    fn tell_in(&self, function: &str, names: &mut DocumentNames<'_>, sheet: &mut Sheet) {
         match self.words(names) {
             Ok(sides) => {
                 let word = |t: &str| Word::new(t, self.line);
@@ -224,7 +224,7 @@ impl Statement {
 
     /// `theta = A ± B`: the cosine of the distance from the middle is the same for both. `None` where ± stands elsewhere: then each sign
     /// is looked at.
-    fn both_signs(&self, names: &Names<'_>) -> Option<Vec<Word>> {
+    fn both_signs(&self, names: &DocumentNames<'_>) -> Option<Vec<Word>> {
         let [left, right] = self.sides.as_slice() else { return None };
         let mut signs =
             self.sides.iter().flatten().filter(|i| matches!(i.kind, ItemKind::PlusMinus | ItemKind::MinusPlus));
@@ -261,7 +261,7 @@ impl Statement {
     }
 
     /// `theta = A where ..., B where ...`: rows of possibilities.
-    fn cases(&self, names: &Names<'_>, sheet: &mut Sheet) {
+    fn cases(&self, names: &DocumentNames<'_>, sheet: &mut Sheet) {
         let line = (|| {
             let [left, right] = self.sides.as_slice() else { return Err("cases in a chain of equations".to_string()) };
             let [Item { kind: ItemKind::Cases(rows), .. }] = right.as_slice() else {
@@ -305,7 +305,7 @@ impl Statement {
     }
 
     /// A value that is given, or a claim.
-    fn claim(&self, sides: Vec<Vec<Word>>, names: &mut Names<'_>, sheet: &mut Sheet) {
+    fn claim(&self, sides: Vec<Vec<Word>>, names: &mut DocumentNames<'_>, sheet: &mut Sheet) {
         if let [left, right] = sides.as_slice()
             && self.relations.first() == Some(&"=")
             && is_number(right)
@@ -370,7 +370,7 @@ pub(super) fn declare_velocities(words: &[Word], sheet: &mut Sheet) {
 }
 
 /// Does a formula name frames or rows that the table does not have? Then it speaks of another arm.
-pub(super) fn is_foreign(words: &[Word], names: &Names<'_>) -> bool {
+pub(super) fn is_foreign(words: &[Word], names: &DocumentNames<'_>) -> bool {
     let n = names.chain.links.len();
     let number = |w: &Word| w.token.text.parse::<usize>().ok();
     let frames = words.windows(5).any(|w| {

@@ -2,12 +2,12 @@
 
 use super::layout::{Item, ItemKind};
 use super::letter::{general, index_text};
-use super::names::{Names, Unknown};
+use super::names::{DocumentNames, Unknown};
 use crate::chain::Convention;
 
 /// A frame by its label.
 #[derive(Clone, Debug, PartialEq)]
-enum Frame {
+enum FrameLabel {
     /// A frame of the table.
     Number(usize),
     /// A frame that the document defines, as seen from frame 0.
@@ -32,7 +32,7 @@ fn unknown(why: String) -> Unknown {
 }
 
 /// Reads a letter T, A, R or P with its frames; `None` where it is not such a letter.
-pub(super) fn read(item: &Item, names: &Names<'_>) -> Option<Result<Found, Unknown>> {
+pub(super) fn read(item: &Item, names: &DocumentNames<'_>) -> Option<Result<Found, Unknown>> {
     let letter = item.name()?;
     if !matches!(letter, "T" | "A" | "R" | "P") {
         return None;
@@ -85,7 +85,7 @@ pub(super) fn ends(item: &Item) -> Option<(String, String)> {
 }
 
 /// The frame that `{}^{4'}_4T = ...` defines: one with a prime that has no meaning yet; and how it is seen from frame 0.
-pub(super) fn defined(item: &Item, right: &str, names: &Names<'_>) -> Option<(String, String)> {
+pub(super) fn defined(item: &Item, right: &str, names: &DocumentNames<'_>) -> Option<(String, String)> {
     let (from, to) = ends(item)?;
     let free = |label: &str| label.ends_with('\'') && frame(label, names).is_none();
     let known = |label: &str| frame(label, names).and_then(|f| seen(&f, names));
@@ -109,72 +109,74 @@ fn two(index: &str) -> Option<(String, String)> {
     }
 }
 
-fn frame(label: &str, names: &Names<'_>) -> Option<Frame> {
+fn frame(label: &str, names: &DocumentNames<'_>) -> Option<FrameLabel> {
     let n = names.chain.links.len();
     if let Some(words) = names.frame(label) {
-        return Some(Frame::Defined(words.into()));
+        return Some(FrameLabel::Defined(words.into()));
     }
     let number = match label.strip_prefix("n-").and_then(|k| k.parse::<usize>().ok()) {
         Some(k) => n.checked_sub(k),
         None => label.parse::<usize>().ok(),
     };
     if let Some(k) = number {
-        return Some(Frame::Number(k));
+        return Some(FrameLabel::Number(k));
     }
     match label {
-        "b" | "B" | "W" | "w" if names.chain.base.is_empty() => Some(Frame::Number(0)),
-        "b" | "B" | "W" | "w" => Some(Frame::Base),
-        "e" | "E" | "H" | "h" | "tool" | "n" if names.chain.tool.is_empty() => Some(Frame::Number(n)),
-        "n" => Some(Frame::Number(n)),
-        "e" | "E" | "H" | "h" | "tool" => Some(Frame::Tool),
-        "i" | "i-1" | "i+1" | "j" | "j-1" => Some(Frame::Any(label.into())),
+        "b" | "B" | "W" | "w" if names.chain.base.is_empty() => Some(FrameLabel::Number(0)),
+        "b" | "B" | "W" | "w" => Some(FrameLabel::Base),
+        "e" | "E" | "H" | "h" | "tool" | "n" if names.chain.tool.is_empty() => Some(FrameLabel::Number(n)),
+        "n" => Some(FrameLabel::Number(n)),
+        "e" | "E" | "H" | "h" | "tool" => Some(FrameLabel::Tool),
+        "i" | "i-1" | "i+1" | "j" | "j-1" => Some(FrameLabel::Any(label.into())),
         _ => None,
     }
 }
 
 /// A frame as seen from frame 0.
-fn seen(frame: &Frame, names: &Names<'_>) -> Option<String> {
+fn seen(frame: &FrameLabel, names: &DocumentNames<'_>) -> Option<String> {
     let n = names.chain.links.len();
     Some(match frame {
-        Frame::Number(k) => format!("T ( 0 , {k} )"),
-        Frame::Defined(words) => words.clone(),
-        Frame::Base => "inv ( base )".into(),
-        Frame::Tool => format!("( T ( 0 , {n} ) * tool )"),
-        Frame::Any(_) => return None,
+        FrameLabel::Number(k) => format!("T ( 0 , {k} )"),
+        FrameLabel::Defined(words) => words.clone(),
+        FrameLabel::Base => "inv ( base )".into(),
+        FrameLabel::Tool => format!("( T ( 0 , {n} ) * tool )"),
+        FrameLabel::Any(_) => return None,
     })
 }
 
 /// The transform from one frame to another, as words of a claim.
-pub(super) fn between(from: &str, to: &str, names: &Names<'_>) -> Result<String, Unknown> {
+pub(super) fn between(from: &str, to: &str, names: &DocumentNames<'_>) -> Result<String, Unknown> {
     let read = |label: &str| frame(label, names).ok_or_else(|| unknown(format!("there is no frame `{label}`")));
     let (i, j) = (read(from)?, read(to)?);
     let n = names.chain.links.len();
     let text = match (&i, &j) {
-        (Frame::Any(i), Frame::Any(j)) if (i == "i-1" && j == "i") || (i == "j-1" && j == "j") => any_link(names, j),
-        (Frame::Any(_), _) | (_, Frame::Any(_)) => {
+        (FrameLabel::Any(i), FrameLabel::Any(j)) if (i == "i-1" && j == "i") || (i == "j-1" && j == "j") => {
+            any_link(names, j)
+        }
+        (FrameLabel::Any(_), _) | (_, FrameLabel::Any(_)) => {
             return Err(unknown(format!("T from frame {from} to {to} is general")));
         }
-        (Frame::Number(0), Frame::Defined(words)) => words.clone(),
-        (Frame::Defined(words), Frame::Number(0)) => format!("inv ( {words} )"),
-        (Frame::Defined(_), other) | (other, Frame::Defined(_)) => {
+        (FrameLabel::Number(0), FrameLabel::Defined(words)) => words.clone(),
+        (FrameLabel::Defined(words), FrameLabel::Number(0)) => format!("inv ( {words} )"),
+        (FrameLabel::Defined(_), other) | (other, FrameLabel::Defined(_)) => {
             let none = || unknown(format!("there is no frame `{from}` or `{to}`"));
             let (a, b) = (seen(&i, names).ok_or_else(none)?, seen(&j, names).ok_or_else(none)?);
             if i == j && i == *other { "I4".into() } else { format!("( inv ( {a} ) * {b} )") }
         }
-        (Frame::Base, Frame::Number(0)) => "base".into(),
-        (Frame::Number(k), Frame::Tool) if *k == n => "tool".into(),
-        (Frame::Base, Frame::Tool) => names.pose(),
-        (Frame::Base, Frame::Number(..)) => format!("( base * {} )", between("0", to, names)?),
-        (Frame::Number(..), Frame::Tool) => format!("( {} * tool )", between(from, &n.to_string(), names)?),
-        (Frame::Base, Frame::Base) | (Frame::Tool, Frame::Tool) => "I4".into(),
-        (Frame::Tool, _) | (_, Frame::Base) => format!("inv ( {} )", between(to, from, names)?),
-        (Frame::Number(i), Frame::Number(j)) => format!("T ( {i} , {j} )"),
+        (FrameLabel::Base, FrameLabel::Number(0)) => "base".into(),
+        (FrameLabel::Number(k), FrameLabel::Tool) if *k == n => "tool".into(),
+        (FrameLabel::Base, FrameLabel::Tool) => names.pose(),
+        (FrameLabel::Base, FrameLabel::Number(..)) => format!("( base * {} )", between("0", to, names)?),
+        (FrameLabel::Number(..), FrameLabel::Tool) => format!("( {} * tool )", between(from, &n.to_string(), names)?),
+        (FrameLabel::Base, FrameLabel::Base) | (FrameLabel::Tool, FrameLabel::Tool) => "I4".into(),
+        (FrameLabel::Tool, _) | (_, FrameLabel::Base) => format!("inv ( {} )", between(to, from, names)?),
+        (FrameLabel::Number(i), FrameLabel::Number(j)) => format!("T ( {i} , {j} )"),
     };
     Ok(text)
 }
 
 /// The transform of any row, from the convention.
-fn any_link(names: &Names<'_>, j: &str) -> String {
+fn any_link(names: &DocumentNames<'_>, j: &str) -> String {
     let q = |stem: &str, index: &str| general(stem, index);
     match names.chain.convention {
         Convention::Modified => {

@@ -3,12 +3,12 @@
 use super::brackets::closing;
 use super::layout::{Item, ItemKind};
 use super::letter::Letter;
-use super::names::Names;
+use super::names::DocumentNames;
 use super::tables::function;
 use super::transforms;
 
 /// The same without lists of joint variables behind transforms and behind names of the document.
-pub(super) fn unapplied(items: Vec<Item>, names: &Names<'_>) -> Vec<Item> {
+pub(super) fn unapplied(items: Vec<Item>, names: &DocumentNames<'_>) -> Vec<Item> {
     let mut out: Vec<Item> = Vec::with_capacity(items.len());
     let mut at = 0;
     while let Some(item) = items.get(at) {
@@ -34,7 +34,7 @@ pub(super) fn unapplied(items: Vec<Item>, names: &Names<'_>) -> Vec<Item> {
     out
 }
 
-fn takes_arguments(item: &Item, names: &Names<'_>) -> bool {
+fn takes_arguments(item: &Item, names: &DocumentNames<'_>) -> bool {
     let Some(name) = item.name().filter(|n| function(n).is_none() && transforms::motion(item).is_none()) else {
         return false;
     };
@@ -50,7 +50,7 @@ fn takes_arguments(item: &Item, names: &Names<'_>) -> bool {
 }
 
 /// The closing bracket of a list of nothing but joint variables.
-fn arguments(items: &[Item], open: usize, names: &Names<'_>) -> Option<usize> {
+fn arguments(items: &[Item], open: usize, names: &DocumentNames<'_>) -> Option<usize> {
     items.get(open).filter(|i| i.is('('))?;
     let close = closing(items, open)?;
     let inner = items.get(open + 1..close).filter(|i| !i.is_empty())?;

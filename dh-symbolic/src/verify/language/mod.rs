@@ -97,7 +97,7 @@ pub enum Statement {
     /// `let phi: angle;`
     Free(String, Quantity),
     /// `at q1 = 21.8deg, ...;`
-    At(Vec<Setting>),
+    At(Vec<AtValue>),
     /// `A = B if q2 < 0deg or A = C`, `A = B ± C`: at every pose one of them holds; one with a condition, wherever this is met.
     Either(Vec<Branch>),
     /// Something that is said and claims nothing (only in documents): its text.
@@ -130,7 +130,7 @@ pub struct NotUnderstood {
 
 /// One value of an `at` line.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Setting {
+pub struct AtValue {
     /// The variable.
     pub name: String,
     /// Where its name stands.

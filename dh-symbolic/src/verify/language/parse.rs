@@ -1,7 +1,7 @@
 //! Recursive-descent parser for the lines of a derivation, with a depth limit.
 
 use super::{
-    Branch, Expr, ExprKind, Line, NotUnderstood, Place, Quantity, Relation, Setting, Statement, Token, TokenKind,
+    AtValue, Branch, Expr, ExprKind, Line, NotUnderstood, Place, Quantity, Relation, Statement, Token, TokenKind,
 };
 
 /// Deepest nesting of brackets and signs.
@@ -193,7 +193,7 @@ impl<'a> Parser<'a> {
                 self.expect("=", "after the variable")?;
                 let value = self.sum()?;
                 let within = if self.take_word("within") { Some(self.sum()?) } else { None };
-                settings.push(Setting { name, place, value, within });
+                settings.push(AtValue { name, place, value, within });
                 if !self.take(",") || self.peek().is_none() {
                     return Ok(Statement::At(settings));
                 }

@@ -1,11 +1,11 @@
-//! Seven-axis arms with a joint held: at special values the choices made for others don't fit, and special poses have continua.
+//! Seven-axis arms with a joint held: at special values the choices made for others don't fit, and special poses have self-motions.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
 use super::*;
 
 /// Rows `(alpha, a, d)` of the modified convention, in degrees, with joint `held` (from 0) at `x`.
-fn locked(rows: &[(f64, f64, f64); 7], held: usize, x: f64) -> Chain<6> {
+fn locked(rows: &[(f64, f64, f64); 7], held: usize, x: f64) -> NumericChain<6> {
     let mut links = [IDENTITY; 6];
     for (i, row) in rows.iter().enumerate() {
         let next = rows.get(i + 1).unwrap_or(&(0.0, 0.0, 0.0));
@@ -25,9 +25,9 @@ fn locked(rows: &[(f64, f64, f64); 7], held: usize, x: f64) -> Chain<6> {
 }
 
 /// A small second source: regular solutions that damped Newton steps find from anywhere.
-fn regular_solutions(arm: &Chain<6>, target: &Pose, starts: usize) -> Vec<[f64; 6]> {
+fn regular_solutions(arm: &NumericChain<6>, target: &Pose, starts: usize) -> Vec<[f64; 6]> {
     let mut rng = Rng::new(81);
-    let task = Task::Pose(*target);
+    let task = TaskTarget::Pose(*target);
     let mut found: Vec<[f64; 6]> = Vec::new();
     for _ in 0..starts {
         let mut q = [(); 6].map(|()| rng.angle());
@@ -42,7 +42,7 @@ fn regular_solutions(arm: &Chain<6>, target: &Pose, starts: usize) -> Vec<[f64; 
 }
 
 /// `choices` are good for most values of the joint that is held.
-fn assert_complete(arm: &Chain<6>, choices: [u8; 3], q: &[f64; 6], least: usize) {
+fn assert_complete(arm: &NumericChain<6>, choices: [u8; 3], q: &[f64; 6], least: usize) {
     let target = arm.forward(q);
     let solved = General6R::new(&arm.links, choices.map(Choice::new)).solve(&target);
     assert_sound(arm, &target, &solved);

@@ -27,7 +27,7 @@ pub enum Kind {
 
 /// What textbooks call it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Place {
+pub enum Region {
     /// Among the last three joints.
     Wrist,
     /// Between two parallel axes.
@@ -42,16 +42,16 @@ pub struct Meaning {
     /// The statement.
     pub kind: Kind,
     /// Where.
-    pub place: Option<Place>,
+    pub place: Option<Region>,
 }
 
 /// Joint vectors at which statements are judged.
 const SAMPLES: usize = 4;
 use dh_kernels::vector::{cross, dot, norm};
 
-type Triple = [f64; 3];
+type Vector3 = [f64; 3];
 
-fn minus(a: Triple, b: Triple) -> Triple {
+fn minus(a: Vector3, b: Vector3) -> Vector3 {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
@@ -62,7 +62,7 @@ fn generic(k: usize) -> f64 {
 
 /// Direction and origin of every frame at one joint vector, in the order of the frames from base to tool.
 struct Posture {
-    frames: Vec<(Triple, Triple)>,
+    frames: Vec<(Vector3, Vector3)>,
     values: Vec<f64>,
 }
 
@@ -92,7 +92,7 @@ impl Posture {
         Posture { frames, values: factors.iter().map(|f| f.evaluate(&at)).collect() }
     }
 
-    fn frame(&self, s: ReferenceFrame) -> (Triple, Triple) {
+    fn frame(&self, s: ReferenceFrame) -> (Vector3, Vector3) {
         let i = match s {
             ReferenceFrame::Base => 0,
             ReferenceFrame::Link(i) => i + 1,
@@ -192,7 +192,7 @@ pub(super) fn explain(chain: &Chain, k: &Kinematics, d: &mut Determinant) {
     }
 }
 
-fn place(chain: &Chain, d: &Determinant, kind: Kind) -> Option<Place> {
+fn place(chain: &Chain, d: &Determinant, kind: Kind) -> Option<Region> {
     let n = d.joints.len();
     if n < 6 {
         return None;
@@ -201,10 +201,10 @@ fn place(chain: &Chain, d: &Determinant, kind: Kind) -> Option<Place> {
     let revolute = |j: &&usize| chain.joints.get(**j).is_some_and(|j| matches!(j.coordinate, Coordinate::Angle(_)));
     let first = d.joints.iter().find(revolute).copied();
     match kind {
-        Kind::Parallel(i, j) if in_wrist(i) && in_wrist(j) => Some(Place::Wrist),
-        Kind::Coplanar(i, j, k) if [i, j, k].into_iter().all(in_wrist) => Some(Place::Wrist),
-        Kind::Axes(i, ..) | Kind::Stretched(i, ..) if !in_wrist(i) => Some(Place::Elbow),
-        Kind::OnAxis(_, i) | Kind::InPlane(_, i, _) if Some(i) == first => Some(Place::Shoulder),
+        Kind::Parallel(i, j) if in_wrist(i) && in_wrist(j) => Some(Region::Wrist),
+        Kind::Coplanar(i, j, k) if [i, j, k].into_iter().all(in_wrist) => Some(Region::Wrist),
+        Kind::Axes(i, ..) | Kind::Stretched(i, ..) if !in_wrist(i) => Some(Region::Elbow),
+        Kind::OnAxis(_, i) | Kind::InPlane(_, i, _) if Some(i) == first => Some(Region::Shoulder),
         _ => None,
     }
 }

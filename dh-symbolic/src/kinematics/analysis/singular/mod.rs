@@ -13,15 +13,15 @@ mod meaning;
 mod reference_frame;
 
 pub use blocks::Block;
-pub use meaning::{Kind, Meaning, Place};
+pub use meaning::{Kind, Meaning, Region};
 pub use reference_frame::ReferenceFrame;
 
-use crate::algebra::{Element, FieldPoint, Poly, Rational, Vector, determinant};
+use crate::algebra::{Element, FieldPoint, Poly, Rational, Vector, cross, determinant, dot, minus};
 use crate::chain::{Chain, Coordinate, Task};
 use crate::kinematics::{Kinematics, jacobian};
 use blocks::{Pattern, SIDE};
 pub(in crate::kinematics) use reference_frame::relative_transform;
-use reference_frame::{NumericFrame, Triple, cross, frames, minus};
+use reference_frame::{NumericFrame, Triple, frames};
 
 /// Products of terms that one block may take.
 const BUDGET: usize = 60_000;
@@ -134,9 +134,7 @@ fn gram(chain: &Chain, k: &Kinematics) -> Option<Singular> {
         return None;
     }
     let columns = jacobian(chain, k);
-    let product = |a: &(Vector, Vector), b: &(Vector, Vector)| {
-        &crate::algebra::dot(&a.0, &b.0) + &crate::algebra::dot(&a.1, &b.1)
-    };
+    let product = |a: &(Vector, Vector), b: &(Vector, Vector)| &dot(&a.0, &b.0) + &dot(&a.1, &b.1);
     let m: Vec<Vec<Poly>> = columns.iter().map(|a| columns.iter().map(|b| product(a, b)).collect()).collect();
     let value = determinant(&m, BUDGET)?;
     let positive = value.is_sum_of_squares() && value.terms().iter().any(|(m, _)| m.is_one());
@@ -321,7 +319,7 @@ fn columns(
     let (tool, tip) = (relative_transform(k, linear, ReferenceFrame::Tool).p, relative_transform(k, linear, point).p);
     let column = |prismatic: bool, z: [Vector; 2], o: &Vector| -> [Poly; SIDE] {
         let arm: Vector = std::array::from_fn(|i| &tip[i] - &o[i]);
-        let v = if prismatic { z[0].clone() } else { crate::algebra::cross(&z[0], &arm) };
+        let v = if prismatic { z[0].clone() } else { cross(&z[0], &arm) };
         std::array::from_fn(|r| match r {
             0..3 => v[r].clone(),
             _ if prismatic => Poly::zero(),

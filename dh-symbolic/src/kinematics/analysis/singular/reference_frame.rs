@@ -1,6 +1,6 @@
 //! Reference frames in which the Jacobian's columns can be written, exactly and in the prime field of the identity test.
 
-use crate::algebra::{Element, FieldPoint, Transform};
+use crate::algebra::{Element, FieldPoint, Transform, dot};
 use crate::chain::{Chain, Convention};
 use crate::kinematics::Kinematics;
 
@@ -82,21 +82,6 @@ impl NumericFrame {
     pub(super) fn components(&self, v: &Triple) -> Triple {
         self.axes.each_ref().map(|a| dot(a, v))
     }
-}
-
-pub(super) fn dot(a: &Triple, b: &Triple) -> Element {
-    (0..3).fold(Element::ZERO, |sum, i| sum.plus(a[i].times(b[i])))
-}
-
-pub(super) fn cross(a: &Triple, b: &Triple) -> Triple {
-    std::array::from_fn(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        a[j].times(b[k]).plus(a[k].times(b[j]).negative())
-    })
-}
-
-pub(super) fn minus(a: &Triple, b: &Triple) -> Triple {
-    std::array::from_fn(|i| a[i].plus(b[i].negative()))
 }
 
 /// All frames in the base, at a point: in the order of [`ReferenceFrame::all`].

@@ -5,7 +5,7 @@
 //! later sines and cosines are negated too. That is decided on the program: each value is even or odd in the change.
 
 use super::Batched;
-use crate::planner::Part;
+use crate::planner::Basis;
 use crate::program::{Inverse, Node, Solve, Value};
 
 /// The last step with two roots, and what changes from its first root to its second.
@@ -75,9 +75,9 @@ fn keeps(
         .columns()
         .iter()
         .map(|c| match c.as_slice() {
-            [Part::Cos(k) | Part::Power(k)] => flip[0] && k % 2 == 1,
-            [Part::Sin(k)] if k % 2 == 0 => flip[0] != flip[1],
-            [Part::Sin(_)] => flip[1],
+            [Basis::Cos(k) | Basis::Power(k)] => flip[0] && k % 2 == 1,
+            [Basis::Sin(k)] if k % 2 == 0 => flip[0] != flip[1],
+            [Basis::Sin(_)] => flip[1],
             _ => false,
         })
         .collect();

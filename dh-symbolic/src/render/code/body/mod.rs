@@ -5,7 +5,7 @@ mod code;
 
 pub(in crate::render) use code::Code;
 
-use super::names::Names;
+use super::names::CodeNames;
 use super::steps::Variables;
 use super::{field, literal, scaled_constant};
 use crate::algebra::{Factor, Poly, Symbol};
@@ -30,7 +30,7 @@ pub(in crate::render) struct Body<'a> {
     chain: &'a Chain,
     graph: &'a Graph,
     outputs: Vec<Value>,
-    names: Names,
+    names: CodeNames,
     /// Number type of the code.
     scalar: Scalar,
     /// Factor of every length: 1, or 1 over the length scale.
@@ -86,7 +86,7 @@ impl<'a> Body<'a> {
 
     /// Nothing is asked for yet.
     fn empty(dialect: Dialect, chain: &'a Chain, graph: &'a Graph, scalar: Scalar) -> Body<'a> {
-        let names = Names::new(&["q", "s", "c", "self", "t", "angles"]);
+        let names = CodeNames::new(&["q", "s", "c", "self", "t", "angles"]);
         let (code, is_name) = (vec![None; graph.nodes().len()], vec![false; graph.nodes().len()]);
         let (outputs, inputs, lines) = (Vec::new(), Vec::new(), Vec::new());
         Body { dialect, chain, graph, outputs, names, scalar, scale: 1.0, inputs, code, is_name, lines }

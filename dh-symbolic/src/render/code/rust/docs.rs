@@ -1,7 +1,7 @@
 //! Doc comments of generated types: fields, the table as it was written.
 
 use super::Head;
-use crate::chain::{Chain, Convention, Handle, Parameter, Role, Value};
+use crate::chain::{Chain, Convention, Handle, Nominal, Parameter, Role};
 
 /// Docs of a field.
 pub(super) fn field(chain: &Chain, p: &Parameter) -> String {
@@ -10,7 +10,7 @@ pub(super) fn field(chain: &Chain, p: &Parameter) -> String {
         Handle::Angle(_) => "radians",
     };
     let nominal = match &p.role {
-        Role::Field(Some(Value::Length(_) | Value::Angle(_))) => format!(", nominally {}", chain.nominal(p.handle)),
+        Role::Field(Some(Nominal::Length(_) | Nominal::Angle(_))) => format!(", nominally {}", chain.nominal(p.handle)),
         _ => String::new(),
     };
     format!(" `{}` in {unit}{nominal}.", p.name)

@@ -29,7 +29,9 @@ impl Target {
                 frame: format!(
                     "let frame = match ::dh_robot::runtime::frame_of(target, {length_scale}) {{ ::core::result::Result::Ok(frame) => frame, ::core::result::Result::Err(why) => {refuse} }};"
                 ),
-                task: format!("::dh_robot::runtime::Task::Pose(::dh_robot::runtime::in_units(&frame, {length_scale}))"),
+                task: format!(
+                    "::dh_robot::runtime::TaskTarget::Pose(::dh_robot::runtime::in_units(&frame, {length_scale}))"
+                ),
                 kind: format!("::dh_robot::nalgebra::IsometryMatrix3<{f}>"),
             },
             Task::Position => Target {
@@ -39,7 +41,7 @@ impl Target {
                      let frame = ::dh_robot::runtime::frame_of_axis(p.map(|x| x / {length_scale}), [0.0, 0.0, 1.0]);",
                     finite("p")
                 ),
-                task: "::dh_robot::runtime::Task::Position(p)".into(),
+                task: "::dh_robot::runtime::TaskTarget::Position(p)".into(),
                 kind: format!("::dh_robot::nalgebra::Point3<{f}>"),
             },
             Task::Planar => Target {
@@ -50,7 +52,7 @@ impl Target {
                     finite("[x, y, phi]"),
                     plane(chain)
                 ),
-                task: "::dh_robot::runtime::Task::Planar(x, y, phi)".into(),
+                task: "::dh_robot::runtime::TaskTarget::Planar(x, y, phi)".into(),
                 kind: format!("({f}, {f}, {f})"),
             },
             Task::Axis => Target {
@@ -64,7 +66,7 @@ impl Target {
                      let frame = ::dh_robot::runtime::frame_of_axis(p.map(|x| x / {length_scale}), z);",
                     finite("p")
                 ),
-                task: "::dh_robot::runtime::Task::Axis(p, z)".into(),
+                task: "::dh_robot::runtime::TaskTarget::Axis(p, z)".into(),
                 kind: format!("(::dh_robot::nalgebra::Point3<{f}>, ::dh_robot::nalgebra::UnitVector3<{f}>)"),
             },
         }

@@ -28,7 +28,7 @@ pub(crate) struct Explanation<'a> {
     notation: Notation,
     order: Order,
     /// Where the planner's frames stand among those of the table.
-    places: Vec<places::Place>,
+    places: Vec<places::PlannedFrame>,
     /// Frames between which the given pose leads: the base or frame 0, the tool or the last frame.
     ends: [Frame; 2],
     /// Number of rows of the table.

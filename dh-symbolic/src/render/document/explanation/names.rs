@@ -4,7 +4,7 @@ use super::Explanation;
 use super::places::{self, Definition, View};
 use crate::algebra::{AngleVar, Symbol};
 use crate::chain::{Chain, Coordinate};
-use crate::planner::{Equation, KnownPose, Plan, Scalar};
+use crate::planner::{Equation, FrameScalar, KnownPose, Plan};
 use crate::render::document::frames::Frame;
 use crate::render::formula::expression::Trig;
 use crate::render::formula::math::{Math, Sign};
@@ -165,7 +165,7 @@ impl Explanation<'_> {
         for step in &self.steps {
             used.extend(step.frames.iter().copied());
         }
-        let own = |p: &&places::Place| used.contains(&p.own());
+        let own = |p: &&places::PlannedFrame| used.contains(&p.own());
         self.places.iter().filter(own).filter_map(|p| p.definition.as_ref()).collect()
     }
 
@@ -287,15 +287,15 @@ impl Explanation<'_> {
         for e in equations {
             let joints = |links: [usize; 2]| links.map(|h| self.joint_of(h));
             let other = match e.scalar {
-                Scalar::Distance => {
+                FrameScalar::Distance => {
                     let used: Vec<Frame> = self.poses.iter().flat_map(|p| [p.left, p.right]).collect();
                     let ends = [e.a, e.b].map(|k| self.places.get(k).map_or(Frame::Row(0), |p| p.origin(&used)));
                     let [a, b] = ends.map(|f| self.notation.frame(f));
                     out.push((ends, Source::Distance(a, b)));
                     continue;
                 }
-                Scalar::Across(j) => Some(Source::Across(joints([e.a - 1, usize::from(j)]))),
-                Scalar::Bridge(i, j) => {
+                FrameScalar::Across(j) => Some(Source::Across(joints([e.a - 1, usize::from(j)]))),
+                FrameScalar::Bridge(i, j) => {
                     let slides = joints([i, j].map(usize::from));
                     Some(Source::Bridge(slides, joints([e.a, e.b - 1])))
                 }
@@ -305,14 +305,14 @@ impl Explanation<'_> {
                 out.push((self.ends, source));
                 continue;
             }
-            let own = [e.a, e.b].map(|k| self.places.get(k).map_or(Frame::Row(0), places::Place::own));
+            let own = [e.a, e.b].map(|k| self.places.get(k).map_or(Frame::Row(0), places::PlannedFrame::own));
             let ring = &self.plan.knowledge.ring;
             let found = places::source(ring, &self.views(e.a, true), &self.views(e.b, false), e);
             let (a, b, scalar) = found.unwrap_or((own[0], own[1], e.scalar));
             let (element, inverse) = match scalar {
-                Scalar::Rotation(i, j) => ((usize::from(i) + 1, usize::from(j) + 1), false),
-                Scalar::Back(i) => ((usize::from(i) + 1, 4), true),
-                Scalar::Position(i) => ((usize::from(i) + 1, 4), false),
+                FrameScalar::Rotation(i, j) => ((usize::from(i) + 1, usize::from(j) + 1), false),
+                FrameScalar::Back(i) => ((usize::from(i) + 1, 4), true),
+                FrameScalar::Position(i) => ((usize::from(i) + 1, 4), false),
                 _ => continue,
             };
             let same = out.iter_mut().filter(|x| x.0 == [a, b]).find_map(|x| match &mut x.1 {

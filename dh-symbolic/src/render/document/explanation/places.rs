@@ -6,7 +6,7 @@
 
 use crate::algebra::{LinearAngle, Poly, Rational, Ring, Symbol, Transform, dot};
 use crate::chain::{Chain, Coordinate, Elementary};
-use crate::planner::{Axes, Equation, Item, KnownPose, Scalar};
+use crate::planner::{Axes, Equation, FrameScalar, Item, KnownPose};
 use crate::render::document::frames::Frame;
 
 /// A frame that a pose may be seen from or lead to, and the constant motion to it from the planner's frame.
@@ -43,7 +43,7 @@ pub(crate) struct Definition {
 
 /// A frame of the planner.
 #[derive(Clone, Debug)]
-pub(super) struct Place {
+pub(super) struct PlannedFrame {
     /// In which frames its elements may be written, the most welcome first; the last one is the frame itself.
     pub(super) views: Vec<View>,
     /// What the frame itself is, where it is none of the table.
@@ -52,7 +52,7 @@ pub(super) struct Place {
     origin: Frame,
 }
 
-impl Place {
+impl PlannedFrame {
     /// A frame with this origin, one of these where there is one.
     pub(super) fn origin(&self, used: &[Frame]) -> Frame {
         let here = |v: &&View| v.motion.p.iter().all(Poly::is_zero) && v.shares != Shares::NoHeight;
@@ -76,12 +76,12 @@ struct Mark {
 }
 
 /// All frames of the planner, from the first to the last one.
-pub(super) fn places(chain: &Chain, axes: &Axes) -> Vec<Place> {
+pub(super) fn places(chain: &Chain, axes: &Axes) -> Vec<PlannedFrame> {
     let mut taken: Vec<Frame> = Vec::new();
     (0..axes.places.len()).map(|k| place(chain, axes, k, &mut taken)).collect()
 }
 
-fn place(chain: &Chain, axes: &Axes, k: usize, taken: &mut Vec<Frame>) -> Place {
+fn place(chain: &Chain, axes: &Axes, k: usize, taken: &mut Vec<Frame>) -> PlannedFrame {
     let at = axes.places.get(k).copied().unwrap_or(0);
     let (before, behind) = axes.items.split_at(at.min(axes.items.len()));
     let (forward, backward) = (forward(chain, axes, behind), backward(chain, axes, before));
@@ -96,7 +96,7 @@ fn place(chain: &Chain, axes: &Axes, k: usize, taken: &mut Vec<Frame>) -> Place 
     let view = |m: &Mark| View { frame: m.frame, motion: m.motion.clone(), shares: m.shares };
     let same = |m: &&Mark| m.motion == Transform::identity() && m.shares == Shares::All;
     if let Some(mark) = forward.iter().chain(&backward).find(same) {
-        return Place { views: vec![view(mark)], definition: None, origin: origin(mark.frame) };
+        return PlannedFrame { views: vec![view(mark)], definition: None, origin: origin(mark.frame) };
     }
     let mut views: Vec<View> = forward.iter().chain(&backward).map(view).collect();
     let (mut own, mut definition) = (Frame::Row(0), None);
@@ -108,7 +108,7 @@ fn place(chain: &Chain, axes: &Axes, k: usize, taken: &mut Vec<Frame>) -> Place 
         definition = Some(Definition { from, to, factors: mark.factors.clone() });
     }
     views.push(View { frame: own, motion: Transform::identity(), shares: Shares::All });
-    Place { views, definition, origin: origin(own) }
+    PlannedFrame { views, definition, origin: origin(own) }
 }
 
 /// The frame of the table at an item, under the name that it has in this chain.
@@ -262,11 +262,11 @@ impl Written {
 
     /// The element of the pose as written that a scalar of the planner's pose is, up to its sign and a constant; `None` where it is
     /// made of several.
-    fn element(&self, pose: &KnownPose, scalar: Scalar) -> Option<Scalar> {
+    fn element(&self, pose: &KnownPose, scalar: FrameScalar) -> Option<FrameScalar> {
         let symbol = match scalar {
-            Scalar::Rotation(i, j) => *pose.r.get(usize::from(i))?.get(usize::from(j))?,
-            Scalar::Position(i) => *pose.p.get(usize::from(i))?,
-            Scalar::Back(i) => *pose.back.get(usize::from(i))?,
+            FrameScalar::Rotation(i, j) => *pose.r.get(usize::from(i))?.get(usize::from(j))?,
+            FrameScalar::Position(i) => *pose.p.get(usize::from(i))?,
+            FrameScalar::Back(i) => *pose.back.get(usize::from(i))?,
             _ => return None,
         };
         let value = self.values.iter().find(|v| v.0 == symbol)?.1.as_ref()?;
@@ -276,16 +276,16 @@ impl Written {
         let single = found.next().is_none() && c.abs().is_one() && m.factors().count() == 1;
         let index = own.iter().position(|s| m.exponent(*s) == 1).filter(|_| single)?;
         Some(match index {
-            0..9 => Scalar::Rotation((index / 3) as u8, (index % 3) as u8),
-            9..12 => Scalar::Position((index - 9) as u8),
-            12..15 => Scalar::Back((index - 12) as u8),
+            0..9 => FrameScalar::Rotation((index / 3) as u8, (index % 3) as u8),
+            9..12 => FrameScalar::Position((index - 9) as u8),
+            12..15 => FrameScalar::Back((index - 12) as u8),
             _ => return None,
         })
     }
 }
 
 /// Which element of the transform between which frames an equation takes: the first pair of views where it is a single one.
-pub(super) fn source(ring: &Ring, a: &[View], b: &[View], e: &Equation) -> Option<(Frame, Frame, Scalar)> {
+pub(super) fn source(ring: &Ring, a: &[View], b: &[View], e: &Equation) -> Option<(Frame, Frame, FrameScalar)> {
     let mut ring = ring.clone();
     let mut symbol = |name: String| ring.symbol(&format!("{name} of a source"));
     let pose = KnownPose {

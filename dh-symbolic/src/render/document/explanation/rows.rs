@@ -2,14 +2,14 @@
 
 use super::Explanation;
 use crate::algebra::{Monomial, Poly, Rational, Symbol};
-use crate::planner::{Collected, Part, Scalar, Step, StepKind};
+use crate::planner::{Basis, Collected, FrameScalar, Step, StepKind};
 use crate::render::formula::expression::{Expression, Summand, Trig};
 use crate::render::formula::math::{Math, Sign};
 
 /// `sum of coefficient times unknown = right`.
 pub(super) struct Row {
     /// Coefficients (in sines and cosines again) and parts.
-    pub(super) left: Vec<(Poly, Vec<Part>)>,
+    pub(super) left: Vec<(Poly, Vec<Basis>)>,
     /// The known side.
     pub(super) right: Poly,
     /// What both sides were divided by; lengths, never zero.
@@ -29,7 +29,7 @@ pub(super) fn rows(explanation: &Explanation<'_>, step: &Step) -> Vec<Row> {
 pub(super) fn without_repeats(step: &Step) -> Step {
     let mut out = without_twins(step);
     let kinds = [true, false].map(|direction| -> Vec<usize> {
-        let fits = |i: &usize| matches!(out.equations[*i].scalar, Scalar::Rotation(..)) == direction;
+        let fits = |i: &usize| matches!(out.equations[*i].scalar, FrameScalar::Rotation(..)) == direction;
         (0..out.equations.len().min(out.collected.len())).filter(fits).collect()
     });
     let pair = step.kind == StepKind::AtanPair && kinds.iter().all(|k| !k.is_empty());
@@ -42,11 +42,11 @@ pub(super) fn without_repeats(step: &Step) -> Step {
 
 /// Do these equations give both sine and cosine?
 fn decides(step: &Step, list: &[usize]) -> bool {
-    let coefficient = |i: usize, part: Part| step.collected[i].get(&vec![part]).cloned().unwrap_or_default();
+    let coefficient = |i: usize, part: Basis| step.collected[i].get(&vec![part]).cloned().unwrap_or_default();
     list.iter().any(|i| {
         list.iter().any(|j| {
-            let [a, b] = [Part::Cos(1), Part::Sin(1)].map(|p| coefficient(*i, p));
-            let [c, d] = [Part::Cos(1), Part::Sin(1)].map(|p| coefficient(*j, p));
+            let [a, b] = [Basis::Cos(1), Basis::Sin(1)].map(|p| coefficient(*i, p));
+            let [c, d] = [Basis::Cos(1), Basis::Sin(1)].map(|p| coefficient(*j, p));
             &a * &d != &b * &c
         })
     })
@@ -55,7 +55,7 @@ fn decides(step: &Step, list: &[usize]) -> bool {
 fn without_twins(step: &Step) -> Step {
     let left = |c: &Collected| -> Collected {
         let mut c = c.clone();
-        c.retain(|k, _| k.iter().any(|x| *x != Part::One));
+        c.retain(|k, _| k.iter().any(|x| *x != Basis::One));
         c
     };
     let negated = |c: &Collected| -> Collected { c.iter().map(|(k, p)| (k.clone(), -p)).collect() };
@@ -83,10 +83,10 @@ fn without_twins(step: &Step) -> Step {
 }
 
 fn row(explanation: &Explanation<'_>, step: &Step, collected: &Collected) -> Row {
-    let mut left: Vec<(Poly, Vec<Part>)> = Vec::new();
+    let mut left: Vec<(Poly, Vec<Basis>)> = Vec::new();
     let mut right = Poly::zero();
     for (parts, p) in collected {
-        if parts.iter().all(|x| *x == Part::One) {
+        if parts.iter().all(|x| *x == Basis::One) {
             right = -p;
         } else {
             left.push((p.clone(), parts.clone()));
@@ -186,7 +186,7 @@ fn divide(p: &Poly, number: &Rational, symbols: &[(Symbol, u32)]) -> Poly {
 
 impl Explanation<'_> {
     /// Coefficient times unknown.
-    fn part_term(&self, p: &Poly, parts: &[Part], step: &Step) -> Expression {
+    fn part_term(&self, p: &Poly, parts: &[Basis], step: &Step) -> Expression {
         let mut factors: Vec<Expression> = Vec::new();
         let mut negative = false;
         match self.order.group(p) {
@@ -221,11 +221,11 @@ impl Explanation<'_> {
                 })
             };
             match part {
-                Part::One => {}
-                Part::Cos(k) => factors.push(trig(*k, false)),
-                Part::Sin(k) => factors.push(trig(*k, true)),
-                Part::Power(1) => factors.extend(slide()),
-                Part::Power(n) => factors.extend(slide().map(|s| Expression::Power(Box::new(s), u32::from(*n)))),
+                Basis::One => {}
+                Basis::Cos(k) => factors.push(trig(*k, false)),
+                Basis::Sin(k) => factors.push(trig(*k, true)),
+                Basis::Power(1) => factors.extend(slide()),
+                Basis::Power(n) => factors.extend(slide().map(|s| Expression::Power(Box::new(s), u32::from(*n)))),
             }
         }
         let value = match factors.len() {
@@ -281,7 +281,7 @@ impl Row {
     }
 
     /// The coefficient of a part; 0 where it does not occur.
-    pub(super) fn coefficient(&self, part: Part) -> Poly {
+    pub(super) fn coefficient(&self, part: Basis) -> Poly {
         let found = self.left.iter().find(|(_, k)| matches!(k.as_slice(), [only] if *only == part));
         found.map_or_else(Poly::zero, |(p, _)| p.clone())
     }

@@ -3,7 +3,7 @@
 use super::Explanation;
 use super::rows::Row;
 use crate::algebra::{Poly, Rational, Ring};
-use crate::planner::{Part, Step, StepKind};
+use crate::planner::{Basis, Step, StepKind};
 use crate::render::formula::expression::Expression;
 use crate::render::formula::math::{Math, Sign};
 use crate::render::formula::notation::Notation;
@@ -100,7 +100,7 @@ pub(crate) struct Solution {
 
 pub(super) fn solution(explanation: &Explanation<'_>, number: usize, step: &Step, rows: &[Row]) -> Solution {
     let Some(unknown) = step.unknown.first().map(|f| explanation.unknown(f)) else { return Solution::default() };
-    let mut w = Writer {
+    let mut w = SolutionWriter {
         explanation,
         number,
         ring: explanation.plan.knowledge.ring.clone(),
@@ -119,7 +119,7 @@ pub(super) fn solution(explanation: &Explanation<'_>, number: usize, step: &Step
     w.out
 }
 
-struct Writer<'a, 'b> {
+struct SolutionWriter<'a, 'b> {
     explanation: &'a Explanation<'b>,
     /// Number of the step, an index of its letters.
     number: usize,
@@ -146,7 +146,7 @@ fn over(m: Math, below: Math) -> Math {
     Math::Fraction(Box::new(m), Box::new(below))
 }
 
-impl Writer<'_, '_> {
+impl SolutionWriter<'_, '_> {
     fn typeset(&self, p: &Poly) -> Math {
         self.notation.typeset(&self.explanation.order.group(p))
     }
@@ -225,7 +225,7 @@ impl Writer<'_, '_> {
     }
 
     fn linear(&mut self, unknown: Math, row: &Row) {
-        let a = row.coefficient(Part::Power(1));
+        let a = row.coefficient(Basis::Power(1));
         self.out.roots = Roots::Linear(Quotient::new(&row.right, &(&a * &row.divisor)));
         let value = match a.as_rational() {
             Some(x) if x.is_one() => row.known_side(self.explanation),
@@ -238,7 +238,7 @@ impl Writer<'_, '_> {
 
     /// a d^2 + b d = k.
     fn quadratic(&mut self, unknown: Math, row: &Row) {
-        let (a, b) = (row.coefficient(Part::Power(2)), row.coefficient(Part::Power(1)));
+        let (a, b) = (row.coefficient(Basis::Power(2)), row.coefficient(Basis::Power(1)));
         self.out.roots = Roots::Quadratic(a.clone(), b.clone(), Quotient::new(&row.right, &row.divisor));
         let k = self.right(row);
         let (a, b) = (self.named(&a), self.named(&b));
@@ -263,7 +263,7 @@ impl Writer<'_, '_> {
 
     /// a cos + b sin = 0.
     fn half_turn(&mut self, unknown: Math, row: &Row, more: &[Row]) {
-        let (a, b) = (row.coefficient(Part::Cos(1)), row.coefficient(Part::Sin(1)));
+        let (a, b) = (row.coefficient(Basis::Cos(1)), row.coefficient(Basis::Sin(1)));
         self.out.roots = Roots::HalfTurn(a.clone(), b.clone());
         let (x, y) = (self.short(&a), self.short(&b));
         let right = Math::Row(vec![
@@ -274,7 +274,7 @@ impl Writer<'_, '_> {
         ]);
         self.out.formulas.push((unknown, right));
         let others: Vec<Poly> =
-            more.iter().flat_map(|row| [row.coefficient(Part::Cos(1)), row.coefficient(Part::Sin(1))]).collect();
+            more.iter().flat_map(|row| [row.coefficient(Basis::Cos(1)), row.coefficient(Basis::Sin(1))]).collect();
         self.out.second = !more.is_empty();
         self.degenerate(&[&a, &b].into_iter().chain(&others).collect::<Vec<_>>());
     }
@@ -286,7 +286,7 @@ impl Writer<'_, '_> {
 
     /// a cos + b sin = k.
     fn sin_cos(&mut self, unknown: Math, row: &Row) {
-        let (a, b) = (row.coefficient(Part::Cos(1)), row.coefficient(Part::Sin(1)));
+        let (a, b) = (row.coefficient(Basis::Cos(1)), row.coefficient(Basis::Sin(1)));
         self.out.roots = Roots::SinCos(a.clone(), b.clone(), Quotient::new(&row.right, &row.divisor));
         let k = self.right(row);
         if b.is_zero() || a.is_zero() {
@@ -323,8 +323,10 @@ impl Writer<'_, '_> {
 
     /// Two or more equations in cosine and sine.
     fn atan_pair(&mut self, unknown: Math, rows: &[Row], first: &Row, second: &Row) {
-        let parts: Vec<[Poly; 3]> =
-            rows.iter().map(|r| [r.coefficient(Part::Cos(1)), r.coefficient(Part::Sin(1)), r.right.clone()]).collect();
+        let parts: Vec<[Poly; 3]> = rows
+            .iter()
+            .map(|r| [r.coefficient(Basis::Cos(1)), r.coefficient(Basis::Sin(1)), r.right.clone()])
+            .collect();
         let divided = rows.iter().any(|r| !r.divisor.is_one());
         // Normal equations: where the columns are orthogonal, each side is one quotient.
         let dot = |list: &[[Poly; 3]], i: usize, j: usize| -> Poly { list.iter().map(|p| &p[i] * &p[j]).sum() };
@@ -373,9 +375,9 @@ impl Writer<'_, '_> {
         }
         let mut letters = |p: &[Poly; 3]| -> [Poly; 3] { std::array::from_fn(|i| self.named(&p[i])) };
         let [a, b, k] =
-            letters(&[first.coefficient(Part::Cos(1)), first.coefficient(Part::Sin(1)), first.right.clone()]);
+            letters(&[first.coefficient(Basis::Cos(1)), first.coefficient(Basis::Sin(1)), first.right.clone()]);
         let [e, f, l] =
-            letters(&[second.coefficient(Part::Cos(1)), second.coefficient(Part::Sin(1)), second.right.clone()]);
+            letters(&[second.coefficient(Basis::Cos(1)), second.coefficient(Basis::Sin(1)), second.right.clone()]);
         let (dk, dl) = (&first.divisor, &second.divisor);
         let determinant = &(&a * &f) - &(&b * &e);
         let (k, l) = (&k * dl, &l * dk);

@@ -2,7 +2,7 @@
 
 use super::camera::{Camera, V3, cross, distance, dot, hull, plus};
 use super::drawing::{Color, Drawing, Pen, Shape, label_size};
-use super::posture::{Axis, Part, Posture, column, origin};
+use super::posture::{Axis, BarPart, Posture, column, origin};
 use crate::chain::Chain;
 use crate::render::formula::grouping::Order;
 use crate::render::formula::math::{Math, Sign};
@@ -37,9 +37,9 @@ pub fn arm(chain: &Chain, notation: &Notation, posture: &Posture) -> Drawing {
     let order = Order::of(chain);
     for bar in posture.bars() {
         let length = match bar.part {
-            Part::Length(row) => chain.links.get(row).map(|l| &l.a),
-            Part::Offset(row) => chain.links.get(row).map(|l| &l.d),
-            Part::Base | Part::Tool => None,
+            BarPart::Length(row) => chain.links.get(row).map(|l| &l.a),
+            BarPart::Offset(row) => chain.links.get(row).map(|l| &l.d),
+            BarPart::Base | BarPart::Tool => None,
         };
         let Some(length) = length else { continue };
         // The sign tells the direction; the label names the distance.

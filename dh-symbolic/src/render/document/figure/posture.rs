@@ -20,7 +20,7 @@ pub struct Posture {
 
 /// What a bar stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Part {
+pub(super) enum BarPart {
     /// From the floor to the first frame.
     Base,
     /// Length of the link in this row.
@@ -35,7 +35,7 @@ pub(super) enum Part {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bar {
     pub(super) ends: [V3; 2],
-    pub(super) part: Part,
+    pub(super) part: BarPart,
     /// Does it get longer as a joint slides?
     pub(super) prismatic: bool,
 }
@@ -110,18 +110,18 @@ impl Posture {
     pub(super) fn bars(&self) -> Vec<Bar> {
         let mut bars = Vec::new();
         if let Some(first) = self.frames.first() {
-            bars.push(Bar { ends: [[0.0; 3], origin(first)], part: Part::Base, prismatic: false });
+            bars.push(Bar { ends: [[0.0; 3], origin(first)], part: BarPart::Base, prismatic: false });
         }
         for (row, pair) in self.frames.windows(2).enumerate() {
             let [before, after] = pair else { continue };
             let (across, along) = self.pieces(before, after);
             let prismatic = self.joints.get(row).copied().flatten().is_some_and(|(_, prismatic)| prismatic);
-            let length = Bar { ends: across, part: Part::Length(row), prismatic: false };
-            let offset = Bar { ends: along, part: Part::Offset(row), prismatic };
+            let length = Bar { ends: across, part: BarPart::Length(row), prismatic: false };
+            let offset = Bar { ends: along, part: BarPart::Offset(row), prismatic };
             bars.extend(if self.modified { [length, offset] } else { [offset, length] });
         }
         if let Some(last) = self.frames.last() {
-            bars.push(Bar { ends: [origin(last), origin(&self.tip)], part: Part::Tool, prismatic: false });
+            bars.push(Bar { ends: [origin(last), origin(&self.tip)], part: BarPart::Tool, prismatic: false });
         }
         bars.retain(|b| distance(b.ends[0], b.ends[1]) > 1e-9);
         bars

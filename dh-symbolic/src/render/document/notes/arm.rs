@@ -2,7 +2,7 @@
 
 use super::given;
 use crate::algebra::{Point, Poly, Rational, Symbol, Transform};
-use crate::chain::{AngleCell, Chain, Coordinate, Elementary, Handle, Quantity, Role, Task, Value};
+use crate::chain::{AngleCell, Chain, Coordinate, Elementary, Handle, Nominal, Quantity, Role, Task};
 use crate::kinematics::Kinematics;
 use crate::program::{Inverse, Naming, Shortfall};
 use dh_kernels::pose::{self, Pose};
@@ -291,8 +291,10 @@ fn concrete(chain: &Chain) -> Chain {
         };
         if let Role::Field(value) = &p.role {
             let assumed = match quantity {
-                Quantity::Length => Value::Length(Rational::ONE),
-                Quantity::Angle => Value::Angle(AngleCell { half_turns: Rational::new(1, 6), ..AngleCell::default() }),
+                Quantity::Length => Nominal::Length(Rational::ONE),
+                Quantity::Angle => {
+                    Nominal::Angle(AngleCell { half_turns: Rational::new(1, 6), ..AngleCell::default() })
+                }
             };
             p.role = Role::Constant(value.clone().unwrap_or(assumed));
         }

@@ -3,7 +3,7 @@
 
 use super::arm::{Arm, Found, Missed};
 use super::given;
-use super::{Block, Math, Phrase, Sign, Span, Text, Writer};
+use super::{Block, Math, NotesWriter, Phrase, Sign, Span, Text};
 use crate::algebra::Transform;
 use crate::chain::{Chain, Handle, MotionSpec, Role, Task};
 use crate::kinematics::Kinematics;
@@ -44,7 +44,7 @@ impl Start {
     }
 }
 
-impl Writer<'_> {
+impl NotesWriter<'_> {
     /// Appends the example; nothing where the arm has no inverse or no solution to show.
     pub(super) fn example(&mut self, start: &Start) {
         if !self.chain.ik || self.chain.dof() == 0 {

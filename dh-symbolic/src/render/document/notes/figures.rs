@@ -2,7 +2,7 @@
 
 use super::arm::{generic_degrees, slide};
 use super::example::Start;
-use super::{Block, Math, Phrase, Span, Text, Writer, given};
+use super::{Block, Math, NotesWriter, Phrase, Span, Text, given};
 use crate::chain::{Chain, Coordinate};
 use crate::kinematics::Kinematics;
 use crate::planner::Axes;
@@ -12,7 +12,7 @@ use crate::render::document::figure::{self, Drawing, Posture};
 /// Most postures that stand side by side.
 const POSTURES: usize = 16;
 
-impl Writer<'_> {
+impl NotesWriter<'_> {
     /// The arm at the joint values of the example.
     pub(super) fn figure(&mut self, kinematics: &Kinematics, start: Option<&Start>) {
         if self.chain.dof() == 0 {

@@ -1,7 +1,7 @@
 //! Link transforms, their products, the pose.
 
 use super::products::asked;
-use super::{Block, Math, Phrase, Prefix, Text, Writer, side_by_side};
+use super::{Block, Math, NotesWriter, Phrase, Prefix, Text, side_by_side};
 use crate::algebra::{LinearAngle, Poly, Ring, Transform};
 use crate::chain::{Convention, Elementary, Link};
 use crate::kinematics::Kinematics;
@@ -12,7 +12,7 @@ use crate::render::formula::notation::{Name, Notation};
 use crate::render::formula::products::steps;
 use crate::render::formula::style::Transforms;
 
-impl Writer<'_> {
+impl NotesWriter<'_> {
     pub(super) fn links(&mut self, kinematics: &Kinematics) {
         self.heading(1, Phrase::Links);
         self.general();

@@ -1,7 +1,7 @@
 //! Reads the joint values or the pose that `--example` and its like give for the worked example.
 
 use crate::chain::table::parse;
-use crate::chain::{AngleCell, Bound, Chain, Coordinate, LengthCell, MotionSpec, Role, Value};
+use crate::chain::{AngleCell, Bound, Chain, Coordinate, LengthCell, MotionSpec, Nominal, Role};
 use crate::diagnostic::{Errors, lex};
 
 /// A product of motions, read by the rules and in the unit of a table.
@@ -87,7 +87,7 @@ pub(super) fn bound(b: &Bound) -> f64 {
 pub(super) fn shift(chain: &Chain, cell: &AngleCell) -> f64 {
     let symbol = |(i, k): &(usize, i8)| {
         let value = match chain.parameters.get(*i).map(|p| &p.role) {
-            Some(Role::Constant(Value::Angle(cell)) | Role::Field(Some(Value::Angle(cell)))) => cell.radians(),
+            Some(Role::Constant(Nominal::Angle(cell)) | Role::Field(Some(Nominal::Angle(cell)))) => cell.radians(),
             _ => 0.0,
         };
         f64::from(*k) * value

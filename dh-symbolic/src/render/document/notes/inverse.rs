@@ -2,14 +2,14 @@
 
 use super::arm::Arm;
 use super::degenerate;
-use super::{Block, Equation, Math, Phrase, Sign, Span, Text, Writer, side_by_side};
+use super::{Block, Equation, Math, NotesWriter, Phrase, Sign, Span, Text, side_by_side};
 use crate::chain::{Elementary, Task};
 use crate::planner::Slot;
 use crate::render::document::explanation::{Explanation, Source, StepExplanation};
 use crate::render::document::frames::Frame;
 use crate::render::{Language, refusal};
 
-impl Writer<'_> {
+impl NotesWriter<'_> {
     pub(super) fn inverse(&mut self) {
         if !self.chain.ik || self.chain.dof() == 0 {
             return;

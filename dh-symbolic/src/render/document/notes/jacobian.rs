@@ -1,10 +1,10 @@
 //! The geometric Jacobian.
 
-use super::{Block, Math, Phrase, Sign, Writer, row_width};
+use super::{Block, Math, NotesWriter, Phrase, Sign, row_width};
 use crate::algebra::Poly;
 use crate::kinematics::{Kinematics, jacobian};
 
-impl Writer<'_> {
+impl NotesWriter<'_> {
     pub(super) fn jacobian(&mut self, kinematics: &Kinematics) {
         let n = self.chain.dof();
         if n == 0 || super::forward::terms(&kinematics.pose()) > self.options.terms {

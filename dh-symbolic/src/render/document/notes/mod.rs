@@ -47,7 +47,7 @@ pub fn notes(chain: &Chain, options: &Options) -> Document {
     let named = named_offsets(chain);
     let chain = named.as_ref().unwrap_or(chain);
     let kinematics = Kinematics::new(chain);
-    let mut w = Writer::new(chain, options.clone());
+    let mut w = NotesWriter::new(chain, options.clone());
     for part in &options.parts {
         match part {
             Part::Table => w.table(),
@@ -78,7 +78,7 @@ pub(super) fn matrices(chain: &Chain, options: &Options) -> Vec<Block> {
     let named = named_offsets(chain);
     let chain = named.as_ref().unwrap_or(chain);
     let kinematics = Kinematics::new(chain);
-    let mut w = Writer::new(chain, options.clone());
+    let mut w = NotesWriter::new(chain, options.clone());
     w.table();
     w.links(&kinematics);
     w.forward(&kinematics);
@@ -106,7 +106,7 @@ const NAME: usize = 8;
 const PRODUCT: usize = 10;
 
 /// A note while it is being written.
-struct Writer<'a> {
+struct NotesWriter<'a> {
     chain: &'a Chain,
     notation: Notation,
     order: Order,
@@ -125,9 +125,9 @@ struct Writer<'a> {
 /// An inverse that several parts use, or why there is none.
 type Solved = Rc<Result<Rc<Inverse>, Refusal>>;
 
-impl<'a> Writer<'a> {
-    fn new(chain: &'a Chain, options: Options) -> Writer<'a> {
-        Writer {
+impl<'a> NotesWriter<'a> {
+    fn new(chain: &'a Chain, options: Options) -> NotesWriter<'a> {
+        NotesWriter {
             chain,
             notation: Notation::styled(chain, &options.style),
             order: Order::of(chain),

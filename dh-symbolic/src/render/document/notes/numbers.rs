@@ -1,7 +1,7 @@
 //! The steps of the inverse in numbers, on the way to one solution: what a reader checks with a pocket calculator.
 
 use super::arm::{Arm, Found};
-use super::{Block, Math, Phrase, Span, Text, Writer};
+use super::{Block, Math, NotesWriter, Phrase, Span, Text};
 use crate::algebra::{Poly, Symbol};
 use crate::chain::Elementary;
 use crate::planner::JointCombination;
@@ -24,7 +24,7 @@ struct Run<'a> {
     solution: &'a Found,
 }
 
-impl Writer<'_> {
+impl NotesWriter<'_> {
     /// One item for each step: the entries of known poses in its equations, its letters, its roots; for the chosen solution, which is so
     /// far from the joint values that the example began with.
     pub(super) fn in_numbers(&mut self, arm: &Arm, found: &[Found], (chosen, apart): (usize, f64)) {

@@ -1,17 +1,17 @@
 //! Singular configurations: the determinant of the Jacobian, derived block by block, and what each factor says.
 
-use super::{Block, Equation, Math, Phrase, Sign, Span, Text, Writer, row_width};
+use super::{Block, Equation, Math, NotesWriter, Phrase, Sign, Span, Text, row_width};
 use crate::algebra::{AngleVar, Factor as Atom, Poly};
 use crate::chain::{Coordinate, Handle, Role};
 use crate::kinematics::Kinematics;
 use crate::kinematics::analysis::singular::{
-    self, Determinant, Factor, Kind, Open, Place, ReferenceFrame, Singular, singular,
+    self, Determinant, Factor, Kind, Open, ReferenceFrame, Region, Singular, singular,
 };
 
 /// A factor with more terms than this gets a name.
 const LONGEST: usize = 24;
 
-impl Writer<'_> {
+impl NotesWriter<'_> {
     pub(super) fn singular(&mut self, kinematics: &Kinematics) {
         let n = self.chain.dof();
         if n == 0 || super::forward::terms(&kinematics.pose()) > self.options.terms {
@@ -313,9 +313,9 @@ impl Writer<'_> {
         };
         out.extend(Text::fill(self.words(phrase), pieces).0);
         let place = meaning.place.map(|p| match p {
-            Place::Wrist => Phrase::PlaceWrist,
-            Place::Elbow => Phrase::PlaceElbow,
-            Place::Shoulder => Phrase::PlaceShoulder,
+            Region::Wrist => Phrase::PlaceWrist,
+            Region::Elbow => Phrase::PlaceElbow,
+            Region::Shoulder => Phrase::PlaceShoulder,
         });
         if let Some(place) = place {
             out.push(Span::Plain(self.words(place).to_string()));

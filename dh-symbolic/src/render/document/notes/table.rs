@@ -1,12 +1,12 @@
 //! The table, the values of its parameters, the coupling of the actuators.
 
-use super::{Block, Equation, Math, Phrase, Sign, Span, Text, Writer};
+use super::{Block, Equation, Math, NotesWriter, Phrase, Sign, Span, Text};
 use crate::algebra::LinearAngle;
 use crate::chain::{Bound, Chain, Convention, Elementary, Handle, Link, Parameter};
 use crate::render::formula::notation::Notation;
 use crate::render::formula::quantities::{length, parameter, radians, relations, value};
 
-impl Writer<'_> {
+impl NotesWriter<'_> {
     pub(super) fn table(&mut self) {
         self.heading(1, Phrase::Parameters);
         let i = || Math::Letter('i');

@@ -2,14 +2,14 @@
 
 use super::arm::{Arm, Found};
 use super::numbers::combined;
-use super::{Block, Math, Phrase, Span, Text, Writer};
+use super::{Block, Math, NotesWriter, Phrase, Span, Text};
 use crate::planner::JointCombination;
 use crate::render::document::explanation::Explanation;
 
 /// Values that differ by less are the same branch.
 const SAME: f64 = 1e-6;
 
-impl Writer<'_> {
+impl NotesWriter<'_> {
     /// A table in the order of the steps; what equals the cell above, with all cells before it, is left empty.
     pub(super) fn tree(&mut self, arm: &Arm, found: &[Found]) {
         let real = |f: &JointCombination| f.iter().skip(arm.inverse.plan.axes.real).all(|k| *k == 0);

@@ -1,7 +1,7 @@
 //! The workspace section of the notes: the poses of arms with few joints, the annulus of planar arms.
 
 use super::given;
-use super::{Block, Equation, Math, Phrase, Sign, Span, Text, Writer, name};
+use super::{Block, Equation, Math, NotesWriter, Phrase, Sign, Span, Text, name};
 use crate::algebra::Poly;
 use crate::chain::Bound;
 use crate::kinematics::Kinematics;
@@ -9,7 +9,7 @@ use crate::kinematics::analysis::reach::{self, Length, Planar, TurnAndSlide};
 use crate::render::document::frames::{Frame, decimal};
 use std::f64::consts::TAU;
 
-impl Writer<'_> {
+impl NotesWriter<'_> {
     pub(super) fn workspace(&mut self, kinematics: &Kinematics) {
         let n = self.chain.dof();
         if n == 0 || super::forward::terms(&kinematics.pose()) > self.options.terms {

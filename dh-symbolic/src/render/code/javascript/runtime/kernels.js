@@ -1,5 +1,5 @@
 // Numeric kernels of the inverse kinematics: every real solution of one equation, or of two in two unknowns.
-// The same methods and tolerances as the kernels of dh-robot (src/ik), where each is explained; angles are pairs [cos, sin].
+// The same methods and tolerances as dh-kernels, where each is explained; angles are pairs [cos, sin].
 const BOUNDARY = 1e-9, DOUBLE = 1e-14, TOUCH = 1e-10, RANK = 1e-9, CONTRADICTION = 1e-3, ACCEPT = 1e-8, TINY = 1e-12, NOISE = 1e-11;
 
 const FREE = "free", REGULAR = "regular", TOUCHING = "touching", OUT_OF_REACH = "out of reach", NO_ROOT = "no real root";

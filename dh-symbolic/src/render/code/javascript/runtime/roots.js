@@ -1,5 +1,5 @@
 // Trigonometric polynomials in one angle, and all their real roots: arcs of the circle are halved in Bernstein form until each has
-// no root, exactly one, or one that only touches zero. As in dh-robot (src/ik/trig_roots.rs, arcs.rs, bernstein.rs).
+// no root, exactly one, or one that only touches zero. As in dh-kernels (trig_roots.rs, root_isolation.rs, bernstein.rs).
 const ARCS = 4, FIRST_MIDDLE = 0.131, MAX_DEPTH = 24;
 
 class TrigPoly {

@@ -1,5 +1,5 @@
 // Candidates in, verified solutions out: each is put through the forward kinematics, polished where rounding shows, and dropped where
-// it misses. As in dh-robot (src/inverse, src/ik/polish.rs). A pose is the upper three rows [R | p].
+// it misses. As in dh-robot (src/inverse) and dh-kernels (polish.rs). A pose is the upper three rows [R | p].
 const EXACT = 1e-13, REACHED = 1e-10, REACHED_FEW = 1e-9, SAME = 1e-6, STEPS = 60, STARTS = 60;
 
 const TAU = 2 * Math.PI;
@@ -273,7 +273,7 @@ class Verifier {
     if (polished.reached) this.insert(polished.q, branch, this.freeJoints(polished.q, false), earlier);
   }
 
-  // Adds a solution, unless it is another representative of a continuum that has one.
+  // Adds a solution, unless it is another point of a self-motion that is represented already.
   insert(q, branch, free, earlier) {
     const same = (a, b) => JSON.stringify(a) === JSON.stringify(b);
     const known = this.out.some((s, i) => (i < earlier || same(s.branch, branch)) && free.length > 0 && s.free.length > 0

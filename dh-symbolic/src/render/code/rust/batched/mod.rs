@@ -11,7 +11,7 @@ use crate::program::{Batched, Inverse, Value, What};
 use crate::render::code::body::{Body, Dialect};
 use crate::render::code::steps::{Variables, branch, given};
 use actuators::{Actuator, whole_actuators};
-use writer::Writer;
+use writer::BatchedWriter;
 
 /// A program that can go the fast path.
 pub(super) struct FastPath {
@@ -69,7 +69,7 @@ impl FastPath {
         let mut body = Body::of_inverse(Dialect::Rust, chain, inverse, outputs, &variables);
         let (n, total) = (chain.dof(), batched.branches);
         let parameter = if !chain.redundant.is_empty() { ", given: f64" } else { "" };
-        let mut w = Writer::new(chain, inverse, batched, variables, self.actuators);
+        let mut w = BatchedWriter::new(chain, inverse, batched, variables, self.actuators);
         w.loops.out = names(inverse, &w.variables, total);
         w.loops.out.push_str(&format!(
             "/// The plan for all branches at once: joint values, and which branches are real; false where the fallback path has to decide.\n\

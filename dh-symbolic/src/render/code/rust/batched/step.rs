@@ -1,7 +1,7 @@
 //! One step of the plan for all branches: its roots, and how they are spread over the branches of the next loop.
 
 use super::loops::Layout;
-use super::writer::Writer;
+use super::writer::BatchedWriter;
 use crate::chain::Scalar;
 use crate::planner::BatchedRoots;
 use crate::program::{BatchedSolve, Node, What};
@@ -59,7 +59,7 @@ impl Roots {
     }
 }
 
-impl Writer<'_> {
+impl BatchedWriter<'_> {
     /// One step for all branches that its coefficients need; cosine and sine are then spread over the branches of the next loop.
     pub(super) fn step(&mut self, body: &mut Body<'_>, i: usize) {
         self.load_nodes(body, What::Step(i));

@@ -11,7 +11,7 @@ use crate::render::code::body::Body;
 use crate::render::code::steps::Variables;
 
 /// What has been written, and what is needed where.
-pub(super) struct Writer<'a> {
+pub(super) struct BatchedWriter<'a> {
     pub(super) chain: &'a Chain,
     pub(super) inverse: &'a Inverse,
     pub(super) batched: &'a Batched,
@@ -24,7 +24,7 @@ pub(super) struct Writer<'a> {
     pub(super) written: BTreeSet<usize>,
 }
 
-impl<'a> Writer<'a> {
+impl<'a> BatchedWriter<'a> {
     pub(super) fn new(
         chain: &'a Chain,
         inverse: &'a Inverse,

@@ -1,12 +1,12 @@
-//! Do two solutions belong to one continuum: does a motion of the arm lead from one to the other while the target stays reached?
+//! Connectivity of the solution set: whether a self-motion of the arm leads from one solution to another.
 
 use super::Setting;
-use super::motion::Motions;
+use super::null_space::Motions;
 use super::verifier::{SAME, Verifier};
 use crate::{Real, math};
 use dh_kernels::{Drive, Kinematics};
 
-/// Most steps along a continuum.
+/// Most steps along a self-motion.
 const WALK: usize = 40;
 /// Longest step (rad, or length scales).
 const STRIDE: f64 = 0.3;
@@ -63,8 +63,8 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
         }))
     }
 
-    /// A straight way from `p` among the solutions that ends at `q`, or so near that it is the same. (Beside a continuum polishing may end
-    /// at a joint vector that isn't of it, and reaches the target all the same.)
+    /// A straight way from `p` among the solutions that ends at `q`, or so near that it is the same. (Beside a self-motion polishing may end
+    /// at a joint vector that does not belong to it but still reaches the target.)
     pub(super) fn straight_way(&self, p: &[f64; N], q: &[f64; N]) -> Option<[f64; N]> {
         let level = self.level(p);
         let reached = |way: &[f64; N], t: f64| self.miss(&self.moved_by(p, way, t)) <= level;
@@ -75,12 +75,12 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
         })
     }
 
-    /// Is there a way from `p` to `q` among the solutions?
+    /// Whether a path leads from `p` to `q` among the solutions.
     pub(super) fn are_joined(&self, p: &[f64; N], q: &[f64; N]) -> bool {
         self.ways(p, q).any(|way| self.walk(p, way))
     }
 
-    /// Walks from `p` along a way, as far as possible among the solutions; says whether it arrives.
+    /// Walks from `p` in a direction as far as the solutions reach; returns whether it arrives.
     fn walk(&self, p: &[f64; N], mut way: [f64; N]) -> bool {
         let size = |v: &[f64; N]| math::sqrt(v.iter().map(|x| x * x).sum::<f64>());
         let level = self.level(p);
@@ -145,7 +145,7 @@ mod tests {
     use super::*;
     use crate::Joint;
     use crate::inverse::Setting;
-    use dh_kernels::{Chain, Task, pose};
+    use dh_kernels::{NumericChain, TaskTarget, pose};
 
     static JOINTS: [Joint; 2] = [Joint::revolute("q1"), Joint::revolute("q2")];
 
@@ -154,9 +154,9 @@ mod tests {
     fn joints_on_one_axis_turn_against_each_other() {
         let mut tool = pose::IDENTITY;
         tool[0][3] = 1.0;
-        let arm = Chain { links: [pose::IDENTITY, tool], prismatic: [false; 2] };
+        let arm = NumericChain { links: [pose::IDENTITY, tool], prismatic: [false; 2] };
         let (a, b) = ([0.2, 0.3], [1.2, -0.7]);
-        let task = Task::Pose(arm.forward(&a));
+        let task = TaskTarget::Pose(arm.forward(&a));
         let setting = Setting { joints: &JOINTS, length_scale: 1.0, rank_deficient: true, given: [None; 2] };
         let verifier: Verifier<'_, _, f64, 2, 4> = Verifier::new(&arm, setting, &task);
         assert!(verifier.straight_way(&a, &b).is_some() && verifier.are_joined(&a, &b));

@@ -1,8 +1,8 @@
-//! Where continua cross: along a curve of solutions there may be points at which another one begins.
+//! Intersections of self-motions: a curve of solutions may have points at which another curve begins.
 //!
-//! The plan does not see them: the value of a free joint at which a later step is free too is none of those that are tried. (The wrist
-//! centre on the second axis: joints 2 and 5 turn together, and where joint 5 is straight on the way, joints 4 and 6 may turn.) So a
-//! curve is followed, and where one more motion opens, a step is taken along it.
+//! The plan does not see them: the value of a free joint at which a later step becomes free too is not among the values that are tried.
+//! (With the wrist centre on the second axis, joints 2 and 5 turn together, and where joint 5 passes zero, joints 4 and 6 may turn.) So
+//! each curve is followed, and where the null space gains a dimension, a step is taken along it.
 
 use super::verifier::Verifier;
 use crate::{Branch, Real};
@@ -16,19 +16,19 @@ const DIP: f64 = 0.6;
 /// Steps of a golden section from twice `STRIDE` to 1e-9, and its ratio.
 const GOLDEN: usize = 42;
 const RATIO: f64 = 0.618_033_988_749_894_8;
-/// Length of the step along a motion that opens.
+/// Length of the step along a direction that becomes free.
 const ASIDE: f64 = 0.4;
 
 impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, T, N, M> {
-    /// Takes what crosses the curves of solutions that are known.
-    pub(super) fn take_crossings(&mut self) {
+    /// Finds the curves that cross the known curves of solutions.
+    pub(super) fn take_intersections(&mut self) {
         for i in 0..M {
             let Some(known) = self.out.get(i) else { return };
             let p = known.q.map(T::to_f64);
             if known.free.is_empty() {
                 continue;
             }
-            // Off `p`, where curves may cross already.
+            // Away from `p`, where curves may cross already.
             for v in self.motions(&p).directions() {
                 let Some(q) = self.step(&p, &v, ASIDE) else { continue };
                 let motions = self.motions(&q);
@@ -39,7 +39,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
         }
     }
 
-    /// Follows the curve that leaves `p` in a direction, once round, and looks where one more motion opens.
+    /// Follows the curve that leaves `p` in a direction, once round, and looks for points with one more free direction.
     fn follow(&mut self, p: &[f64; N], way: [f64; N], dim: usize) {
         let (mut x, mut way) = (*p, way);
         let (mut before, mut here) = (0.0_f64, self.gap(p, dim));
@@ -54,13 +54,13 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
         }
     }
 
-    /// How far a point of a continuum of `dim` dimensions is from having one more motion.
+    /// How far a point of a self-motion of `dim` dimensions is from one more free direction; 0 where it has one.
     fn gap(&self, x: &[f64; N], dim: usize) -> f64 {
         let motions = self.motions(x);
         if motions.len > dim { 0.0 } else { motions.volume }
     }
 
-    /// Takes solutions aside of the point near `x` where another motion opens, if there is one.
+    /// Takes solutions beside the point near `x` that has one more free direction, if there is one.
     fn take_dip(&mut self, x: &[f64; N], way: &[f64; N], dim: usize) {
         let at = |t: f64| self.step(x, way, t).map_or(f64::INFINITY, |x| self.gap(&x, dim));
         let (mut a, mut b) = (-STRIDE, STRIDE);

@@ -1,4 +1,4 @@
-//! How many solutions there are at poses of several singularities at once: continua that cross, roots of high order beside them.
+//! How many solutions there are at poses of several singularities at once: self-motions that cross, roots of high order beside them.
 
 use super::apart;
 use super::compiled::Compiled;
@@ -57,7 +57,7 @@ const CASES: &[(&[f64], usize, &str)] = &[
         | 90deg | 0 | 0 | q5 |
         | -90deg | 0 | 115mm | q6 |",
     ),
-    // Straight wrist and stretched elbow: a thousandth of a millionth beside the continuum the target is reached, too.
+    // Straight wrist and stretched elbow: a thousandth of a millionth beside the self-motion the target is reached, too.
     (
         &[-FRAC_PI_2, PI, -FRAC_PI_2, PI, 0.0, -FRAC_PI_2],
         5,

@@ -1,4 +1,4 @@
-//! Which joints are free at a solution: the motions of the arm that leave the target reached.
+//! The null space of the task's Jacobian at a solution, and the joints that are free there.
 
 use super::verifier::Verifier;
 use crate::{FreeJoints, Real};
@@ -25,7 +25,7 @@ const OBLIQUE: [f64; 3] = [0.41, -0.57, 0.33];
 pub(super) struct Motions<const N: usize> {
     pub(super) list: [[f64; N]; N],
     pub(super) len: usize,
-    /// The product of the pivots that do not count as zero: it vanishes where one more motion opens.
+    /// The product of the pivots that do not count as zero: it vanishes where the null space gains a dimension.
     pub(super) volume: f64,
 }
 
@@ -48,12 +48,12 @@ pub(super) struct Freedom {
     /// The joints that take part in motions which keep the target reached; none where the solution stands alone (the arm
     /// stretched out).
     pub(super) joints: FreeJoints,
-    /// Each of the motions can be followed as far as one likes, all joints at constant rates.
+    /// Whether each of the motions can be followed without end, all joints at constant rates.
     pub(super) straight: bool,
 }
 
 impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, T, N, M> {
-    /// Does every motion of the arm move the target?
+    /// Whether the null space is empty: every motion of the arm moves the tool.
     #[inline]
     pub(super) fn is_regular(&self, q: &[f64; N]) -> bool {
         self.motions(q).len == 0
@@ -69,7 +69,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
             }
         }
         if motions.len > 1 && !freedom.joints.is_empty() {
-            // Of a continuum of two dimensions some joints may rest at `q` only. (Fewer motions off it: curves that cross at `q`.)
+            // On a two-dimensional self-motion some joints may be at rest at `q` only. (A smaller null space away from `q`: curves that cross there.)
             let oblique = self.oblique(q, &motions);
             if self.motions(&oblique).len == motions.len {
                 let way = self.apart(q, &oblique);
@@ -79,7 +79,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
         freedom
     }
 
-    /// A point of no special kind of the continuum that `motions` begin at `q`; `q` itself where there is none.
+    /// A generic point of the self-motion that `motions` begin at `q`; `q` itself where there is none.
     fn oblique(&self, q: &[f64; N], motions: &Motions<N>) -> [f64; N] {
         let mut way = [0.0; N];
         for (v, size) in motions.list.iter().take(motions.len).zip(OBLIQUE) {

@@ -1,4 +1,4 @@
-//! How far a pose is from what an arm of few joints can do: the reason that is given for refusing it.
+//! The distance from the target to the reachable set of a rank-deficient arm, for `Why::NotOnTask`.
 
 use super::verifier::Verifier;
 use crate::{Real, Why, math};
@@ -6,17 +6,17 @@ use dh_kernels::{Kinematics, polish};
 
 /// Starts of the search for the nearest pose, where the plan led to none.
 const STARTS: usize = 12;
-/// What is missed by less is a pose beside those of the arm, whichever step found that out (radians, or lengths over the length scale).
+/// A smaller miss means a target close to the reachable set, whichever step found that out (radians, or lengths over the length scale).
 const NEAR: f64 = 0.05;
 /// Steps of each.
 const STEPS: usize = 40;
 
 impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, T, N, M> {
-    /// By how much the arm misses the target where it comes nearest, unless `why` says that it is too far away by less than that.
+    /// By how much the arm misses the target at its nearest pose; `why` itself where that reports a smaller distance.
     ///
-    /// Steps whose equations contradict each other say so in numbers that mean nothing to a user.
+    /// (Steps with contradicting equations report numbers that mean nothing to a user.)
     #[cold]
-    pub(super) fn off_the_arm(&mut self, why: &Why<f64>) -> Option<Why<f64>> {
+    pub(super) fn distance_to_task(&mut self, why: &Why<f64>) -> Option<Why<f64>> {
         let gap = match *why {
             Why::OutOfReach { needs, has, unit, .. } if !unit.is_empty() => {
                 (needs - has).abs() / self.setting.length_scale
@@ -40,7 +40,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Verifier<'_, A, 
         self.miss_of_best()
     }
 
-    /// What the nearest joint vector that was found misses.
+    /// By how much the nearest joint vector that was found misses the target.
     pub(super) fn miss_of_best(&self) -> Option<Why<f64>> {
         if !self.nearest.is_finite() {
             return None;
