@@ -12,7 +12,7 @@ use dh_symbolic::chain::Chain;
 use dh_symbolic::chain::table::parse;
 use dh_symbolic::render::document::notes::Part;
 use dh_symbolic::render::{Format, Options, notes};
-use dh_symbolic::verify::check::{Verdict, check_without_mends};
+use dh_symbolic::verify::check::{Verdict, check_without_repairs};
 use dh_symbolic::verify::language::{Derivation, Statement, Token};
 use dh_symbolic::verify::{Claims, judge};
 use generated_examples::{corpus, source};
@@ -170,7 +170,7 @@ fn verdicts_on_slips_agree_with_numbers() {
         for batch in chosen.chunks(20) {
             let text = head.clone() + &batch.iter().map(|w| w.join(" ") + ";\n").collect::<String>();
             let d = Claims::from_tokens(text.parse().unwrap()).derivation;
-            let report = check_without_mends(&chain, &d);
+            let report = check_without_repairs(&chain, &d);
             let verdicts = &report.verdicts[lets.len()..];
             assert_eq!(verdicts.len(), batch.len());
             for (line, verdict) in batch.iter().zip(verdicts) {

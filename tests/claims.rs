@@ -94,9 +94,9 @@ fn the_slips_are_found() {
     insta::assert_snapshot!("corpus_slips", wrong.join("\n"));
 }
 
-/// One wrong letter or sign in any true line of the PUMA is found, and mended by one letter or sign.
+/// One wrong letter or sign in any true line of the PUMA is found, and repaired by one letter or sign.
 #[test]
-fn every_slip_of_the_pen_is_mended() {
+fn every_slip_of_the_pen_is_repaired() {
     let path = corpus::folder().join("puma560.dh");
     let parsed = parse(std::fs::read_to_string(path).unwrap().parse().unwrap());
     let derivation = Claims::read(&parsed.claims).derivation;
@@ -126,10 +126,10 @@ fn every_slip_of_the_pen_is_mended() {
             let text = line_text(&wrong).0;
             match verdict(wrong.clone()) {
                 Verdict::Wrong(faults) => {
-                    let mend = faults[0].mend.clone().unwrap_or_else(|| panic!("not mended: {text}"));
-                    assert_eq!(mend.edits.len(), 1, "{text}");
-                    let mended = mend.apply(&wrong, &(0..wrong.len()));
-                    assert!(matches!(verdict(mended), Verdict::Proven(_)), "{text}");
+                    let repair = faults[0].repair.clone().unwrap_or_else(|| panic!("not repaired: {text}"));
+                    assert_eq!(repair.edits.len(), 1, "{text}");
+                    let repaired = repair.apply(&wrong, &(0..wrong.len()));
+                    assert!(matches!(verdict(repaired), Verdict::Proven(_)), "{text}");
                 }
                 other => panic!("{other:?}: {text}"),
             }

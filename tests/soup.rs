@@ -163,7 +163,7 @@ fn soup(words: &[(usize, bool)]) -> String {
     words.iter().map(text).collect()
 }
 
-fn words(most: usize) -> impl Strategy<Nominal = Vec<(usize, bool)>> {
+fn words(most: usize) -> impl Strategy<Value = Vec<(usize, bool)>> {
     prop::collection::vec((0..WORDS.len(), prop::bool::weighted(0.9)), 0..most)
 }
 
@@ -235,7 +235,7 @@ proptest! {
 const UNITS: [(&str, f64); 5] = [("m", 1.0), ("cm", 0.01), ("mm", 0.001), ("in", 0.0254), ("ft", 0.3048)];
 
 /// A length: its text, its value in metres, and the sum of the magnitudes in it.
-fn length() -> impl Strategy<Nominal = (String, f64, f64)> {
+fn length() -> impl Strategy<Value = (String, f64, f64)> {
     let leaf = (0u32..100_000, 0usize..4, 0usize..5).prop_map(|(digits, places, unit)| {
         let value = f64::from(digits) / 10f64.powi(places as i32) * UNITS[unit].1;
         (format!("{:.places$}{}", f64::from(digits) / 10f64.powi(places as i32), UNITS[unit].0), value, value)

@@ -1,4 +1,4 @@
-//! Which of the alternatives a solution took: the configuration, as robot controllers call it.
+//! The branch of a solution: its configuration (shoulder, elbow, wrist), as robot controllers call it.
 
 use core::fmt;
 

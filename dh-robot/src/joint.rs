@@ -1,4 +1,4 @@
-//! What a joint is: how it moves, how far, and how its angle is counted.
+//! Joints: revolute or prismatic, their range, and the normalisation of their angles.
 
 use crate::Real;
 use crate::math::{ceil, round, wrap_angle};

@@ -1,4 +1,4 @@
-//! Target poses: are they poses at all, and how far are two of them apart?
+//! Checks that target poses are rigid transforms, and measures the distance of two poses.
 
 use nalgebra::{Isometry3, IsometryMatrix3, Matrix3, Matrix4, Rotation3, Translation3, Vector3};
 

@@ -1,4 +1,4 @@
-//! The scalars of the API: `f64` and `f32`.
+//! The scalar types of the API: `f64` and `f32`.
 
 use core::fmt::{Display, LowerExp};
 

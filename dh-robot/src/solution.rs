@@ -1,4 +1,4 @@
-//! One answer of an inverse: joint values, the branch they belong to, the joints that are free.
+//! One solution of an inverse: joint values, its branch, and the joints that are free.
 
 use core::fmt;
 

@@ -1,4 +1,4 @@
-//! All answers of an inverse: a list on the stack that knows the joints and the reason for being empty.
+//! The solutions of an inverse: a list on the stack with the joints' ranges and the reason if it is empty.
 
 use core::fmt;
 use core::iter::Take;

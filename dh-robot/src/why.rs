@@ -1,4 +1,4 @@
-//! Why an inverse has the solutions it has, or none.
+//! The reasons why an inverse has no solutions.
 
 use core::fmt;
 

@@ -35,7 +35,7 @@ const NEIGHBOUR: f64 = 4e-3;
 /// - Each solution is polished by Newton on both equations; what doesn't solve them within [`ACCEPT`] is dropped.
 /// - [`Outcome::Free`]: the equations leave an angle free, at some value of the other one or altogether: an equation with all
 ///   coefficients at most `tol` (absolute), or two that have a curve of solutions in common. A free angle takes its value from
-///   `choice`, and the other one is solved for. Solutions that stand alone are given as well.
+///   `choice`, and the other one is solved for. Isolated solutions are returned as well.
 pub fn solve_bilinear_choosing(e1: &[f64; 9], e2: &[f64; 9], choice: AnglePair, tol: f64) -> Roots<AnglePair, 8> {
     if !(e1.iter().chain(e2).all(|x| x.is_finite())) {
         return Roots::none(Outcome::NoRealRoot);
@@ -109,7 +109,7 @@ fn swapped(mut found: Roots<AnglePair, 8>) -> Roots<AnglePair, 8> {
     found
 }
 
-/// Is `u` absent from a scaled equation?
+/// Whether `u` is absent from a scaled equation.
 fn lacks_first(e: &[f64; 9]) -> bool {
     e[3..].iter().all(|x| x.abs() <= ZERO)
 }

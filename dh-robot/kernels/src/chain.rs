@@ -1,4 +1,4 @@
-//! A serial chain of rigid transforms: what the numeric kernels know of an arm.
+//! A serial chain of rigid transforms: the model of an arm that the numeric kernels use.
 
 use super::elementary::{sin_cos, sqrt};
 use super::polish::Kinematics;

@@ -1,4 +1,4 @@
-//! Any number of equations in the cosine and sine of the same angle, in the sense of least squares.
+//! Any number of equations in the cosine and sine of one angle, solved by least squares.
 
 use super::elementary::sqrt;
 use super::list::List;

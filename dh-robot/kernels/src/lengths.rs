@@ -63,7 +63,7 @@ pub fn solve_quadratic(a: f64, b: f64, c: f64, tol: f64) -> Roots<f64, 2> {
 /// - Each solution is polished on both equations and dropped if it misses them by more than [`ACCEPT`].
 /// - [`Outcome::Free`]: the equations leave an unknown free, at some value of the other one or altogether: an equation whose
 ///   coefficients are all at most `tol` (absolute), or a common curve. It then takes its value from `choice`, and the other one is
-///   solved for. Solutions that stand alone are given as well.
+///   solved for. Isolated solutions are returned as well.
 pub fn solve_length_squared_and_angle_choosing(
     e1: &[f64; 9],
     e2: &[f64; 9],

@@ -152,7 +152,7 @@ pub struct Polished {
 }
 
 impl Polished {
-    /// Does the arm reach its target within `tol`, in position (over the length scale) and rotation (rad)? `false` for NaN.
+    /// Whether the arm reaches its target within `tol`, in position (over the length scale) and rotation (rad); `false` for NaN.
     pub fn reaches(&self, tol: f64) -> bool {
         self.position <= tol && self.rotation <= tol
     }
@@ -194,7 +194,7 @@ pub fn polish_to<const N: usize>(
     Polished { position: norm(&error[..3]), rotation: norm(&error[3..]), steps: taken }
 }
 
-/// Are two joint vectors that both reach a task the same solution, up to whole turns and rounding?
+/// Whether two joint vectors that both reach a target are the same solution, up to whole turns and rounding.
 ///
 /// Near a double root, polishing ends anywhere within the square root of its tolerance (and near a root of higher order, still farther
 /// away). What lies between two such ends reaches the task too; what lies between two solutions doesn't.

@@ -27,7 +27,7 @@ impl<const C: usize> Blank for Arc<C> {
 pub(super) struct Bracket {
     /// Its ends as half-angle vectors.
     pub(super) ends: [[f64; 2]; 2],
-    /// First negative, then positive?
+    /// Whether it is first negative, then positive.
     pub(super) rising: bool,
     /// The approximate root as `[cos, sin]`.
     pub(super) at: [f64; 2],
@@ -120,7 +120,7 @@ impl<const C: usize> Search<C> {
         [Arc { b: left, ends: [d0, middle], depth }, Arc { b, ends: [middle, d1], depth }]
     }
 
-    /// Notes the roots in an arc, if they can be told; answers `false` if it must be halved.
+    /// Records the roots in an arc if they can be isolated; returns `false` if the arc must be halved.
     #[inline]
     pub(super) fn settle(&mut self, arc: &Arc<C>) -> bool {
         let (n, b) = (C - 1, &arc.b);

@@ -29,7 +29,7 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// Is a step without a root possibly one with a root that rounding hides, or a loss of rank?
+    /// Whether a step without a root may have one that rounding hides, or a loss of rank.
     ///
     /// A right-hand side that is clearly out of reach isn't, unless the coefficients on the other side are next to nothing; the roots of
     /// polynomials don't say by how much they are not real.
@@ -60,7 +60,7 @@ impl Outcome {
         Some([distance, limit.max(0.0)])
     }
 
-    /// Is what is asked for beyond what is available by so little that the error of a double root in a step before may be the reason?
+    /// Whether the excess over the limit is so small that the error of a double root in an earlier step may be the reason.
     pub fn just_misses_a_root(&self) -> bool {
         matches!(*self, Self::OutOfReach { needed, available } if needed > available && needed <= available * (1.0 + GRAZE))
     }
@@ -95,13 +95,13 @@ impl<T: Blank, const N: usize> Roots<T, N> {
         self
     }
 
-    /// Is there at least one solution, and are all of them well apart?
+    /// Whether there is at least one solution and all are well apart.
     #[inline]
     pub fn is_regular(&self) -> bool {
         self.outcome == Outcome::Regular
     }
 
-    /// Do the equations leave an unknown free?
+    /// Whether the equations leave an unknown free.
     #[inline]
     pub fn is_free(&self) -> bool {
         self.outcome == Outcome::Free

@@ -17,7 +17,7 @@ pub struct Status {
 }
 
 impl Status {
-    /// Notes how a step ended whose outcome is not regular; `chosen`: were values chosen before for unknowns that were free?
+    /// Records a step whose outcome is not regular; `chosen` says whether values were chosen before for free unknowns.
     pub fn note(&mut self, outcome: Outcome, chosen: bool) {
         match outcome {
             Outcome::Regular => {}

@@ -1,4 +1,4 @@
-//! What the tests of the kernels share: a seeded generator of numbers.
+//! Test helpers of the kernels: a seeded generator of numbers.
 
 use core::f64::consts::PI;
 

@@ -11,7 +11,7 @@ use super::roots::{Angles, Outcome, Roots};
 use super::tolerance::TOUCH;
 use super::trig_poly::TrigPoly;
 
-/// Are two roots nearly one? (Cosines and sines within 1e-4: what [`super::tolerance::GRAZING`] is for a single equation.)
+/// Whether two roots are nearly one. (Cosines and sines within 1e-4: what [`super::tolerance::GRAZING`] is for a single equation.)
 fn close(a: [f64; 2], b: [f64; 2]) -> bool {
     (a[0] - b[0]).abs() + (a[1] - b[1]).abs() < 2e-4
 }
@@ -44,7 +44,7 @@ impl<const D: usize> TrigPoly<D> {
         Angles { roots, outcome: marked.outcome }
     }
 
-    /// [`TrigPoly::roots`], each with a mark: does it only touch zero (within `touch`, relative to the sum of all coefficients)?
+    /// [`TrigPoly::roots`], each marked if it only touches zero (within `touch`, relative to the sum of all coefficients).
     pub(super) fn marked_roots<const R: usize>(&self, zero: f64, touch: f64) -> Roots<([f64; 2], bool), R> {
         const { assert!(2 * D <= R, "a trigonometric polynomial of degree D has up to 2 D roots") };
         let size = self.size();

@@ -1,4 +1,4 @@
-//! Products of vectors: what every kernel, and the code around them, computes with.
+//! Inner and vector products of plain arrays, used by the kernels and the code around them.
 
 use super::elementary::sqrt;
 

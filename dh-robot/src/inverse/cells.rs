@@ -152,7 +152,7 @@ impl Cells {
         if middle > core::f64::consts::PI { middle - core::f64::consts::TAU } else { middle }
     }
 
-    /// Does a cell lie before or behind an angle?
+    /// Whether a cell lies before or behind an angle.
     pub(super) fn touches(&self, cell: usize, angle: f64) -> bool {
         let beside = |way: f64| {
             let x = angle + way;

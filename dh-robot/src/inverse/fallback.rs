@@ -64,7 +64,7 @@ pub fn solve<T: Real, const N: usize, const M: usize>(
 pub(super) struct Search<'a, A, T: 'static, const N: usize, const M: usize> {
     pub(super) verifier: Verifier<'a, A, T, N, M>,
     pub(super) work: Work,
-    /// A candidate behind a free unknown missed the target, or is a solution that stands alone: other values lead to others.
+    /// A candidate behind a free unknown missed the target, or is an isolated solution: other values lead to others.
     pub(super) alone: bool,
     /// A candidate missed the target, or more than one motion leaves it alone: what vanishes there may be as large as the error of a double root.
     blurred: bool,

@@ -14,7 +14,7 @@ pub fn frame_of<T: Real>(target: &nalgebra::IsometryMatrix3<T>, length_scale: f6
     if wide && is_exact(target) { Ok(over_reach(target, length_scale)) } else { rounded(target, length_scale) }
 }
 
-/// A rotation within rounding, and a finite position?
+/// Whether it is a rotation within rounding, with a finite position.
 #[inline(always)]
 fn is_exact<T: Real>(target: &nalgebra::IsometryMatrix3<T>) -> bool {
     let r = target.rotation.matrix();

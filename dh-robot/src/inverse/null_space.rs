@@ -45,7 +45,7 @@ impl<const N: usize> Motions<N> {
 
 /// What is free at a singular solution.
 pub(super) struct Freedom {
-    /// The joints that take part in motions which keep the target reached; none where the solution stands alone (the arm
+    /// The joints that take part in motions which keep the target reached; none where the solution is isolated (the arm
     /// stretched out).
     pub(super) joints: FreeJoints,
     /// Whether each of the motions can be followed without end, all joints at constant rates.

@@ -25,7 +25,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'_, A, T,
     ) {
         let free = first.iter().filter_map(|n| n.path.first_free()).chain(run.first_free()).min();
         let Some(step) = free else { return };
-        // Solutions that stand alone beside a self-motion: the candidates miss.
+        // Isolated solutions beside a self-motion: the candidates miss.
         let mut kept: List<Node<N>, RUN> = List::new();
         let (mut crossed, mut wide) = (false, false);
         for node in first.iter().filter(|n| n.path.is_chosen()) {
@@ -146,7 +146,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'_, A, T,
         !taken.is_empty()
     }
 
-    /// Solutions that stand alone, where a step left free what other equations decide: the candidates' error is a sinusoid of the unknown, and
+    /// Isolated solutions, where a step left free what other equations decide: the candidates' error is a sinusoid of the unknown, and
     /// its zeros are solutions.
     fn take_alone(
         &mut self,
@@ -250,7 +250,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'_, A, T,
 }
 
 impl Cut {
-    /// Does a node lie on a path through this cut's step?
+    /// Whether a node lies on a path through this cut's step.
     pub(super) fn is_on(&self, path: &Path) -> bool {
         path.before(self.step) == self.path.before(self.step)
     }

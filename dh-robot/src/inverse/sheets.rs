@@ -55,7 +55,7 @@ impl<const N: usize> Sheets<N> {
         }
     }
 
-    /// Is there a point in a cell?
+    /// Whether a cell contains a point.
     pub(super) fn covers(&self, cell: usize) -> bool {
         self.iter().any(|n| n.cell == Some(cell))
     }
@@ -78,7 +78,7 @@ impl<const N: usize> Sheets<N> {
         groups
     }
 
-    /// Do two points lie on one sheet, or on two that meet at a cut?
+    /// Whether two points lie on one sheet, or on two that meet at a cut.
     fn meet(&self, a: &Node<N>, b: &Node<N>, cells: &Cells) -> bool {
         let (Some(x), y) = (a.cell, b.cell) else { return false };
         let Some(y) = y else {

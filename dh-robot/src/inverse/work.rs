@@ -42,12 +42,12 @@ impl Work {
         Self { runs: 0, steps: 0, evaluations: 0, most: [most.runs, most.steps, most.evaluations] }
     }
 
-    /// Are these the bounds of an elimination?
+    /// Whether these are the bounds of an elimination.
     pub(super) fn is_elimination(&self) -> bool {
         self.most[0] <= Self::ELIMINATION.runs
     }
 
-    /// Is any of the bounds reached?
+    /// Whether any of the bounds is reached.
     pub(super) fn is_used_up(&self) -> bool {
         self.runs >= self.most[0] || self.steps >= self.most[1] || self.evaluations >= self.most[2]
     }

@@ -1,4 +1,4 @@
-//! The fast path of generated inverses: all branches of a plan side by side, without a jump.
+//! The fast path of generated inverses: all branches of a plan side by side, without conditional jumps.
 //!
 //! Every step solves its equation for all branches found so far, in plain loops over arrays that the compiler turns into vector
 //! instructions. How far each result is from a degenerate one is kept beside it; where anything is near, or where forward

@@ -1,4 +1,4 @@
-//! What generated code calls, and nobody else: not a stable interface, it changes with the macro from version to version.
+//! Runtime support for generated code only: not a stable interface, it changes with the macro from version to version.
 
 pub mod batched;
 mod slices;

@@ -1,4 +1,4 @@
-//! Vectors of three formulas and rigid transforms.
+//! Rigid transforms whose entries are formulas.
 
 use super::vector::{cross, dot};
 use super::{Poly, Rational};
@@ -88,7 +88,7 @@ impl Transform {
         }
     }
 
-    /// Is the rotation part orthogonal with determinant 1? Decided exactly.
+    /// Whether the rotation part is orthogonal with determinant 1, decided exactly.
     pub fn is_rigid(&self) -> bool {
         let c: [Vector; 3] = std::array::from_fn(|j| self.column(j));
         let unit = (0..3).all(|i| (i..3).all(|j| dot(&c[i], &c[j]) == if i == j { Poly::one() } else { Poly::zero() }));

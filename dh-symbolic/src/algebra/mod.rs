@@ -1,4 +1,4 @@
-//! What a formula is: polynomials in lengths, prismatic variables and harmonics of angles, in a normal form.
+//! Exact formulas: polynomials in lengths, prismatic variables and harmonics of angles, in a normal form.
 //!
 //! **In:** symbols and angles named in a [`Ring`]. **Out:** [`Poly`], [`Transform`]; equality of two formulas is equality of
 //! their normal forms, so it is decided, never guessed.

@@ -1,4 +1,4 @@
-//! Identities that the normal form must decide.
+//! Tests of the normal form: identities that it must decide.
 
 use super::*;
 

@@ -39,7 +39,7 @@ impl Elementary {
         }
     }
 
-    /// Does it do nothing?
+    /// Whether it is the identity.
     pub fn is_identity(&self) -> bool {
         match self {
             Elementary::Translate(_, length) => length.is_zero(),

@@ -140,7 +140,7 @@ impl Chain {
         }
     }
 
-    /// Is every actuator its own joint?
+    /// Whether every joint has its own actuator, without coupling.
     pub fn is_direct(&self) -> bool {
         self.drive
             .iter()
@@ -159,7 +159,7 @@ impl Chain {
         self.redundant.iter().filter_map(one).collect()
     }
 
-    /// Does a whole turn of this actuator leave the arm where it was? Not where it drives a prismatic joint, or turns a row by a fraction of a turn.
+    /// Whether a whole turn of this actuator leaves the arm where it was. False where it drives a prismatic joint, or turns a row by a fraction of a turn.
     pub fn is_periodic(&self, actuator: usize) -> bool {
         let mut periodic = false;
         for (joint, row) in self.joints.iter().zip(&self.drive) {
@@ -173,7 +173,7 @@ impl Chain {
         periodic
     }
 
-    /// Is a whole turn of a row something else than whole turns of actuators (gears, actuators that turn and lift together)?
+    /// Whether a whole turn of some row is not a whole number of actuator turns (gears, actuators that turn and lift together).
     pub fn is_geared(&self) -> bool {
         let revolute = |i: usize| matches!(self.joints[i].coordinate, Coordinate::Angle(_));
         let rows: Vec<usize> = (0..self.dof()).filter(|i| revolute(*i)).collect();

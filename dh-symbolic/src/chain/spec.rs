@@ -80,7 +80,7 @@ impl AngleCell {
         self.exact().radians() + self.approx.as_ref().map_or(0.0, Rational::to_f64)
     }
 
-    /// Is the angle written as 0?
+    /// Whether the angle is written as 0.
     pub fn is_zero(&self) -> bool {
         self.exact().is_zero() && self.approx.as_ref().is_none_or(Rational::is_zero) && self.symbols.is_empty()
     }

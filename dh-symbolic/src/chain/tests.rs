@@ -1,4 +1,4 @@
-//! Names and groups of small chains.
+//! Tests of chains: names of quantities, groups of parallel joints.
 
 use super::*;
 use crate::algebra::Rational;

@@ -35,7 +35,7 @@ impl Kinematics {
         self.links.len()
     }
 
-    /// Is the table empty?
+    /// Whether the table is empty.
     pub fn is_empty(&self) -> bool {
         self.links.is_empty()
     }

@@ -60,9 +60,9 @@ pub struct Piece {
 pub struct BlockJoint {
     /// Index of the joint.
     pub joint: usize,
-    /// Does it turn (or slide)?
+    /// Whether it is revolute (or prismatic).
     pub revolute: bool,
-    /// Is its axis opposite to the block's z (after an odd number of half turns about x)?
+    /// Whether its axis is opposite to the block's z (after an odd number of half turns about x).
     pub opposite: bool,
     /// Number of pieces before it.
     pub pieces: usize,

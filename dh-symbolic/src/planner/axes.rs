@@ -1,6 +1,6 @@
-//! The arm as the planner sees it: turning and sliding axes with constant transforms between, exact and in numbers.
+//! The arm as the planner sees it: revolute and prismatic axes with constant transforms between them, exact and in numbers.
 //!
-//! Frames stand on the joint axes, before and after the shift d along each axis, since the point where neighbouring axes meet is
+//! Frames lie on the joint axes, before and after the shift d along each axis, since the point where neighbouring axes meet is
 //! one of the two. A task that leaves something open becomes virtual joints: the turn about the tool's axis for `axis`, three turns
 //! about the tool's point for `position`, a slide along z for `planar` where joints change the height.
 
@@ -81,7 +81,7 @@ pub(crate) fn numeric(chain: &Chain, t: &Transform, length_scale: f64) -> Pose {
     })
 }
 
-/// A motion on the way from the base to the tip, or a frame that stands there.
+/// A motion on the way from the base to the tip, or a frame between motions.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Item {
     /// A constant motion.
@@ -205,7 +205,7 @@ impl Axes {
         }
     }
 
-    /// Does coordinate `k` turn?
+    /// Whether coordinate `k` belongs to a revolute joint.
     pub fn is_revolute(&self, k: usize) -> bool {
         matches!(self.coordinates.get(k), Some(Coordinate::Angle(_)))
     }
@@ -223,7 +223,7 @@ impl Axes {
     /// Frame `b` seen from frame `a`, exact. Made once: equations ask for the same products again and again.
     ///
     /// # Panics
-    /// Where there is no frame `b`, or `a` stands behind it.
+    /// Where there is no frame `b`, or `a` comes after it.
     pub fn between(&self, a: usize, b: usize) -> &Transform {
         self.products[a * (self.links.len() + 1) + b].get_or_init(|| {
             if a == b {

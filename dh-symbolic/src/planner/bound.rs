@@ -1,4 +1,4 @@
-//! How many isolated solutions a plan can have at most.
+//! An upper bound on the number of isolated solutions of a plan.
 
 use super::axes::{Axes, generic_parameter};
 use super::known::{Basis, Collected, Knowledge};
@@ -55,7 +55,7 @@ fn pairs<V>(rows: &[V]) -> impl Iterator<Item = (&V, &V)> {
     rows.iter().enumerate().flat_map(|(i, a)| rows[..i].iter().map(move |b| (a, b)))
 }
 
-/// Do equations in the cosine and sine of one angle fix it at every pose? Measured: their determinants are analytic, so what is the same
+/// Whether equations in the cosine and sine of one angle determine it at every pose. Measured: their determinants are analytic, so what is the same
 /// at some random configurations is the same everywhere.
 fn always_independent(rows: &[Collected], samples: &[Sample<'_>]) -> bool {
     let determinants: Vec<f64> = samples

@@ -1,4 +1,4 @@
-//! What is known while a plan runs: the target, joint combinations already found, and matrices made of them.
+//! What is known at a step of a plan: the target, the joint combinations found so far, and matrices made of them.
 
 use super::axes::Axes;
 use super::subspace::{JointCombination, Subspace, combination, numbers};
@@ -13,7 +13,7 @@ pub struct Known {
     pub form: JointCombination,
     /// Symbols of its cosine and sine; for a sliding joint its own symbol twice.
     pub symbols: [Symbol; 2],
-    /// Does it turn?
+    /// Whether it is an angle.
     pub is_angle: bool,
     /// Name for readers: `q1`, `q2 + q3`.
     pub name: String,
@@ -144,7 +144,7 @@ impl Knowledge {
         name
     }
 
-    /// Is a coordinate known by itself?
+    /// Whether a coordinate is known by itself.
     pub fn has(&self, axes: &Axes, k: usize) -> bool {
         let mut unit = vec![0.0; axes.count()];
         unit[k] = 1.0;

@@ -1,4 +1,4 @@
-//! How many dimensions of its task an arm moves through, and how many it could with more joints like its own.
+//! Mobility of an arm: the rank of its task Jacobian, and the dimension of the displacement group that its joints generate.
 
 use super::axes::Axes;
 use super::pool::rates;
@@ -30,7 +30,7 @@ impl Mobility {
         Mobility::of_joints(chain, axes, &chosen)
     }
 
-    /// Measures an arm of which some joints stand still.
+    /// Measures an arm some of whose joints are fixed.
     pub(super) fn of_joints(chain: &Chain, axes: &Axes, still: &[usize]) -> Mobility {
         let x = joint_vectors(axes, 1, 0).pop().unwrap_or_default();
         let twists: Vec<Twist> = rates(axes, &x)
@@ -55,12 +55,12 @@ impl Mobility {
         Mobility { task, rank: rank(&twists), orbit: rank(&algebra(&twists)) }
     }
 
-    /// Are there poses beside every pose of the arm that it cannot reach, however near?
+    /// Whether every neighbourhood of a reachable pose contains unreachable ones.
     pub fn misses_its_task(&self) -> bool {
         self.rank < self.task
     }
 
-    /// May different configurations reach the same pose at some poses only, where sheets of what the arm reaches cross?
+    /// Whether different configurations may reach the same pose at some poses only, where sheets of the reachable set cross.
     pub fn has_crossings(&self) -> bool {
         self.rank < self.orbit
     }

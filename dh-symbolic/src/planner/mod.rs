@@ -1,4 +1,4 @@
-//! How to solve an arm backwards.
+//! The planner of the inverse kinematics: chooses equations and the order in which they are solved.
 //!
 //! **In:** a [`Chain`](crate::chain::Chain). **Out:** a [`Plan`]: steps, each with the equations it uses, the unknown, the number of
 //! branches and what happens when it degenerates; or the reasons why there is none.

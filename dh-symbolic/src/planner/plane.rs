@@ -1,4 +1,4 @@
-//! What `task = planar` asks of an arm: that its tool turns about the base's z axis only.
+//! The condition of `task = planar`: the tool of the arm turns about the base's z axis only.
 
 use crate::algebra::{Poly, Transform};
 use crate::chain::{Chain, Coordinate};
@@ -30,7 +30,7 @@ impl Plane<'_> {
         joints.filter(|(_, j)| tilts(&j.coordinate)).map(|(k, _)| k).collect()
     }
 
-    /// Does the tool's x axis always stand along z, so that it has no angle about z?
+    /// Whether the tool's x axis is always parallel to z, so that it has no angle about z.
     pub(super) fn is_upright(&self) -> bool {
         self.pose.r[0][0].is_zero() && self.pose.r[1][0].is_zero()
     }

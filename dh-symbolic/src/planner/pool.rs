@@ -1,4 +1,4 @@
-//! The pool of equations, and which joints each depends on.
+//! The pool of candidate equations between pairs of frames, and the joints that each depends on.
 //!
 //! For frames a <= b of the arm, the part of the chain between them equals the target brought back over the two ends:
 //! M(a, b) = M(0, a)^-1 W M(b, n)^-1. From both sides are read the nine direction cosines, the position p, the position seen from

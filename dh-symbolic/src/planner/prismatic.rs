@@ -1,10 +1,10 @@
-//! Equations in which no length of a sliding joint occurs.
+//! Equations for arms with prismatic joints from which the joint lengths have been eliminated.
 //!
-//! Around the loop of links and target the ways from joint to joint add up to nothing. Two slides' directions u and v span a plane; the
+//! Around the loop of links and target the ways from joint to joint add up to nothing. The directions u and v of two prismatic joints span a plane; the
 //! component of that sum across it, (u x v).p, is free of both lengths: [`FrameScalar::Across`].
 //!
-//! An arm with two slides and four turning joints has four angles and only three equations of directions. The fourth one is made of the
-//! same component: where the neighbouring turning axes x and y have no slide between them, the way from x to y is taken apart,
+//! An arm with two prismatic and four revolute joints has four angles and only three equations of directions. The fourth one is made of the
+//! same component: where the neighbouring revolute axes x and y have no prismatic joint between them, the displacement from x to y is decomposed,
 //!
 //! ```text
 //! p = l x + m y + k (x cross y),
@@ -93,13 +93,13 @@ fn bridge<T: RingElement>(l: &Loop<T>, y: &V<T>, p: &V<T>) -> T {
     way.minus(&along).minus(&off.times(&k))
 }
 
-/// Links with sliding joints.
+/// Links with prismatic joints.
 fn prismatic_links(axes: &Axes) -> Vec<usize> {
     let is_prismatic = |h: &usize| axes.links.get(*h).and_then(|h| h.joint).is_some_and(|j| !axes.is_revolute(j));
     (0..axes.links.len()).filter(is_prismatic).collect()
 }
 
-/// Slides of a bridge in the order in which they follow behind frame `b`.
+/// The prismatic joints of a bridge in the order in which they follow frame `b`.
 fn ordered([i, j]: [usize; 2], b: usize) -> [usize; 2] {
     if i < b && j >= b { [j, i] } else { [i, j] }
 }
@@ -240,7 +240,7 @@ fn bridge_parts(axes: &Axes, knowledge: &mut Knowledge, e: &Equation, prismatic:
     }
 }
 
-/// The equation across two slides.
+/// The equation across two prismatic joints.
 pub(super) fn across_exact(axes: &Axes, knowledge: &mut Knowledge, e: &Equation, j: usize) -> Poly {
     let (u, p) = across_parts(axes, knowledge, e, j);
     across(&u, &p)
@@ -285,7 +285,7 @@ mod tests {
         (60, "0.22", "0.17", 0),
     ];
 
-    /// Every equation of an arm: is it right, and free of what it should be free of?
+    /// Every equation of an arm: it holds, and does not contain what it should be free of.
     fn check(convention: Convention, kinds: &str) {
         let chain = mixed_chain(convention, kinds, &ROWS);
         let axes = Axes::new(&chain);

@@ -1,4 +1,4 @@
-//! Numbers to measure with.
+//! Pseudo-random sample values for numeric tests of equations.
 
 /// A fixed sequence of numbers in (-1, 1): plans must not change from run to run.
 pub(super) struct Random(u64);

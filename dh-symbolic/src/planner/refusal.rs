@@ -1,4 +1,4 @@
-//! Why an arm gets no inverse for its task: reasons as data, and the limits that are checked before any search.
+//! The reasons why an arm gets no inverse for its task, as data, and the limits that are checked before any search.
 
 use super::axes::Axes;
 use super::mobility::Mobility;
@@ -45,7 +45,7 @@ pub enum Refusal {
     },
 }
 
-/// Does the task suit the arm at all?
+/// Whether the task suits the arm at all.
 ///
 /// # Errors
 /// The first reason why it does not.
@@ -69,7 +69,7 @@ pub(super) fn check(chain: &Chain) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// Can the arm spare the joints that the caller gives?
+/// Whether the arm can do without the joints that the caller gives.
 ///
 /// # Errors
 /// Where the others alone cannot do what all do together.

@@ -1,4 +1,4 @@
-//! What is equated: which scalar of which pair of frames.
+//! The equations the planner considers: which scalar (an entry, a distance, a dot product) of which pair of frames.
 
 use super::axes::Axes;
 use super::known::Knowledge;

@@ -1,4 +1,4 @@
-//! Plans as data.
+//! The plan of an inverse as data: its steps, their equations and unknowns.
 
 use super::axes::Axes;
 use super::known::{Collected, Knowledge};
@@ -36,6 +36,6 @@ pub struct Plan {
     pub steps: Vec<Step>,
     /// Bound of the number of solutions.
     pub max_solutions: usize,
-    /// Has the task directions in which the arm cannot move the tool at all? Then its targets lie on what it reaches up to rounding only.
+    /// Whether the task has directions in which the arm cannot move the tool at all: its targets then lie in the reachable set up to rounding only.
     pub rank_deficient: bool,
 }

@@ -1,4 +1,4 @@
-//! What an arm's axes have in common: parallel and meeting neighbours, common points, and the cells that say so.
+//! Geometric structure of an arm: parallel and intersecting axes, common points, and the table cells responsible.
 
 use super::axes::{Axes, numeric};
 use crate::algebra::Poly;

@@ -1,4 +1,4 @@
-//! Linear forms of joint coordinates: which combinations an equation depends on, which are known.
+//! Subspaces of linear combinations of joint coordinates: those that an equation depends on, and those that are known.
 
 /// An integer combination of coordinates, such as theta2 + theta3.
 pub type JointCombination = Vec<i8>;
@@ -58,7 +58,7 @@ impl Subspace {
         v
     }
 
-    /// Is the vector in the space?
+    /// Whether the vector lies in the space.
     pub fn contains(&self, v: &[f64]) -> bool {
         self.reduce(v).iter().all(|x| x.abs() <= TOLERANCE)
     }

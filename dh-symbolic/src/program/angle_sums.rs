@@ -1,4 +1,4 @@
-//! Sines and cosines of angle sums from those that are computed anyway.
+//! Angle-sum sharing: computes sines and cosines of angle sums from those that are computed anyway.
 //!
 //! Where u and v are needed, the sine and cosine of u + v cost four multiplications and two additions instead of a call; v may
 //! be a constant, as between a frame and one that is fixed to it at 30 degrees.

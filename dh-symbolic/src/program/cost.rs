@@ -1,4 +1,4 @@
-//! What a program costs.
+//! Operation counts of a program.
 
 use super::{Graph, Node, Value};
 use crate::algebra::LinearAngle;

@@ -12,7 +12,7 @@ use std::collections::HashMap;
 pub struct Value {
     /// Index of the node.
     pub node: u32,
-    /// Negated?
+    /// Whether it is negated.
     pub negative: bool,
 }
 

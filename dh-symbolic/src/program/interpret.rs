@@ -1,4 +1,4 @@
-//! Runs a program on f64: the second opinion in tests, and the numbers of worked examples.
+//! Interprets a program in `f64`: an independent check in tests, and the numbers of worked examples.
 
 use super::Program;
 use super::fold::Arithmetic;

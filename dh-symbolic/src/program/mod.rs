@@ -1,4 +1,4 @@
-//! Straight-line code that is proven.
+//! Straight-line programs for forward kinematics and Jacobian, proven equal to the exact formulas.
 //!
 //! **In:** a [`Chain`]. **Out:** a [`Program`]: hash-consed instructions with named outputs, found by a
 //! search over the ways in which the products can be associated, and proven equal to the product of link transforms.

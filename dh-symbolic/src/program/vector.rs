@@ -1,4 +1,4 @@
-//! Vectors of values: turning, adding, crossing.
+//! Three-vectors of program values: rotation, sum, inner and vector product.
 
 use super::graph::{Graph, ONE, Value, ZERO};
 use crate::algebra::Poly;

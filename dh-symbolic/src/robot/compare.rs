@@ -1,4 +1,4 @@
-//! Are two tables one arm? Frames of both that move together are joined by constant transforms, found exactly.
+//! Compares two tables: whether they describe one arm, and which constant transforms relate their frames.
 //!
 //! A standard and a modified table of one arm put their frames at different places of the same links. With D such a constant
 //! transform, T_A(i) = T_B(j) * D: these are carried from joint to joint, D' = L_B^-1 * D * L_A, so nothing long is ever formed.

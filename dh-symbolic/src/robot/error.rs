@@ -1,4 +1,4 @@
-//! What can go wrong at the library's surface: mistakes in a text with their places, names without values.
+//! Errors of the library's public interface: mistakes in a table with their places, names without values.
 
 use crate::diagnostic::Errors;
 use std::fmt;

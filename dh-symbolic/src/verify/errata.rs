@@ -100,31 +100,31 @@ fn wrong(out: &mut String, p: &Printed<'_>) {
     }
 }
 
-/// The corrected line: with its mends, or with the correct formula where the whole right side is a formula.
+/// The corrected line: with its repairs, or with the correct formula where the whole right side is a formula.
 fn corrected(p: &Printed<'_>) -> Option<String> {
     let (d, report) = (p.page.derivation, p.page.report);
-    let mut mend = crate::verify::check::Mend { edits: vec![] };
+    let mut repair = crate::verify::check::Repair { edits: vec![] };
     match p.verdict {
         Verdict::Wrong(faults) => {
             if let [fault] = faults.as_slice()
-                && fault.mend.is_none()
+                && fault.repair.is_none()
                 && let FaultKind::Formula { correct, .. } = &fault.kind
             {
                 return Some(ratio_text(report, correct));
             }
-            for m in faults.iter().filter_map(|f| f.mend.as_ref()) {
-                mend.edits.extend(m.edits.iter().filter(|e| !mend.edits.contains(e)).cloned().collect::<Vec<_>>());
+            for m in faults.iter().filter_map(|f| f.repair.as_ref()) {
+                repair.edits.extend(m.edits.iter().filter(|e| !repair.edits.contains(e)).cloned().collect::<Vec<_>>());
             }
         }
-        Verdict::NotUnderstood(_, Some(m)) => mend = m.clone(),
+        Verdict::NotUnderstood(_, Some(m)) => repair = m.clone(),
         _ => {}
     }
-    let open = remarks(report, d, p.verdict).iter().any(|r| r.mend.is_none());
-    if mend.edits.is_empty()
+    let open = remarks(report, d, p.verdict).iter().any(|r| r.repair.is_none());
+    if repair.edits.is_empty()
         || (open && matches!(p.verdict, Verdict::Wrong(f) if f.len() > 1 && f.iter().any(|x| x.entry.is_none())))
     {
         return None;
     }
-    mend.edits.sort_by_key(|e| e.place.start);
-    Some(crate::verify::language::line_text(&mend.apply(&d.tokens, &p.line.place)).0)
+    repair.edits.sort_by_key(|e| e.place.start);
+    Some(crate::verify::language::line_text(&repair.apply(&d.tokens, &p.line.place)).0)
 }

@@ -5,7 +5,7 @@ use crate::render::formula::expression::Expression;
 use crate::render::formula::grouping::Order;
 use crate::render::formula::plain;
 use crate::verify::Claims;
-use crate::verify::check::{Condition, Edit, Example, Fault, FaultKind, Mend, Pair, Ratio, Report, Verdict};
+use crate::verify::check::{Condition, Edit, Example, Fault, FaultKind, Pair, Ratio, Repair, Report, Verdict};
 #[cfg(feature = "documents")]
 use crate::verify::document::DocumentClaims;
 use crate::verify::language::{Derivation, Line, Place, Statement, Token, TokenKind, line_text};
@@ -21,8 +21,8 @@ pub struct Remark {
     pub headline: String,
     /// What more there is to say.
     pub details: Vec<String>,
-    /// How to mend it, where that is known.
-    pub mend: Option<String>,
+    /// How to repair it, where that is known.
+    pub repair: Option<String>,
     /// The words that it is about.
     pub place: Place,
 }
@@ -113,7 +113,7 @@ pub fn edit_text(tokens: &[Token], e: &Edit) -> String {
 }
 
 /// "`s5` should be `s6` and `c5` should be `c6`".
-pub fn mend_text(tokens: &[Token], m: &Mend) -> String {
+pub fn repair_text(tokens: &[Token], m: &Repair) -> String {
     m.edits.iter().map(|e| edit_text(tokens, e)).collect::<Vec<_>>().join(" and ")
 }
 
@@ -162,7 +162,7 @@ fn fault_remark(report: &Report, d: &Derivation, f: &Fault) -> Remark {
             r.headline = format!("this is {}", if *angle { "an angle" } else { "a length" });
         }
     }
-    r.mend = f.mend.as_ref().map(|m| mend_text(&d.tokens, m));
+    r.repair = f.repair.as_ref().map(|m| repair_text(&d.tokens, m));
     r
 }
 
@@ -171,12 +171,12 @@ pub fn remarks(report: &Report, d: &Derivation, verdict: &Verdict) -> Vec<Remark
     match verdict {
         Verdict::Noted | Verdict::Proven(_) | Verdict::Agrees => vec![],
         Verdict::Wrong(faults) => {
-            // where no entry is written out, the mend stands with the first fault
+            // where no entry is written out, the repair stands with the first fault
             faults.iter().map(|f| fault_remark(report, d, f)).collect()
         }
-        Verdict::NotUnderstood(n, mend) => vec![Remark {
+        Verdict::NotUnderstood(n, repair) => vec![Remark {
             headline: n.why.clone(),
-            mend: mend.as_ref().map(|m| mend_text(&d.tokens, m)),
+            repair: repair.as_ref().map(|m| repair_text(&d.tokens, m)),
             place: n.place.clone(),
             ..Remark::default()
         }],
@@ -188,14 +188,14 @@ pub fn complaints(report: &Report, d: &Derivation, verdict: &Verdict) -> Vec<(Pl
     let mut out: Vec<(Place, String, Option<String>)> = Vec::new();
     let mut shown: Option<Place> = None;
     for (k, r) in remarks(report, d, verdict).into_iter().enumerate() {
-        let text = if r.mend.is_some() { r.headline } else { [vec![r.headline], r.details].concat().join("\n") };
+        let text = if r.repair.is_some() { r.headline } else { [vec![r.headline], r.details].concat().join("\n") };
         match out.last_mut().filter(|_| shown.as_ref() == Some(&r.place)) {
             Some(last) => last.1 = format!("{}\n{text}", last.1),
             None => {
                 let place =
                     marks(verdict, k, &Remark { place: r.place.clone(), ..Remark::default() }).into_iter().next();
                 let word = if matches!(verdict, Verdict::Wrong(_)) { "this line is wrong: " } else { "" };
-                out.push((place.unwrap_or(r.place.clone()), format!("{word}{text}"), r.mend));
+                out.push((place.unwrap_or(r.place.clone()), format!("{word}{text}"), r.repair));
             }
         }
         shown = Some(r.place);
@@ -214,11 +214,11 @@ pub fn verdict_word(v: &Verdict) -> &'static str {
     }
 }
 
-/// The words that a remark points at: those of its mend, where there is one.
+/// The words that a remark points at: those of its repair, where there is one.
 fn marks(v: &Verdict, k: usize, r: &Remark) -> Vec<Place> {
-    let mend = match v {
-        Verdict::Wrong(faults) => faults.get(k).and_then(|f| f.mend.as_ref()),
-        Verdict::NotUnderstood(_, mend) => mend.as_ref(),
+    let repair = match v {
+        Verdict::Wrong(faults) => faults.get(k).and_then(|f| f.repair.as_ref()),
+        Verdict::NotUnderstood(_, repair) => repair.as_ref(),
         _ => None,
     };
     // an insertion is shown at the word that it belongs to
@@ -227,7 +227,7 @@ fn marks(v: &Verdict, k: usize, r: &Remark) -> Vec<Place> {
         (true, true) => e.place.start.saturating_sub(1)..e.place.start,
         (true, false) => e.place.start..e.place.start + 1,
     };
-    mend.map_or_else(|| vec![r.place.clone()], |m| m.edits.iter().map(shown).collect())
+    repair.map_or_else(|| vec![r.place.clone()], |m| m.edits.iter().map(shown).collect())
 }
 
 /// One line with its verdict, as plain text; what is wrong is underlined.
@@ -258,7 +258,7 @@ fn line_report_as(report: &Report, d: &Derivation, line: &Line, verdict: &Verdic
             shown = Some(r.place.clone());
         }
         let _ = writeln!(out, "        {}", r.headline);
-        if let Some(m) = &r.mend {
+        if let Some(m) = &r.repair {
             let _ = writeln!(out, "        {m}");
         } else {
             for d in &r.details {

@@ -1,4 +1,4 @@
-//! One elimination with one choice: from the roots of its determinant to joint vectors, each root accounted for.
+//! One elimination for one choice of joints: from the roots of its determinant to joint vectors, each root accounted for.
 
 use super::super::elementary::{atan2, sin_cos};
 use super::super::pose::{IDENTITY, Pose, compose, inverse, slide, turn};
@@ -60,7 +60,7 @@ impl General6R {
         }
     }
 
-    /// Has the determinant of this choice too few digits at a pose?
+    /// Whether the determinant of this choice has too few digits at a pose.
     pub(super) fn is_blurred(&self, target: &Pose, choice: Choice) -> bool {
         if choice.is_pairs() {
             return Pairs::new(self.scaled_arm(), target, choice)
@@ -185,7 +185,7 @@ impl General6R {
     }
 }
 
-/// Is an angle between two half-angle vectors, less than half a turn apart?
+/// Whether an angle lies between two half-angle vectors less than half a turn apart.
 fn inside(ends: &[[f64; 2]; 2], at: [f64; 2]) -> bool {
     let [from, to] = ends.map(square);
     let (above, below) = (from[0] * at[1] - from[1] * at[0], at[0] * to[1] - at[1] * to[0]);

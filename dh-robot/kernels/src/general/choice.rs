@@ -1,4 +1,4 @@
-//! Which joint plays which part in the elimination.
+//! The choice of which joint plays which role in the elimination.
 
 use super::super::Blank;
 
@@ -22,7 +22,7 @@ impl Choice {
         Self(number % Self::COUNT)
     }
 
-    /// Does it need the structure of `pairs.rs`?
+    /// Whether it needs the structure of `pairs.rs`.
     pub(super) const fn is_pairs(self) -> bool {
         self.0 >= Self::GENERAL
     }
@@ -32,7 +32,7 @@ impl Choice {
         self.0
     }
 
-    /// Does the loop run against the order of the joints?
+    /// Whether the loop runs against the order of the joints.
     pub(super) const fn reversed(self) -> bool {
         self.0 % Self::GENERAL >= if self.is_pairs() { 6 } else { 36 }
     }
@@ -61,14 +61,14 @@ impl Choice {
         }
     }
 
-    /// Is the determinant of degree 8 for every arm, or may it be of degree 12, with roots that belong to no solution?
+    /// Whether the determinant has degree 8 for every arm (otherwise it may have degree 12, with roots that belong to no solution).
     ///
     /// The extraneous factor of Raghavan and Roth's determinant is known only for the angle next to the linear ones.
     pub(super) const fn has_least_degree(self) -> bool {
         self.middle()[0] == 0
     }
 
-    /// Is the choice possible if these joints slide? The hidden one, the one that doubles and the one that drops out must turn.
+    /// Whether the choice is possible if these joints are prismatic: the hidden one, the one that doubles and the one that drops out must be revolute.
     pub(super) fn allows(self, prismatic: &[bool; 6]) -> bool {
         let (joints, [hidden, double, _]) = (self.joints(), self.middle());
         ![joints[2 + hidden], joints[2 + double], joints[5]].iter().any(|j| prismatic[*j])

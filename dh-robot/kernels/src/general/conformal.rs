@@ -1,4 +1,4 @@
-//! What a rigid transform does to an axis with a point on it, as a linear map of fourteen numbers.
+//! The action of a rigid transform on an axis with a point on it, as a linear map of fourteen numbers.
 //!
 //! For a point `p` on an axis with direction `l`, Raghavan and Roth's fourteen expressions
 //!

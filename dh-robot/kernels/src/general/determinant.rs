@@ -13,7 +13,7 @@ const AGAIN: usize = 4;
 const SINGULAR: f64 = 1e-11;
 /// Relative rounding error of a function above which its roots mean nothing.
 const ALL_NOISE: f64 = 1e-4;
-/// The same two above and below which few digits are left.
+/// Softer limits of the same two quantities: low precision, but not lost.
 const BLURRED: f64 = 1e-7;
 const FAINT: f64 = 1e-9;
 /// Slope (relative) of a root that is certainly a simple one.
@@ -85,7 +85,7 @@ pub(super) enum Root {
 pub(super) struct Effort {
     /// Determinants computed.
     pub(super) determinants: usize,
-    /// Was that the most that is allowed? Then roots next to one of high order may be missing.
+    /// Whether that was the most that is allowed; roots next to one of high order may then be missing.
     pub(super) exhausted: bool,
 }
 
@@ -190,17 +190,17 @@ impl<const D: usize, const C: usize, const K: usize> Determinant<D, C, K> {
         Effort { determinants: (count + again) * C, exhausted: count == E::MOST }
     }
 
-    /// Does the function neither vanish everywhere nor drown in rounding errors?
+    /// Whether the function neither vanishes everywhere nor drowns in rounding errors.
     pub(super) fn means_something(&self) -> bool {
         self.noise < ALL_NOISE && self.regularity > SINGULAR
     }
 
-    /// Has the function lost so many digits that another elimination is called for?
+    /// Whether the function has lost so many digits that another elimination is needed.
     pub(super) fn is_blurred(&self) -> bool {
         !(self.noise < BLURRED && self.regularity > FAINT)
     }
 
-    /// Is the polynomial so flat at a root that it may be a multiple one, or next to others?
+    /// Whether the polynomial is so flat at a root that it may be a multiple one, or next to others.
     pub(super) fn is_flat(&self, at: [f64; 2]) -> bool {
         self.polynomial.value_and_slope(at).1.abs() < STEEP * self.polynomial.size()
     }

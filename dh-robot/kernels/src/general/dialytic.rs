@@ -25,7 +25,7 @@ type Matrix = [[f64; SIZE]; SIZE];
 pub(super) struct Dialytic {
     /// For each equation the coefficients of `1`, `2 cos x` and `2 sin x`, each by the single joint's three monomials.
     parts: [[[f64; 9]; EQUATIONS]; 3],
-    /// Does the single joint slide?
+    /// Whether the single joint is prismatic.
     prismatic: bool,
 }
 
@@ -52,12 +52,12 @@ impl Refined {
     /// A null vector that misses the form of a solution by more (squared) belongs to none.
     const MISFIT: f64 = 1e-3;
 
-    /// Has the iteration converged?
+    /// Whether the iteration has converged.
     pub(super) fn settled(&self) -> bool {
         self.step < Self::SETTLED
     }
 
-    /// Does the null vector have the form of a solution?
+    /// Whether the null vector has the form of a solution.
     pub(super) fn fits(&self) -> bool {
         self.misfit < Self::MISFIT
     }
@@ -156,7 +156,7 @@ impl Dialytic {
         self.pivots(at).iter().filter(|p| !(**p > 1e-7)).count()
     }
 
-    /// Does the determinant vanish at this hidden angle exactly to this order?
+    /// Whether the determinant vanishes at this hidden angle exactly to this order.
     pub(super) fn vanishes_to(&self, at: [f64; 2], order: usize) -> bool {
         let size = |by: f64| {
             let (s, c) = sin_cos(by);

@@ -86,7 +86,7 @@ pub(super) struct Pairs {
     u0: f64,
     vv0: f64,
     p: f64,
-    /// Does nothing tell `n` from `-n`?
+    /// Whether `n` cannot be told from `-n`.
     pub(super) symmetric: bool,
 }
 
@@ -404,7 +404,7 @@ fn meeting(n: [f64; 3], cos: f64, x: [f64; 3], along: f64) -> List<[f64; 3], 2> 
     found
 }
 
-/// Has an arm the structure that this cut needs?
+/// Whether an arm has the structure that this cut needs.
 pub(super) fn fits(arm: &NumericChain<6>, choice: Choice) -> bool {
     let joints = choice.joints();
     // Against the order of the joints, a link belongs to the joint before.

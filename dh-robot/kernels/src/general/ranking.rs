@@ -1,4 +1,4 @@
-//! The search for the best choices of an arm: by condition, then by trial.
+//! Ranks the choices of joints for an arm: by conditioning, then by trial.
 
 use super::super::chain::NumericChain;
 use super::super::elementary::sin_cos;

@@ -1,4 +1,4 @@
-//! All solutions of a target: eliminations with several choices, and what is left to do at singular poses.
+//! All solutions for a target: eliminations with several choices of joints, and the numeric search at singular poses.
 
 use super::super::chain::NumericChain;
 use super::super::elementary::{sin_cos, wrapped};
@@ -24,7 +24,7 @@ const STARTS: usize = 64;
 pub struct Solved {
     /// Joint vectors, angles in (-pi, pi].
     pub solutions: List<[f64; 6], 16>,
-    /// Did the last elimination account for each of its roots? If not, the pose is singular or nearly so: a fold, or a self-motion.
+    /// Whether the last elimination accounted for each of its roots. If not, the pose is singular or nearly so: a fold, or a self-motion.
     pub clean: bool,
 }
 
@@ -163,7 +163,7 @@ impl General6R {
     }
 }
 
-/// Is there a motion of the arm that hardly moves the tool?
+/// Whether some motion of the arm hardly moves the tool.
 pub(super) fn is_singular(arm: &NumericChain<6>, q: &[f64; 6]) -> bool {
     let mut m = arm.forward_and_jacobian(q).1;
     for k in 0..6 {

@@ -1,4 +1,4 @@
-//! The command line: which command, which files, which options; what does not belong together is said in one line.
+//! Parses the command line: command, files, options; combinations that make no sense are one-line errors.
 
 use crate::output::Answer;
 use dh_symbolic::NotesOptions;

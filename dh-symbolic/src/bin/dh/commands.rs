@@ -1,4 +1,4 @@
-//! What each command does with the library.
+//! The commands of `dh`, each a thin call of the library.
 
 use crate::arguments::Request;
 use crate::output::{Answer, WRONG, read, write_whole};

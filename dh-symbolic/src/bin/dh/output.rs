@@ -1,4 +1,4 @@
-//! Where answers go: standard output, a file that appears when it is complete, standard error.
+//! Output of the command: standard output, a file that appears only when complete, standard error.
 
 use std::io::{Read, Write};
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! From a sum to what its place can hold: an angle, a length, or a cell that moves.
+//! Converts the sum in a cell to what its column can hold: an angle, a length, or a joint variable with an offset.
 
 use super::radians;
 use super::scope::{Declared, Kind, Scope};
@@ -52,7 +52,7 @@ fn within_reason(x: &Rational, t: &Term) -> Result<(), Error> {
     Err(Error::new(t.place, "this number is beyond all reason").help("numbers lie between 1e-300 and 1e15"))
 }
 
-/// Is one of the names of this sum declared wrongly? Then nothing more is to be said about it.
+/// Whether one of the names of this sum is declared wrongly; no further error is reported then.
 pub(super) fn doubtful(sum: &Sum, scope: &Scope) -> bool {
     let unsound = |i: &usize| scope.names.get(*i).is_none_or(|d| !d.sound);
     sum.terms
@@ -142,7 +142,7 @@ fn add(cell: &mut LengthCell, factor: &Rational, names: &[usize]) {
     cell.terms.retain(|(x, _)| !x.is_zero());
 }
 
-/// Does a joint variable stand in this sum?
+/// Whether this sum contains a joint variable.
 pub(super) fn moves(sum: &Sum) -> bool {
     sum.terms.iter().any(|t| t.variable.is_some())
 }

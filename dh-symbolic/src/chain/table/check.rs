@@ -1,4 +1,4 @@
-//! Header and rows: which cell is which, and what a row says.
+//! Interprets header and rows of a table: which cell is which quantity, and checks each row.
 
 use super::cell::{self, Site};
 use super::drive::{self, Moving};
@@ -148,7 +148,7 @@ fn header(row: &Row, errors: &mut Errors) -> Option<Vec<Option<Heading>>> {
     Some(columns)
 }
 
-/// Does the convention fit to the indices of the header? alpha(i-1) and a(i-1) stand in the rows of the modified one.
+/// Whether the convention fits the indices of the header: alpha(i-1) and a(i-1) belong to the modified one.
 fn agrees(row: &Row, headings: &[Option<Heading>], convention: Option<Convention>, errors: &mut Errors) {
     let shows =
         |h: &Option<Heading>| h.as_ref().is_some_and(|h| h.previous && matches!(h.column, Column::Alpha | Column::A));
@@ -313,7 +313,7 @@ fn with_unit(mut sum: Sum, unit: &Unit, scope: &Scope) -> Result<Sum, Error> {
     Ok(sum)
 }
 
-/// Does a joint variable stand among these tokens (two levels of parentheses deep)?
+/// Whether there is a joint variable among these tokens (two levels of parentheses deep).
 fn has_variable(tokens: &[TokenTree]) -> bool {
     fn look(tokens: impl IntoIterator<Item = TokenTree>, depth: usize) -> bool {
         tokens.into_iter().any(|t| match t {

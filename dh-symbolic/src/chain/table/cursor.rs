@@ -29,17 +29,17 @@ impl<'a> Cursor<'a> {
         Some(token)
     }
 
-    /// Is the token `n` further on this character?
+    /// Whether the token `n` further on is this character.
     pub(super) fn is_punct(&self, n: usize, c: char) -> bool {
         matches!(self.look(n), Some(TokenTree::Punct(p)) if p.as_char() == c)
     }
 
-    /// Is the token `n` further on this word?
+    /// Whether the token `n` further on is this word.
     pub(super) fn is_word(&self, n: usize, word: &str) -> bool {
         matches!(self.look(n), Some(TokenTree::Ident(i)) if i == word)
     }
 
-    /// Does a line of the table's text (a setting, `let`, `struct`, `prove`, an attribute) start here? Inside of cells nothing looks like this.
+    /// Whether a line of the table's text (a setting, `let`, `struct`, `prove`, an attribute) starts here. Nothing inside of cells looks like this.
     pub(super) fn starts_line(&self) -> bool {
         let next_is = |wanted| matches!(self.look(1), Some(TokenTree::Group(g)) if g.delimiter() == wanted);
         match self.peek() {

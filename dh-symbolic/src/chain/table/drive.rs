@@ -114,7 +114,7 @@ fn stand_in(i: usize, seed: u64) -> Rational {
     Rational::int((x >> 40) as i64 + 1)
 }
 
-/// Is the matrix of the map singular, with these values of the fields? Gauss, exactly.
+/// Whether the matrix of the map is singular at these values of the fields, by exact Gaussian elimination.
 fn singular(moving: &[Moving], value: &dyn Fn(usize) -> Rational) -> bool {
     let n = moving.len();
     let coefficient = |cell: &LengthCell| {

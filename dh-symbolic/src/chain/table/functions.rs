@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 /// Their names.
 const NAMES: [&str; 8] = ["sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2"];
 
-/// Is there a function of this name?
+/// Whether there is a function of this name.
 pub(super) fn is_function(name: &str) -> bool {
     NAMES.contains(&name)
 }

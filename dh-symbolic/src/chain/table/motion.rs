@@ -1,4 +1,4 @@
-//! `base` and `tool`: products of `tx ty tz rx ry rz`.
+//! Reads `base` and `tool`: products of `tx ty tz rx ry rz`.
 
 use super::cell::{self, Site};
 use super::cursor::Cursor;

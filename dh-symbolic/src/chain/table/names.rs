@@ -1,4 +1,4 @@
-//! Names: which may be declared.
+//! Which names may be declared in a table.
 
 use super::number::is_unit;
 use crate::diagnostic::{Error, Place};
@@ -26,7 +26,7 @@ const WORDS: &[&str] = &["approx", "fixed", "pi", "prove"];
 /// Types that the generated code names.
 const TYPES: &[&str] = &["bool", "char", "f32", "f64", "i8", "i16", "i32", "i64", "isize", "str", "u8", "usize"];
 
-/// May this name be declared with `let`?
+/// Whether this name may be declared with `let`.
 pub(super) fn check_parameter(name: &Ident) -> Result<(), Error> {
     let text = name.to_string();
     let place = Place::at(name.span());
@@ -57,7 +57,7 @@ pub(super) fn is_cosine_or_sine(name: &str) -> bool {
     name.strip_prefix(['c', 's']).is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()))
 }
 
-/// May the struct have this name?
+/// Whether the struct may have this name.
 pub(super) fn check_type(name: &Ident) -> Result<(), Error> {
     let text = name.to_string();
     if text.starts_with("r#") || KEYWORDS.contains(&text.as_str()) || TYPES.contains(&text.as_str()) {

@@ -70,7 +70,7 @@ pub(super) fn length_unit(name: &str) -> Option<LengthUnit> {
     LENGTHS.iter().find(|u| u.0 == name).map(|u| LengthUnit { name: u.0, metres: fraction(u.1, u.2) })
 }
 
-/// Is this the name of a unit?
+/// Whether this is the name of a unit.
 pub(super) fn is_unit(name: &str) -> bool {
     unit(name).is_some()
 }

@@ -1,4 +1,4 @@
-//! Where in the input the facts of a chain stand, so that later stages can point at a cell.
+//! Source locations of the parts of a chain, so that later stages can point at a cell.
 
 use crate::diagnostic::Place;
 

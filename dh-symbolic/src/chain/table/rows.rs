@@ -227,7 +227,7 @@ fn counted(n: usize) -> String {
     format!("{n} cell{}", if n == 1 { "" } else { "s" })
 }
 
-/// Does the text of a cell end on a line above the one where the next starts?
+/// Whether the text of a cell ends on a line above the one where the next starts.
 fn ends_above(before: &Segment<'_>, segment: &Segment<'_>) -> bool {
     let end = Place::of_all(before.tokens).map_or(0, Place::last_line);
     end != 0 && end < segment.cell().place.line()

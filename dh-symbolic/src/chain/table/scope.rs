@@ -1,4 +1,4 @@
-//! What the names of a table stand for while its cells are read.
+//! The scope of a table: what each declared name means while cells are read.
 
 use super::sum::Sum;
 use crate::algebra::Rational;

@@ -1,4 +1,4 @@
-//! Settings: `convention = modified;` and the others.
+//! Reads settings: `convention = modified;` and the others.
 
 use super::number;
 use super::spelling::{shown, suggestion};
@@ -24,7 +24,7 @@ pub(super) struct Settings {
     /// `redundant`: the words and their places.
     pub(super) redundant: Vec<(String, Place)>,
     pub(super) ik: bool,
-    /// Was `convention` written, rightly or wrongly?
+    /// Whether `convention` was written, rightly or wrongly.
     pub(super) has_convention: bool,
 }
 

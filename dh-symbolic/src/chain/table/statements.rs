@@ -151,7 +151,7 @@ fn attributes(c: &mut Cursor<'_>, errors: &mut Errors) -> (TokenStream, Vec<Stri
     (tokens.into_iter().collect(), docs, place)
 }
 
-/// Does a path with leading colons stand here?
+/// Whether a path with leading colons begins here.
 fn leading_colons(inside: &[TokenTree]) -> bool {
     matches!(inside.first(), Some(TokenTree::Punct(p)) if p.as_char() == ':')
 }

@@ -1,4 +1,4 @@
-//! Sums of products as they stand in a cell: exact factors, declared names, at most one angle and one joint variable each.
+//! Sums of products as written in a cell: exact factors, declared names, at most one angle and one joint variable each.
 
 use crate::algebra::Rational;
 use crate::diagnostic::{Error, Place};

@@ -1,4 +1,4 @@
-//! Whole tables: what they mean, and what is wrong with them, where.
+//! Tests of whole tables: what they mean, and the errors of wrong ones with their places.
 
 use super::*;
 use crate::algebra::Rational;

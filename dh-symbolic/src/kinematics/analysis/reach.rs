@@ -1,4 +1,4 @@
-//! The workspace of arms with few joints or with parallel axes only.
+//! The workspace of rank-deficient arms and of arms with parallel axes only.
 //!
 //! Seen along its axes, an arm whose axes are all parallel is a chain of links in a plane (sliding joints along the axes change
 //! nothing there). The chain reaches a ring; every direction of its last link is possible where a circle about the point lies in the
@@ -99,7 +99,7 @@ pub struct TurnAndSlide {
     pub shift: Poly,
     /// K.
     pub constant: Poly,
-    /// Is D the factor A (else B)?
+    /// Whether D is the factor A (otherwise B).
     pub along: bool,
 }
 

@@ -1,6 +1,6 @@
 //! Detects equivalent equations numerically, before expansion.
 //!
-//! Frames that stand on one axis, or that only a turn about one point parts, have coordinates and distances in common: of a dozen
+//! Frames on one axis, or frames that differ by a turn about one point only, have coordinates and distances in common: of a dozen
 //! equations with the same unknowns often two are different.
 
 use super::super::axes::Axes;
@@ -31,7 +31,7 @@ impl Probes {
     }
 }
 
-/// Are two equations the same, but perhaps for the sign?
+/// Whether two equations are the same, perhaps up to the sign.
 pub(super) fn is_same(a: &Values, b: &Values) -> bool {
     [1.0, -1.0].iter().any(|sign| a.iter().zip(b).all(|(a, b)| (a - sign * b).abs() <= EQUAL * (1.0 + a.abs())))
 }

@@ -1,4 +1,4 @@
-//! The search for a plan: which equations next.
+//! The search for a plan: chooses which equations to solve next.
 //!
 //! Every kind of step (`planner/steps`) offers its ways to find one unknown combination of joints; the best offer is taken, in the order of
 //! [`Rank`](super::steps::Rank), ties going to the shorter formula. Where there is none, two equations in two unknowns; at last what the
@@ -223,7 +223,7 @@ impl Search<'_> {
         forms
     }
 
-    /// Does a combination hold a virtual coordinate?
+    /// Whether a combination contains a virtual coordinate.
     fn is_virtual(&self, form: &JointCombination) -> bool {
         form[self.axes.real.min(form.len())..].iter().any(|k| *k != 0)
     }

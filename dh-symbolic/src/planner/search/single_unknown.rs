@@ -1,4 +1,4 @@
-//! Steps with one unknown: every kind of step is asked for its ways to find one combination of joints.
+//! Steps with one unknown: asks every kind of step for ways to find one combination of joints.
 
 use super::super::known::Basis;
 use super::super::scalar::Equation;

@@ -1,4 +1,4 @@
-//! Plans of known arms, and what a search takes where equations vanish.
+//! Tests of the search: plans of known arms, and arms whose usual equations vanish.
 
 use super::*;
 use crate::chain::Convention;

@@ -1,4 +1,4 @@
-//! Steps with two unknowns: two equations, each linear in the sines and cosines of both, or with a length in the place of one.
+//! Steps with two unknowns: two equations, each linear in the sines and cosines of both angles, or with a length in place of one angle.
 
 use std::rc::Rc;
 

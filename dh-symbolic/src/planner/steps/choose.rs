@@ -1,4 +1,4 @@
-//! A coordinate that is free at every pose, of an arm that is singular everywhere: a value is chosen.
+//! A joint that is free at every pose (the arm is singular everywhere): a value is chosen for it.
 
 use super::kernel::{Call, Coefficient, zero};
 use super::quadratic::QUADRATIC;

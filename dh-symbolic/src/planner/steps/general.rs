@@ -1,4 +1,4 @@
-//! All open joints at once by the elimination of the general six-axis arm (Raghavan and Roth 1990), where no equation holds fewer.
+//! All remaining joints at once by the elimination of the general six-axis arm (Raghavan and Roth 1990), where no equation has fewer unknowns.
 
 use super::kernel::{Argument, Call, Coefficient, Kernel, Representative, Roots, plus};
 use super::recognise::Scene;

@@ -3,7 +3,7 @@
 
 use dh_kernels::Outcome;
 
-/// Cosine and sine of an angle; of a displacement the length (over the length scale) twice.
+/// Cosine and sine of an angle; for a prismatic joint its length (over the length scale) twice.
 pub type Unknown = [f64; 2];
 
 /// What a kernel found: values of all unknowns per root, and why there are as many.
@@ -50,9 +50,9 @@ pub enum Argument<N> {
     Reference(Vec<Argument<N>>),
     /// What the unknowns take where they are free: one value per unknown.
     Representatives,
-    /// For the general elimination: which of its six joints slide, and the best ways to cut the loop of joints.
+    /// For the general elimination: which of its six joints are prismatic, and the best choices of where to cut the loop of joints.
     Elimination {
-        /// Which joints slide.
+        /// Which joints are prismatic.
         prismatic: [bool; 6],
         /// Numbers of `general::Choice`.
         cuts: [u8; 3],
@@ -124,11 +124,11 @@ pub struct Kernel {
     pub rust: &'static str,
     /// Its name in the JavaScript runtime, if it has been ported.
     pub javascript: Option<&'static str>,
-    /// Does its last argument say below what size a coefficient counts as zero?
+    /// Whether its last argument is the size below which a coefficient counts as zero.
     pub takes_tolerance: bool,
     /// What it does with unknowns that are free.
     pub free: Representative,
-    /// Are its arguments a, b and c of a cos u + b sin u = c?
+    /// Whether its arguments are a, b and c of a cos u + b sin u = c.
     pub is_sine_equation: bool,
     /// How many unknowns a root gives: 1, 2 or 6.
     pub unknowns: usize,
@@ -195,7 +195,7 @@ pub struct BatchedKernel {
     pub arguments: Vec<Argument<Coefficient>>,
     /// What it gives.
     pub roots: BatchedRoots,
-    /// Does it say how far its equations are from degenerating?
+    /// Whether it reports how far its equations are from degenerating.
     pub has_margin: bool,
     /// The equations that fix the unknown at regular poses.
     pub equations: usize,

@@ -93,7 +93,7 @@ trait Kind: Sync {
     /// What the coefficients of one equation belong to, in their order.
     fn columns(&self) -> Vec<Vec<Basis>>;
 
-    /// The call of its kernel for so many equations; `is_angle`: is the (first) unknown an angle?
+    /// The call of its kernel for a number of equations; `is_angle` says whether the (first) unknown is an angle.
     fn call(&self, equations: usize, is_angle: bool) -> Call<Coefficient>;
 
     /// The kernel that solves it for many branches side by side, if there is one. `constant` gives the coefficients that are 1, 0 or -1.
@@ -101,22 +101,22 @@ trait Kind: Sync {
         None
     }
 
-    /// Do the numbers of its equations measure a length? Else they are pure numbers.
+    /// Whether the numbers of its equations measure a length; otherwise they are pure numbers.
     fn measures_length(&self, step: &Step) -> bool {
         step.equations.iter().any(|e| !matches!(e.scalar, FrameScalar::Rotation(..)))
     }
 
-    /// The distance behind the step, where it is a law of cosines.
+    /// The distance behind the step, if it is a law of cosines.
     fn reach_limit(&self, _: &Plan, _: &Step) -> Option<ReachLimit> {
         None
     }
 
-    /// Is one solution found from more equations than unknowns, of which special poses may leave too few?
+    /// Whether one solution is found from more equations than unknowns, of which special poses may leave too few.
     fn is_overdetermined(&self) -> bool {
         false
     }
 
-    /// What people call it. `is_distance`: do its equations say how far two origins are apart?
+    /// Its name in the literature. `is_distance` says whether its equations state the distance of two origins.
     fn words(&self, is_distance: bool) -> Words;
 }
 
@@ -138,7 +138,7 @@ impl StepKind {
         self.kind().columns()
     }
 
-    /// The call of its kernel for so many equations; `is_angle`: is the (first) unknown an angle?
+    /// The call of its kernel for a number of equations; `is_angle` says whether the (first) unknown is an angle.
     pub fn call(self, equations: usize, is_angle: bool) -> Call<Coefficient> {
         self.kind().call(equations, is_angle)
     }
@@ -155,17 +155,17 @@ impl StepKind {
 }
 
 impl Step {
-    /// Does every equation say how far two origins are apart?
+    /// Whether every equation states the distance of two origins.
     pub fn is_distance(&self) -> bool {
         !self.equations.is_empty() && self.equations.iter().all(|e| e.scalar == FrameScalar::Distance)
     }
 
-    /// Do the numbers of its equations measure a length? Else they are pure numbers.
+    /// Whether the numbers of its equations measure a length; otherwise they are pure numbers.
     pub fn measures_length(&self) -> bool {
         self.kind.kind().measures_length(self)
     }
 
-    /// The distance behind the step, where it is a law of cosines.
+    /// The distance behind the step, if it is a law of cosines.
     pub fn reach_limit(&self, plan: &Plan) -> Option<ReachLimit> {
         self.kind.kind().reach_limit(plan, self)
     }
@@ -175,7 +175,7 @@ impl Step {
         self.kind.kind().words(self.is_distance())
     }
 
-    /// Does it solve for everything that is open, from the whole pose instead of chosen equations?
+    /// Whether it solves for all remaining unknowns from the whole pose instead of chosen equations.
     pub fn is_elimination(&self) -> bool {
         self.equations.is_empty() && self.unknown.len() > 2
     }

@@ -1,4 +1,4 @@
-//! What a kind of step sees when the search asks it: the arm, what is known by now, and the equations in one or two unknowns.
+//! The view that a kind of step gets from the search: the arm, what is known so far, and the equations in one or two unknowns.
 
 use super::StepKind;
 use crate::algebra::Poly;
@@ -45,7 +45,7 @@ pub(in crate::planner) struct Offer {
 }
 
 impl Offer {
-    /// Is it better than another one?
+    /// Whether it is better than another one.
     pub(in crate::planner) fn is_better_than(&self, other: &Offer) -> bool {
         (self.rank, self.size, self.joint) < (other.rank, other.size, other.joint)
     }
@@ -67,7 +67,7 @@ impl<'a> Scene<'a> {
         form
     }
 
-    /// Is a formula made of lengths that are known when the code is generated?
+    /// Whether a formula consists of lengths that are known when the code is generated.
     pub(super) fn is_constant(&self, p: &Poly) -> bool {
         p.symbols().iter().all(|s| {
             self.chain.parameters.iter().any(|x| x.handle == Handle::Length(*s) && matches!(x.role, Role::Constant(_)))
@@ -148,7 +148,7 @@ impl Row {
         self.collected.keys().map(degree).max().unwrap_or(0)
     }
 
-    /// Has it a term without the unknown?
+    /// Whether it has a term without the unknown.
     pub(super) fn has_constant(&self) -> bool {
         self.collected.contains_key(&vec![Basis::One])
     }
@@ -189,7 +189,7 @@ pub(in crate::planner) struct SingleUnknown<'a> {
     pub(in crate::planner) scene: Scene<'a>,
     /// The unknown.
     pub(in crate::planner) form: &'a JointCombination,
-    /// Is it an angle?
+    /// Whether it is an angle.
     pub(in crate::planner) is_angle: bool,
     /// The equations, none of which follows from what is known.
     pub(in crate::planner) rows: Vec<Row>,
@@ -221,7 +221,7 @@ pub(in crate::planner) struct TwoUnknowns<'a> {
     pub(in crate::planner) scene: Scene<'a>,
     /// The unknowns.
     pub(in crate::planner) pair: &'a [JointCombination; 2],
-    /// Is the first one a length?
+    /// Whether the first one is a length.
     pub(in crate::planner) prismatic: bool,
     /// The equations.
     pub(in crate::planner) rows: [&'a Row; 2],

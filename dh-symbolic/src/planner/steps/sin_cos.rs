@@ -65,7 +65,7 @@ impl Kind for SinCos {
     }
 }
 
-/// The distance behind a law of cosines, for the reason that is given where an arm does not reach as far.
+/// Recovers the distance behind a law-of-cosines step, for error reports where the arm does not reach as far.
 ///
 /// The equation is |p(a, b)|^2 along the arm = |p(a, b)|^2 from the target. Where the unknown turns on the arm's side, the other one is the
 /// squared distance; where it turns on the target's side, about a point of the arm, the distance is that from this point.
@@ -73,7 +73,7 @@ impl Kind for SinCos {
 pub struct ReachLimit {
     /// What to add to the side of the equation without the unknown to get the squared distance: of lengths, and of what is known by then.
     pub base: Poly,
-    /// Does the amplitude of the other side grow with the distance?
+    /// Whether the amplitude of the other side grows with the distance.
     pub grows: bool,
 }
 

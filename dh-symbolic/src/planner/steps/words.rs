@@ -1,4 +1,4 @@
-//! What a kind of step is called, in every language of the notes.
+//! The names of the kinds of steps, in every language of the notes.
 
 /// The same words in each language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

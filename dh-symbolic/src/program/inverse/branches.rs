@@ -1,4 +1,4 @@
-//! What the roots of a plan mean in space: which one is the left shoulder, the upper elbow, the wrist that is not flipped.
+//! Names the roots of a plan by configuration: left or right shoulder, upper or lower elbow, flipped wrist or not.
 //!
 //! Found by looking at the solutions of sample poses, as Lee and Ziegler (1984) define the indicators of a PUMA: the arm reaches its wrist
 //! forward or over its own shoulder; the elbow is above or below the line from shoulder to wrist. An arm whose solutions say nothing (other

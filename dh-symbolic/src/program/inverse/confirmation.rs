@@ -1,4 +1,4 @@
-//! The pose that the known combinations give: what a branch is confirmed by.
+//! The pose computed from the joint combinations found, which is compared with the target to confirm a branch.
 
 use super::super::fold::Arithmetic;
 use super::super::forward;

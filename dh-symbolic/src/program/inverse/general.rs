@@ -1,4 +1,4 @@
-//! What the general elimination takes: six constant transforms and the target.
+//! The inputs of the general elimination: six constant transforms and the target.
 
 use super::super::graph::{Graph, Value, ZERO};
 use super::super::vector::{V3, identity};

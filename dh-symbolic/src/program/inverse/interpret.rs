@@ -43,7 +43,7 @@ pub struct Shortfall {
     pub needs: f64,
     /// The limit.
     pub has: f64,
-    /// Are these distances?
+    /// Whether these are distances.
     pub is_distance: bool,
 }
 
@@ -284,7 +284,7 @@ fn number(v: Value, values: &[f64]) -> f64 {
     if v.negative { -values[v.node as usize] } else { values[v.node as usize] }
 }
 
-/// For the general elimination: which joints slide.
+/// For the general elimination: which joints are prismatic.
 fn prismatic(solve: &Solve) -> Option<[bool; 6]> {
     solve.call.arguments.iter().find_map(|a| match a {
         Argument::Elimination { prismatic, .. } => Some(*prismatic),

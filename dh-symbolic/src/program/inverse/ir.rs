@@ -84,9 +84,9 @@ pub struct Report {
     pub indicator: Option<Indicator>,
     /// The unknowns, as people write them.
     pub unknowns: String,
-    /// Do the numbers of the equation measure a length (over the length scale)? Else they are pure numbers.
+    /// Whether the numbers of the equation measure a length (over the length scale); otherwise they are pure numbers.
     pub is_length: bool,
-    /// For a law of cosines: how to tell the distance.
+    /// For a law of cosines: how to compute the distance.
     pub distance: Option<Distance>,
 }
 
@@ -110,7 +110,7 @@ pub struct Distance {
     pub base: Value,
     /// That side.
     pub rest: Value,
-    /// Does the amplitude of the other side grow with the distance?
+    /// Whether the amplitude of the other side grows with the distance.
     pub grows: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Known poses: the target brought back over joints that are known, from both ends.
+//! Known poses: the target multiplied by the inverse transforms of known joints, from both ends of the arm.
 
 use super::super::graph::{ONE, Value, ZERO};
 use super::super::vector::V3;
@@ -103,7 +103,7 @@ impl Lower<'_> {
     }
 }
 
-/// Is the rotation part the identity?
+/// Whether the rotation part is the identity.
 fn is_shift(t: &Transform) -> bool {
     t.r == Transform::identity().r
 }

@@ -1,4 +1,4 @@
-//! A plan on its way to instructions: what all parts of that way share.
+//! State shared by the passes that translate a plan into instructions.
 
 use super::super::graph::{Graph, ONE, Value, ZERO};
 use super::super::vector::V3;

@@ -1,4 +1,4 @@
-//! Coefficients of one equation, in the order of its kind.
+//! The coefficients of one equation, in the order that its kind of step expects.
 
 use super::super::graph::{Graph, Value, ZERO};
 use super::lower::Lower;
@@ -17,7 +17,7 @@ impl Lower<'_> {
     }
 }
 
-/// Horner by the input that stands in most terms.
+/// Horner's scheme by the input that occurs in most terms.
 fn factored(g: &mut Graph, p: &Poly) -> Value {
     let mut counts: Vec<(Symbol, usize)> = Vec::new();
     for (m, _) in p.terms() {

@@ -1,4 +1,4 @@
-//! From the coordinates of the table to the actuators: the drive, inverted, as formulas of the fallback path.
+//! Coupled drives: expressions for actuator positions in terms of the table's joint coordinates, for the fallback path.
 
 use super::shift_expression;
 use crate::algebra::{Poly, adjugate};

@@ -1,4 +1,4 @@
-//! Code: programs and plans as Rust items and as JavaScript.
+//! Prints programs and plans as Rust items and as JavaScript.
 //!
 //! **In:** a chain, its programs and its inverse. **Out:** text and tokens. `body` prints straight lines, `steps`, `drive` and `names`
 //! what surrounds them; [`rust`] and `javascript` (feature `documents`: only the interactive page needs it) are siblings over this

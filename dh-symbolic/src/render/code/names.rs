@@ -1,4 +1,4 @@
-//! Readable names from meaning: s1, c23, c4s5, field names.
+//! Readable variable names for generated code: s1, c23, c4s5, field names.
 
 use crate::algebra::{LinearAngle, Ring};
 

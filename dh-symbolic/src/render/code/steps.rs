@@ -1,4 +1,4 @@
-//! What the printers share of an inverse: names of variables, calls of kernels, branches, and what is reported where a step has no root.
+//! What the code printers of an inverse share: names of variables, calls of kernels, branches, reports of steps without a root.
 
 use super::body::{Body, Code, Dialect};
 use super::drive::chosen;
@@ -22,7 +22,7 @@ pub(in crate::render) struct Variable {
     pub(in crate::render) pair: [String; 2],
     /// The joint value: `q3`, `q2_plus_q3`.
     pub(in crate::render) value: String,
-    /// Is it an angle?
+    /// Whether it is an angle.
     pub(in crate::render) is_angle: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Are two values the same? Decided in the normal form; where a square root or an angle leaves a sign open, the condition is found.
+//! Compares two values in the normal form; where a square root or an angle leaves a sign open, finds the condition.
 
 use super::ratio::{Ratio, Worked};
 use super::refusal::{At, Understood, refuse};

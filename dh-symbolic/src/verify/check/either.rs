@@ -82,7 +82,7 @@ impl<'a> Evaluator<'a> {
                 return Ok(Verdict::Wrong(faults));
             }
             let kind = FaultKind::None(Box::new(self.example(&at)));
-            return Ok(Verdict::Wrong(vec![Fault { place: place.clone(), entry: None, kind, mend: None }]));
+            return Ok(Verdict::Wrong(vec![Fault { place: place.clone(), entry: None, kind, repair: None }]));
         }
         if alone.is_some() || proven == branches.len() || self.both_by_product(branches)? {
             // a possibility that never holds is a slip, even if the other one always does

@@ -1,4 +1,4 @@
-//! Formulas to values.
+//! Evaluates formulas to exact values.
 
 use super::Evaluator;
 use super::number::Written;

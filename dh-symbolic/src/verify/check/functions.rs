@@ -1,4 +1,4 @@
-//! Functions and entries: what `T(0,6).px`, `subst(...)` and the like stand for.
+//! Evaluates functions and matrix entries: `T(0,6).px`, `subst(...)` and the like.
 
 use super::Evaluator;
 use super::ratio::{Ratio, dot};

@@ -1,4 +1,4 @@
-//! One line to one verdict.
+//! Checks one line of a derivation and returns its verdict.
 
 use super::compare::{Outcome, Pair};
 use super::direct::Meaning;
@@ -51,14 +51,14 @@ impl<'a> Evaluator<'a> {
             Ok(v) => v,
             Err(n) => {
                 self.work.renew();
-                let mend = match &line.statement {
-                    // what is too large to understand is too large to mend
+                let repair = match &line.statement {
+                    // what is too large to understand is too large to repair
                     Statement::Claim { first, rest, .. } if n.why != Trouble::TooLarge.why() => {
-                        self.mend_meaning(first, rest, &n)
+                        self.repair_meaning(first, rest, &n)
                     }
                     _ => None,
                 };
-                Verdict::NotUnderstood(n, mend)
+                Verdict::NotUnderstood(n, repair)
             }
         }
     }
@@ -102,7 +102,7 @@ impl<'a> Evaluator<'a> {
                     place: e.place.clone(),
                     entry: None,
                     kind: FaultKind::Kind(angle),
-                    mend: None,
+                    repair: None,
                 }]))
             }
             Statement::Remark(_) => Ok(Verdict::Noted),
@@ -150,7 +150,7 @@ impl<'a> Evaluator<'a> {
             Relation::Equal => self.equal(sides, a, b),
             Relation::NotEqual => Ok(match self.equal(sides, a, b)? {
                 Verdict::Proven(w) if w.is_everywhere() => {
-                    Verdict::Wrong(vec![Fault { place, entry: None, kind: FaultKind::Same, mend: None }])
+                    Verdict::Wrong(vec![Fault { place, entry: None, kind: FaultKind::Same, repair: None }])
                 }
                 _ => Verdict::Proven(Where::everywhere()),
             }),
@@ -167,14 +167,14 @@ impl<'a> Evaluator<'a> {
                 let outcome = self.compare_scalars(&x, &y, &place)?;
                 let verdict = verdict(outcome, sides.printed().place.clone(), None, &place)?;
                 let mut verdict = self.settled(sides, false, verdict)?;
-                self.add_mend(&mut verdict, sides, &Value::Scalar(y));
+                self.add_repair(&mut verdict, sides, &Value::Scalar(y));
                 Ok(verdict)
             }
             Pair::Turns(t, u) => {
                 let outcome = self.compare_turns(&t, &u, &place)?;
                 let verdict = verdict(outcome, sides.printed().place.clone(), None, &place)?;
                 let mut verdict = self.settled(sides, true, verdict)?;
-                self.add_mend(&mut verdict, sides, &Value::Angle(u));
+                self.add_repair(&mut verdict, sides, &Value::Angle(u));
                 Ok(verdict)
             }
             Pair::Matrices(m, n) => self.equal_matrices(sides, &m, &n),
@@ -197,34 +197,34 @@ impl<'a> Evaluator<'a> {
             if written.is_some()
                 && let Verdict::Wrong(faults) = &mut one
             {
-                let mend = self.mend(&at, &Value::Scalar(y.clone()));
+                let repair = self.repair(&at, &Value::Scalar(y.clone()));
                 for f in faults {
-                    f.mend = mend.clone();
+                    f.repair = repair.clone();
                 }
             }
             all = joined(all, one);
         }
         all = self.settled(sides, false, all)?;
         if written.is_none() {
-            self.add_mend(&mut all, sides, &Value::Matrix(n.clone()));
+            self.add_repair(&mut all, sides, &Value::Matrix(n.clone()));
         }
         Ok(all)
     }
 
-    /// Looks for a mend of the printed side, then of the other one, where that is plain text as well.
-    fn add_mend(&mut self, verdict: &mut Verdict, sides: &Sides<'_>, correct: &Value) {
+    /// Looks for a repair of the printed side, then of the other one, where that is plain text as well.
+    fn add_repair(&mut self, verdict: &mut Verdict, sides: &Sides<'_>, correct: &Value) {
         let Verdict::Wrong(faults) = verdict else { return };
-        let mut mend = self.ranked_mend(&sides.printed().place, correct);
-        if mend.as_ref().is_none_or(|m| m.0 > 3)
+        let mut repair = self.ranked_repair(&sides.printed().place, correct);
+        if repair.as_ref().is_none_or(|m| m.0 > 3)
             && let Ok(printed) = self.evaluate(sides.printed())
-            && let Some(other) = self.ranked_mend(&sides.other().place, &printed)
-            && mend.as_ref().is_none_or(|m| m.0 > other.0)
+            && let Some(other) = self.ranked_repair(&sides.other().place, &printed)
+            && repair.as_ref().is_none_or(|m| m.0 > other.0)
         {
-            mend = Some(other);
+            repair = Some(other);
         }
-        let mend = mend.map(|m| m.1);
+        let repair = repair.map(|m| m.1);
         if let Some(f) = faults.first_mut() {
-            f.mend = mend;
+            f.repair = repair;
         }
     }
 }
@@ -235,7 +235,7 @@ fn verdict(
     entry: Option<(usize, usize)>,
     whole: &std::ops::Range<usize>,
 ) -> Understood<Verdict> {
-    let wrong = |kind| Verdict::Wrong(vec![Fault { place: place.clone(), entry, kind, mend: None }]);
+    let wrong = |kind| Verdict::Wrong(vec![Fault { place: place.clone(), entry, kind, repair: None }]);
     Ok(match outcome {
         Outcome::Same(conditions) => Verdict::Proven(Where::under(conditions)),
         Outcome::Differs(parts) => {

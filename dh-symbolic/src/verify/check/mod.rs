@@ -1,4 +1,4 @@
-//! Checks the lines of a hand derivation against the chain: proven, wrong (with the difference and the smallest mend), or not
+//! Checks the lines of a hand derivation against the chain: proven, wrong (with the difference and the smallest repair), or not
 //! understood.
 //!
 //! **In:** a [`Chain`] and a [`Derivation`]. **Out:** a [`Report`] with one [`Verdict`] per line. The notation is described in
@@ -8,18 +8,18 @@
 //! numbers. No verdict rests on the algebra alone: both sides are evaluated at many poses as well, by a program that shares nothing with
 //! the normal form. A proof that fails at a pose is none, conditions must be met by a pose, and what holds at some is not called wrong.
 
+mod approximate;
 mod compare;
 mod direct;
 mod either;
 mod evaluate;
 mod functions;
 mod line;
-mod mend;
-mod near;
 mod number;
 mod point;
 mod ratio;
 mod refusal;
+mod repair;
 mod root;
 mod scope;
 mod settle;
@@ -72,7 +72,7 @@ pub enum Verdict {
     /// The line does not hold: here (in a matrix there may be several places; one at least).
     Wrong(Vec<Fault>),
     /// The line cannot be read, means nothing, or cannot be decided; with a change that makes it right, where one was found.
-    NotUnderstood(NotUnderstood, Option<Mend>),
+    NotUnderstood(NotUnderstood, Option<Repair>),
 }
 
 /// Where a line holds: everywhere, if there are no conditions.
@@ -127,7 +127,7 @@ pub struct Fault {
     /// What is wrong.
     pub kind: FaultKind,
     /// The smallest change that makes it right, where one was found.
-    pub mend: Option<Mend>,
+    pub repair: Option<Repair>,
 }
 
 /// What is wrong at a place.
@@ -177,7 +177,7 @@ pub enum FaultKind {
 
 /// A change of the text that makes a line right.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Mend {
+pub struct Repair {
     /// One or two edits, in order.
     pub edits: Vec<Edit>,
 }
@@ -197,7 +197,7 @@ pub fn check(chain: &Chain, derivation: &Derivation) -> Report {
 }
 
 /// The same without looking for the changes that make wrong lines right: for many lines of which only the verdicts matter.
-pub fn check_without_mends(chain: &Chain, derivation: &Derivation) -> Report {
+pub fn check_without_repairs(chain: &Chain, derivation: &Derivation) -> Report {
     let mut e = Evaluator::new(chain, &derivation.tokens);
     e.searched = usize::MAX;
     report(e, derivation)
@@ -238,7 +238,7 @@ struct Evaluator<'a> {
     roots: Vec<Root>,
     given: Vec<point::Given>,
     work: ratio::Work,
-    /// Words read in search of mends.
+    /// Words read in search of repairs.
     searched: usize,
 }
 

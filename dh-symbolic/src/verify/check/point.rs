@@ -1,4 +1,4 @@
-//! Numbers at a point: the values of an `at` line, rounding, and random points that keep a verdict honest.
+//! Numeric evaluation at a point: the values of an `at` line, rounding, and random points that double-check a verdict.
 
 use super::Evaluator;
 use super::direct::Meaning;

@@ -1,4 +1,4 @@
-//! Lines that mean nothing: the reason, and where.
+//! Refusals: why a line has no meaning, and at which token.
 
 use super::ratio::Worked;
 use crate::verify::language::{NotUnderstood, Place};

@@ -1,4 +1,4 @@
-//! Numbers against the algebra: no line is called proven that fails at a pose of the arm, and none wrong that holds at some.
+//! Cross-checks verdicts numerically: no line is called proven that fails at some pose of the arm, and no line is called wrong that holds at some pose.
 //!
 //! Both sides are evaluated directly ([`direct`](super::direct)) at many poses; conditions of a proof must be met by one of them.
 
@@ -107,7 +107,7 @@ impl<'a> Evaluator<'a> {
         let Some((at, a, b)) = s.against else { return Verdict::Wrong(vec![]) };
         let (printed, correct) = if sides.printed_left { (a, b) } else { (b, a) };
         let kind = FaultKind::Nowhere(Box::new(self.example(&at)), Pair::of(&printed, &correct));
-        Verdict::Wrong(vec![Fault { place: sides.printed().place.clone(), entry: None, kind, mend: None }])
+        Verdict::Wrong(vec![Fault { place: sides.printed().place.clone(), entry: None, kind, repair: None }])
     }
 
     /// The joint values of a pose.

@@ -1,4 +1,4 @@
-//! Verdicts on lines.
+//! Tests of verdicts on single lines.
 
 use super::*;
 use crate::chain::table::parse;

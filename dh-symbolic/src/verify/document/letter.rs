@@ -1,4 +1,4 @@
-//! Letters with their indices as text.
+//! Prints letters with their indices as text.
 
 use super::layout::{Item, ItemKind};
 

@@ -1,4 +1,4 @@
-//! Spellings of formulas and what they are read as.
+//! Tests of the document reader: spellings of formulas and what they are read as.
 
 use super::DocumentClaims;
 use crate::chain::samples::{PUMA, chain};

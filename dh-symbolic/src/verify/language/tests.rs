@@ -1,4 +1,4 @@
-//! Reading lines: what is accepted, what is refused and where, and that nothing panics.
+//! Tests of the parser: what is accepted, what is refused and where, and that nothing panics.
 
 use super::{Derivation, Statement};
 use crate::verify::Claims;

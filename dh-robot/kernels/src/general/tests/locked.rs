@@ -1,4 +1,4 @@
-//! Seven-axis arms with a joint held: at special values the choices made for others don't fit, and special poses have self-motions.
+//! Tests of seven-axis arms with one joint fixed: choices made for other values may not fit, and special poses have self-motions.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 

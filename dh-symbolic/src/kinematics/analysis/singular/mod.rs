@@ -30,7 +30,7 @@ const WRITTEN: usize = 12;
 /// Terms of a determinant of columns with themselves that is still written out.
 const SHORT: usize = 12;
 
-/// A motion that is left out of account; it stands as a further column, so that the matrix is square.
+/// A tool motion that the task leaves open; it is added as a further column, so that the matrix is square.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Open {
     /// A shift along axis 0, 1, 2 of the base.
@@ -71,7 +71,7 @@ pub struct Factor {
     pub value: Poly,
     /// Its power.
     pub power: u32,
-    /// Does it depend on the joints?
+    /// Whether it depends on the joints.
     pub moves: bool,
     /// What it means that it vanishes.
     pub meaning: Option<Meaning>,

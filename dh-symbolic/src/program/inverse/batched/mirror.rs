@@ -1,4 +1,4 @@
-//! Mirror symmetry: where the last pair of roots leads to solutions that differ by signs only, the second half of the branches needs no
+//! Mirror symmetry: where the last pair of roots leads to solutions that differ in signs only, the second half of the branches needs no
 //! computing.
 //!
 //! A wrist that flips is the case: with `c4, s4` negated, every later equation stays as it is or changes its sign as a whole, if some of the
@@ -13,7 +13,7 @@ use crate::program::{Inverse, Node, Solve, Value};
 pub struct Mirror {
     /// The step.
     pub step: usize,
-    /// For every step: are the cosine and the sine (or the length, twice) negated?
+    /// For every step: whether the cosine and the sine (or the length, twice) are negated.
     pub flips: Vec<[bool; 2]>,
 }
 

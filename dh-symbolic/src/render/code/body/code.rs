@@ -1,4 +1,4 @@
-//! Expressions of generated code, with what has to be known to put them into larger ones.
+//! Expressions of generated code with their precedence and sign.
 
 /// How tightly an expression binds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,12 +14,12 @@ enum Binding {
 /// An expression.
 #[derive(Clone, Debug)]
 pub(in crate::render) struct Code {
-    /// Does it begin with a minus sign?
+    /// Whether it begins with a minus sign.
     negative: bool,
     /// What follows the sign.
     unsigned: String,
     binding: Binding,
-    /// Is it the name of a sine or cosine, or of a product of some?
+    /// Whether it is the name of a sine or cosine, or of a product of some.
     is_trigonometric: bool,
 }
 
@@ -49,7 +49,7 @@ impl Code {
         self.unsigned.len() + usize::from(self.negative)
     }
 
-    /// Is it a single name, literal or call, perhaps with a sign?
+    /// Whether it is a single name, literal or call, perhaps with a sign.
     pub(super) fn is_atom(&self) -> bool {
         self.binding == Binding::Atom
     }

@@ -1,4 +1,4 @@
-//! Instructions as statements: sines and cosines in one batch, then `let` lines; values used once stand where they are used.
+//! Instructions as statements: sines and cosines in one batch, then `let` lines; values used once are written where they are used.
 
 mod angles;
 mod code;
@@ -39,7 +39,7 @@ pub(in crate::render) struct Body<'a> {
     inputs: Vec<(Symbol, Code)>,
     /// Each node, once known.
     code: Vec<Option<Code>>,
-    /// Is that a name?
+    /// Whether that is a name.
     is_name: Vec<bool>,
     /// The statements.
     pub(in crate::render) lines: Vec<String>,

@@ -1,4 +1,4 @@
-//! The class of one robot: what it is made of, `forward`, `frames`, `jacobian`, `inverse`.
+//! The JavaScript class of one robot: its data, `forward`, `frames`, `jacobian`, `inverse`.
 
 use super::text::{indented, string};
 use super::{Solver, candidates};
@@ -116,7 +116,7 @@ fn joint(chain: &Chain, index: usize, joint: &Joint) -> String {
     )
 }
 
-/// Is the actuator's variable an angle? (An actuator that drives a rack by a pinion is, though no joint turns with it.)
+/// Whether the actuator's variable is an angle. (It is for an actuator that drives a rack by a pinion, though no joint turns with it.)
 fn is_angle(chain: &Chain, actuator: usize) -> bool {
     chain.joints.iter().zip(&chain.drive).any(|(j, row)| {
         row.get(actuator).is_some_and(|k| {

@@ -1,4 +1,4 @@
-//! Text of scripts: strings that are safe inside a page, lines with their indentation.
+//! JavaScript text: string literals that are safe inside a page, indented lines.
 
 /// A string literal; safe between `<script>` tags too.
 pub(in crate::render) fn string(text: &str) -> String {

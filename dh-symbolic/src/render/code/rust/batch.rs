@@ -1,4 +1,4 @@
-//! Many poses in one call: slices in, slices out.
+//! Generates batch functions: many poses in one call, slices in and out.
 
 use super::target::Target;
 use crate::chain::Chain;

@@ -1,4 +1,4 @@
-//! `forward`, `frames` and `jacobian`.
+//! Generates `forward`, `frames` and `jacobian`.
 
 use crate::chain::Chain;
 use crate::program::{Cost, Forward, Program};

@@ -147,7 +147,7 @@ fn tangent(chain: &Chain, rank_deficient: bool) -> String {
     };
     format!(
         "/// The direction in which the arm can move at a solution with free joints while its target stays reached: joint speeds, the largest of\n\
-         /// them 1 (or the arm's size, for a length). `None` at a solution that stands alone.\n#[must_use]\n\
+         /// them 1 (or the arm's size, for a length). `None` at an isolated solution.\n#[must_use]\n\
          pub fn self_motion(&self, solution: &::dh_robot::Solution<{f}, {n}>) -> ::core::option::Option<[{f}; {n}]> {{\n\
          let setting = ::dh_robot::runtime::Setting {{ joints: &Self::JOINTS, length_scale: {LENGTH_SCALE}, rank_deficient: {rank_deficient}, given: {fixed} }};\n\
          ::dh_robot::runtime::self_motion(self, setting, |t| ::dh_robot::runtime::TaskTarget::{task}, solution)\n}}\n\n"

@@ -1,4 +1,4 @@
-//! The type, its fields, constants and default; everything put together.
+//! Generates the robot's type with its fields, constants and default, and assembles all items.
 
 use super::{docs, forward};
 use crate::chain::{Chain, Role};

@@ -1,4 +1,4 @@
-//! What is emitted beside the errors of a wrong table: the same type with the same functions, so that one mistake stays one error.
+//! Generates a stub beside the errors of a wrong table: the same type with the same functions, so that one mistake is one error.
 
 use super::structure::{Head, lex};
 use proc_macro2::TokenStream;

@@ -1,4 +1,4 @@
-//! What follows from the Jacobian: other axes, its derivative, singular values, joint speeds; thin calls of the library.
+//! Generates the functions derived from the Jacobian: other axes, its derivative, singular values, joint speeds.
 
 use crate::chain::Chain;
 use crate::planner::Axes;

@@ -1,4 +1,4 @@
-//! What verification of a solution needs: forward kinematics and Jacobian in `f64`.
+//! Generates what verification of a solution needs: forward kinematics and Jacobian in `f64`.
 
 use crate::chain::{Chain, Scalar};
 use crate::program::Forward;
@@ -7,7 +7,7 @@ use crate::render::code::drive::drive;
 
 /// What polishing needs: forward kinematics and Jacobian in `f64`.
 ///
-/// Arms of few joints report misses in their unit of length.
+/// Rank-deficient arms report distances in their unit of length.
 pub(super) fn kinematics(chain: &Chain, name: &str, forward: &Forward, rank_deficient: bool) -> String {
     let n = chain.dof();
     let entry = |body: &Body<'_>, from: usize| {

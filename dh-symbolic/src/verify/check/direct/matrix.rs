@@ -1,4 +1,4 @@
-//! Small matrices of floats.
+//! Small matrices of floating-point numbers.
 
 use super::Direct;
 

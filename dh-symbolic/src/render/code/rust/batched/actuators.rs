@@ -1,4 +1,4 @@
-//! The actuators as sums of the angles that the fast path finds, where whole turns of rows are whole turns of actuators.
+//! Actuator positions as sums of the angles that the fast path finds, where whole turns of joints are whole turns of actuators.
 
 use crate::algebra::{Poly, adjugate};
 use crate::chain::{AngleCell, Chain, Coordinate, Role, Scalar};
@@ -10,7 +10,7 @@ use crate::render::code::steps::combination;
 pub(super) struct Actuator {
     /// The factor of each.
     pub(super) form: JointCombination,
-    /// What is taken off: an expression, with a factor.
+    /// What is subtracted: an expression, with a factor.
     shifts: Vec<(i8, String)>,
     /// The greatest absolute value in half turns, if each angle is at most half a turn; `None` where a field says.
     pub(super) half_turns: Option<u8>,
@@ -74,7 +74,7 @@ pub(super) fn whole_actuators(chain: &Chain, rows: &[JointCombination]) -> Optio
     inverse.iter().map(actuator).collect()
 }
 
-/// Is a parameter a field of the robot?
+/// Whether a parameter is a field of the robot.
 fn is_field(chain: &Chain, parameter: usize) -> bool {
     chain.parameters.get(parameter).is_some_and(|p| matches!(p.role, Role::Field(_)))
 }

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What stands in an array `all_name`: the value of a branch is at `branch / before % roots * p + branch % p`.
+/// The layout of an array `all_name`: the value of a branch is at `branch / before % roots * p + branch % p`.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) struct Layout {
     pub(super) before: usize,
@@ -41,7 +41,7 @@ pub(super) fn joined(kind: usize, names: &[String]) -> String {
     }
 }
 
-/// The loops of a function, one after the other; code for a single branch stands outside of loops.
+/// The loops of a function, one after the other; code for a single branch is outside of loops.
 #[derive(Default)]
 pub(super) struct Loops {
     /// Number and width of the loop that is being written, and whether it is the last one.
@@ -55,7 +55,7 @@ pub(super) struct Loops {
     /// What the confirmation needs: margins, which branches are real, errors; of this loop, and as the end will find them.
     pending: [Vec<String>; 3],
     pub(super) judged: [Vec<String>; 3],
-    /// What stands before the loop, in it, and after it.
+    /// The code before the loop, in it, and after it.
     pub(super) before: String,
     pub(super) inner: String,
     pub(super) after: String,
@@ -72,7 +72,7 @@ impl Loops {
         (self.number, self.width, self.last) = (number, width, last);
     }
 
-    /// Can the name be used as it is?
+    /// Whether the name can be used as it is.
     pub(super) fn knows(&self, name: &str) -> bool {
         self.here.contains(name) || self.anywhere.contains(name)
     }

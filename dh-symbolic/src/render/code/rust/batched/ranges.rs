@@ -1,4 +1,4 @@
-//! Angles brought into the ranges of their joints.
+//! Generates the expressions that bring angles into the ranges of their joints.
 
 use crate::chain::{Chain, Scalar};
 use crate::render::code::{bound, literal};

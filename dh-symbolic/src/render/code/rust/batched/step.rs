@@ -8,7 +8,7 @@ use crate::program::{BatchedSolve, Node, What};
 use crate::render::code::body::{Body, Dialect};
 use crate::render::code::steps::argument;
 
-/// The roots of a step, as the loops name them. A length stands (over the length scale) for cosine and sine both.
+/// The roots of a step, as the loops name them. A length (over the length scale) takes the place of both cosine and sine.
 struct Roots {
     /// Which step.
     step: usize,
@@ -20,9 +20,9 @@ struct Roots {
     first: [String; 2],
     /// The same of the second one, where there is one.
     second: [String; 2],
-    /// Is the unknown an angle?
+    /// Whether the unknown is an angle.
     is_angle: bool,
-    /// Is the second root the opposite of the first?
+    /// Whether the second root is the opposite of the first.
     opposite: bool,
     /// Where they are kept.
     layout: Layout,

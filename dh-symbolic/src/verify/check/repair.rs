@@ -1,4 +1,4 @@
-//! The smallest change that makes a printed formula right: one word, or two.
+//! Repairs of wrong formulas: the smallest change (one token, or two) that makes a printed formula right.
 //!
 //! Candidates are what goes wrong when formulas are copied by hand: c for s, another index, another name, a flipped or lost sign,
 //! a lost factor, a number. Each is tried in numbers at one point; what survives is proven.
@@ -6,7 +6,7 @@
 use super::compare::{Outcome, Pair};
 use super::direct::{Direct, Spot};
 use super::value::Value;
-use super::{Edit, Evaluator, Mend};
+use super::{Edit, Evaluator, Repair};
 use crate::algebra::Factor;
 use crate::verify::language::{Expr, NotUnderstood, Place, Relation, Token, TokenKind};
 
@@ -14,7 +14,7 @@ use crate::verify::language::{Expr, NotUnderstood, Place, Relation, Token, Token
 const LONGEST: usize = 240;
 /// Most single changes that are combined in pairs.
 const PAIRED: usize = 700;
-/// Words that are read in search of mends, for one formula and for a whole derivation.
+/// Words that are read in search of repairs, for one formula and for a whole derivation.
 const EFFORT: usize = 400_000;
 const TOTAL_EFFORT: usize = 4_000_000;
 /// Most survivors of the sieve that are proven.
@@ -34,12 +34,12 @@ struct Candidate {
 
 impl Evaluator<'_> {
     /// A change of the tokens at `place` that makes them mean `target`.
-    pub(super) fn mend(&mut self, place: &Place, target: &Value) -> Option<Mend> {
-        self.ranked_mend(place, target).map(|m| m.1)
+    pub(super) fn repair(&mut self, place: &Place, target: &Value) -> Option<Repair> {
+        self.ranked_repair(place, target).map(|m| m.1)
     }
 
     /// With its rank: how unlikely such a slip is.
-    pub(super) fn ranked_mend(&mut self, place: &Place, target: &Value) -> Option<(u8, Mend)> {
+    pub(super) fn ranked_repair(&mut self, place: &Place, target: &Value) -> Option<(u8, Repair)> {
         let tokens = self.tokens;
         let printed = tokens.get(place.clone())?;
         if printed.len() > LONGEST || self.searched > TOTAL_EFFORT {
@@ -55,15 +55,15 @@ impl Evaluator<'_> {
         let mut proofs = 0;
         let mut values: Vec<Option<f64>> = Vec::with_capacity(singles.len());
         for c in &singles {
-            let mend = Mend { edits: vec![c.edit.clone()] };
-            let Some(v) = self.quick(&mut sieve, place, &mend) else {
+            let repair = Repair { edits: vec![c.edit.clone()] };
+            let Some(v) = self.quick(&mut sieve, place, &repair) else {
                 values.push(None);
                 continue;
             };
             if v.is_near(&goal, NEAR) && proofs < PROOFS {
                 proofs += 1;
-                if self.proves(place, &mend, target) {
-                    return Some((c.rank, mend));
+                if self.proves(place, &repair, target) {
+                    return Some((c.rank, repair));
                 }
             }
             values.push(match v {
@@ -83,9 +83,9 @@ impl Evaluator<'_> {
         goal: &Direct,
         singles: &[Candidate],
         values: &[Option<f64>],
-    ) -> Option<Mend> {
+    ) -> Option<Repair> {
         let Direct::Scalar(goal_value) = goal else { return None };
-        let Some(Direct::Scalar(start)) = self.quick(sieve, place, &Mend { edits: vec![] }) else { return None };
+        let Some(Direct::Scalar(start)) = self.quick(sieve, place, &Repair { edits: vec![] }) else { return None };
         let usable: Vec<(&Candidate, f64)> = singles
             .iter()
             .zip(values)
@@ -115,26 +115,26 @@ impl Evaluator<'_> {
             let (Some((a, _)), Some((b, _))) = (usable.get(i), usable.get(j)) else { continue };
             let mut edits = vec![a.edit.clone(), b.edit.clone()];
             edits.sort_by_key(|e| e.place.start);
-            let mend = Mend { edits };
-            let near = self.quick(sieve, place, &mend).is_some_and(|v| v.is_near(goal, NEAR));
+            let repair = Repair { edits };
+            let near = self.quick(sieve, place, &repair).is_some_and(|v| v.is_near(goal, NEAR));
             if near && proofs < PROOFS {
                 proofs += 1;
-                if self.proves(place, &mend, target) {
-                    return Some(mend);
+                if self.proves(place, &repair, target) {
+                    return Some(repair);
                 }
             }
         }
         None
     }
 
-    fn quick(&mut self, sieve: &mut Spot, place: &Place, mend: &Mend) -> Option<Direct> {
-        let e = Expr::parse(&mended(self.tokens, place, mend)).ok()?;
+    fn quick(&mut self, sieve: &mut Spot, place: &Place, repair: &Repair) -> Option<Direct> {
+        let e = Expr::parse(&repaired(self.tokens, place, repair)).ok()?;
         sieve.evaluate(&e, self)
     }
 
-    fn proves(&mut self, place: &Place, mend: &Mend, target: &Value) -> bool {
+    fn proves(&mut self, place: &Place, repair: &Repair, target: &Value) -> bool {
         self.work.renew();
-        let Ok(e) = Expr::parse(&mended(self.tokens, place, mend)) else { return false };
+        let Ok(e) = Expr::parse(&repaired(self.tokens, place, repair)) else { return false };
         let Ok(v) = self.evaluate(&e) else { return false };
         match self.pair(v, target.clone(), place) {
             Ok(Pair::Scalars(x, y)) => matches!(self.compare_scalars(&x, &y, place), Ok(Outcome::Same(_))),
@@ -149,13 +149,18 @@ impl Evaluator<'_> {
     }
 
     /// For a line that means nothing: a change of the side that means nothing, where the other one has a meaning.
-    pub(super) fn mend_meaning(&mut self, first: &Expr, rest: &[(Relation, Expr)], n: &NotUnderstood) -> Option<Mend> {
+    pub(super) fn repair_meaning(
+        &mut self,
+        first: &Expr,
+        rest: &[(Relation, Expr)],
+        n: &NotUnderstood,
+    ) -> Option<Repair> {
         let [(Relation::Equal, second)] = rest else { return None };
         let inside = |e: &Expr| e.place.start <= n.place.start && n.place.end <= e.place.end;
         let order = if inside(first) { [(first, second), (second, first)] } else { [(second, first), (first, second)] };
         order.into_iter().find_map(|(broken, sound)| {
             let target = self.evaluate(sound).ok()?;
-            self.mend(&broken.place.clone(), &target)
+            self.repair(&broken.place.clone(), &target)
         })
     }
 
@@ -248,7 +253,7 @@ impl Evaluator<'_> {
         out
     }
 
-    /// The names that a mend may use: those of the formula, and those of the correct value.
+    /// The names that a repair may use: those of the formula, and those of the correct value.
     fn vocabulary(&mut self, printed: &[Token], target: &Value) -> Vec<String> {
         let mut words: Vec<String> = Vec::new();
         let mut add = |w: String| {
@@ -293,10 +298,10 @@ impl Evaluator<'_> {
 }
 
 /// The tokens of a place after a change.
-pub(super) fn mended(tokens: &[Token], place: &Place, mend: &Mend) -> Vec<Token> {
+pub(super) fn repaired(tokens: &[Token], place: &Place, repair: &Repair) -> Vec<Token> {
     let mut out = Vec::with_capacity(place.len() + 2);
     let mut at = place.start;
-    for e in &mend.edits {
+    for e in &repair.edits {
         out.extend(tokens.get(at..e.place.start).unwrap_or_default().iter().cloned());
         out.extend(e.tokens.iter().cloned());
         at = e.place.end;
@@ -305,10 +310,10 @@ pub(super) fn mended(tokens: &[Token], place: &Place, mend: &Mend) -> Vec<Token>
     out
 }
 
-impl Mend {
+impl Repair {
     /// The tokens of a place of the derivation, with the change made. The edits must lie inside.
     pub fn apply(&self, tokens: &[Token], place: &Place) -> Vec<Token> {
-        mended(tokens, place, self)
+        repaired(tokens, place, self)
     }
 }
 

@@ -1,4 +1,4 @@
-//! Lines that speak of numbers: `~`, `<` and the like, at the values of the last `at` line.
+//! Checks numeric lines (`~`, `<` and the like) at the values of the last `at` line.
 
 use super::compare::{Outcome, Pair};
 use super::line::{Sides, joined};
@@ -50,7 +50,7 @@ impl Evaluator<'_> {
                         place: sides.printed().place.clone(),
                         entry: None,
                         kind: f,
-                        mend: None,
+                        repair: None,
                     }]);
                 }
             }
@@ -61,7 +61,7 @@ impl Evaluator<'_> {
                         place: sides.printed().place.clone(),
                         entry: None,
                         kind,
-                        mend: None,
+                        repair: None,
                     }]);
                 }
             }
@@ -84,7 +84,7 @@ impl Evaluator<'_> {
                         let entry = Some((k / m.columns + 1, k % m.columns + 1));
                         all = joined(
                             all,
-                            Verdict::Wrong(vec![Fault { place: e.place.clone(), entry, kind, mend: None }]),
+                            Verdict::Wrong(vec![Fault { place: e.place.clone(), entry, kind, repair: None }]),
                         );
                     }
                 }
@@ -135,6 +135,11 @@ impl Evaluator<'_> {
             let bare = self.given.is_empty() && !fields;
             return Ok(if bare { Verdict::Proven(Where::everywhere()) } else { Verdict::Agrees });
         }
-        Ok(Verdict::Wrong(vec![Fault { place, entry: None, kind: FaultKind::Order { left: x, right: y }, mend: None }]))
+        Ok(Verdict::Wrong(vec![Fault {
+            place,
+            entry: None,
+            kind: FaultKind::Order { left: x, right: y },
+            repair: None,
+        }]))
     }
 }
