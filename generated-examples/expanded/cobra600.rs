@@ -405,7 +405,7 @@ impl Cobra600 {
         }
     }
     /// The direction in which the arm can move at a solution with free joints while its target stays reached: joint speeds, the largest of
-    /// them 1 (or the arm's size, for a length). `None` at a solution that stands alone.
+    /// them 1 (or the arm's size, for a length). `None` at an isolated solution.
     #[must_use]
     pub fn self_motion(
         &self,
