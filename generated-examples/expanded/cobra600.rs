@@ -693,7 +693,7 @@ impl Cobra600 {
                 + 0.32928064842958465 * s1;
             let q1_error = (t_6 - t[0][3]).abs() + (t_7 - t[1][3]).abs();
             let q2 = all_q2[branch];
-            // How far the branch is from what it should be.
+            // How far the branch is from the target.
             all_margin[branch] = ::dh_robot::runtime::batched::lesser(
                 ::dh_robot::runtime::batched::lesser(q3_margin, q2_margin),
                 q1_margin,

@@ -780,7 +780,7 @@ impl GantryWrist {
             + (t_7 + 0.6666666666666666 * c5 - t[1][3]).abs()
             + (q1_scaled - 0.6666666666666666 * c4s5 - t[2][3]).abs();
         let branch = 0;
-        // How far the branch is from what it should be.
+        // How far the branch is from the target.
         all_margin[branch] = ::dh_robot::runtime::batched::lesser(
             ::dh_robot::runtime::batched::lesser(
                 ::dh_robot::runtime::batched::lesser(q1_margin, q2_margin),

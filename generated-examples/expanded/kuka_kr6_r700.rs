@@ -1064,7 +1064,7 @@ impl KukaKr6R700 {
             let q1 = all_q1[branch];
             let margin_1 = all_margin_1[branch];
             let valid_1 = all_valid_1[branch];
-            // How far the branch is from what it should be.
+            // How far the branch is from the target.
             all_margin[branch] = ::dh_robot::runtime::batched::lesser(
                 ::dh_robot::runtime::batched::lesser(
                     ::dh_robot::runtime::batched::lesser(q1_margin, margin_1),

@@ -1238,7 +1238,7 @@ impl Panda {
             let q4 = all_q4[branch];
             let margin_1 = all_margin_1[branch];
             let valid_1 = all_valid_1[branch];
-            // How far the branch is from what it should be.
+            // How far the branch is from the target.
             all_margin[branch] = ::dh_robot::runtime::batched::lesser(
                 ::dh_robot::runtime::batched::lesser(
                     ::dh_robot::runtime::batched::lesser(q4_margin, margin_1),

@@ -1018,7 +1018,7 @@ impl Puma560 {
                 + (-(t_18 * t_28 + t_17 * s5c6) - t[2][0]).abs();
             let q1 = all_q1[branch];
             let q3 = all_q3[branch];
-            // How far the branch is from what it should be.
+            // How far the branch is from the target.
             all_margin[branch] = ::dh_robot::runtime::batched::lesser(
                 ::dh_robot::runtime::batched::lesser(
                     ::dh_robot::runtime::batched::lesser(q1_margin, q3_margin),

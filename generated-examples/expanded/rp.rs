@@ -520,7 +520,7 @@ impl Rp {
         let q1_error = (-s1 - t[0][2]).abs() + (c1 - t[1][2]).abs()
             + (-q2_scaled * s1 - t[0][3]).abs() + (q2_scaled * c1 - t[1][3]).abs();
         let branch = 0;
-        // How far the branch is from what it should be.
+        // How far the branch is from the target.
         all_margin[branch] = q2_margin;
         all_valid[branch] = 1.0;
         all_error[branch] = constant_error + q1_error;

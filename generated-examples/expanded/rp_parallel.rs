@@ -523,7 +523,7 @@ impl RpParallel {
         let q1_error = (-s1 - t[0][1]).abs() + (c1 - t[1][1]).abs()
             + (t_2 * c1 - t[0][3]).abs() + (t_2 * s1 - t[1][3]).abs();
         let branch = 0;
-        // How far the branch is from what it should be.
+        // How far the branch is from the target.
         all_margin[branch] = q2_margin;
         all_valid[branch] = 1.0;
         all_error[branch] = constant_error + q2_error + q1_error;

@@ -585,7 +585,7 @@ impl Rpr {
         let q3_error = (-c1 * s3 - t[0][1]).abs() + (-s1 * s3 - t[1][1]).abs()
             + (c3 - t[2][1]).abs();
         let branch = 0;
-        // How far the branch is from what it should be.
+        // How far the branch is from the target.
         all_margin[branch] = q2_margin;
         all_valid[branch] = 1.0;
         all_error[branch] = constant_error + q1_error + q3_error;

@@ -725,7 +725,7 @@ impl ScaraRrrp {
             let q1_error = (t_6 * (c2 * c1 - s2 * s1) + t_5 * c1 - t[0][3]).abs()
                 + (t_6 * (c2 * s1 + s2 * c1) + t_5 * s1 - t[1][3]).abs();
             let q2 = all_q2[branch];
-            // How far the branch is from what it should be.
+            // How far the branch is from the target.
             all_margin[branch] = ::dh_robot::runtime::batched::lesser(
                 ::dh_robot::runtime::batched::lesser(q4_margin, q2_margin),
                 q1_margin,

@@ -978,7 +978,7 @@ impl Stanford {
                 + (-(s2 * s4s5 - c2 * c5) - t[2][2]).abs();
             let q1 = all_q1[branch];
             let margin_1 = all_margin_1[branch];
-            // How far the branch is from what it should be.
+            // How far the branch is from the target.
             all_margin[branch] = ::dh_robot::runtime::batched::lesser(
                 ::dh_robot::runtime::batched::lesser(
                     ::dh_robot::runtime::batched::lesser(q1_margin, margin_1),

@@ -1152,7 +1152,7 @@ impl Ur5 {
             let margin_2 = all_margin_2[branch];
             let valid_2 = all_valid_2[branch];
             let error_2 = all_error_2[branch];
-            // How far the branch is from what it should be.
+            // How far the branch is from the target.
             all_margin[branch] = ::dh_robot::runtime::batched::lesser(
                 ::dh_robot::runtime::batched::lesser(
                     ::dh_robot::runtime::batched::lesser(q1_margin, margin_1),

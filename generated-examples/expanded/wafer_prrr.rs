@@ -734,7 +734,7 @@ impl WaferPrrr {
             let q2_error = (t_11 * (c3 * c2 - s3 * s2) + t_10 * c2 - t[0][3]).abs()
                 + (t_11 * (c3 * s2 + s3 * c2) + t_10 * s2 - t[1][3]).abs();
             let q3 = all_q3[branch];
-            // How far the branch is from what it should be.
+            // How far the branch is from the target.
             all_margin[branch] = ::dh_robot::runtime::batched::lesser(
                 ::dh_robot::runtime::batched::lesser(q1_margin, q3_margin),
                 q2_margin,

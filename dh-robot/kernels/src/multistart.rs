@@ -12,7 +12,7 @@ use super::tolerance::REACHED;
 /// Polishing steps from a neighbour, or from anywhere.
 const STEPS: usize = 40;
 
-/// Solves poses near `target` and hands on their solutions, to be polished onto `target` itself. `solve` also tells whether its
+/// Solves poses near `target` and hands on their solutions, to be polished onto `target` itself. `solve` also returns whether its
 /// solutions are all there are; neighbours in further directions are only asked where those in the first one seldom know.
 ///
 /// Solutions that are regular at `target` have exactly one neighbour each, and double ones have two on one of two opposite sides: so the
@@ -64,7 +64,7 @@ fn displaced(pose: &Pose, length_scale: f64, direction: [f64; 6], distance: f64)
 }
 
 /// Looks for solutions of `task` from `starts` starting points that fill the joint space evenly, and adds what is new to `known`;
-/// stops when `known` holds `enough`. `prismatic` tells the prismatic joints, whose starting points lie within `length_scale` on both sides of zero.
+/// stops when `known` holds `enough`. `prismatic` marks the prismatic joints, whose starting points lie within `length_scale` on both sides of zero.
 pub fn solve_from_everywhere<const N: usize, const R: usize>(
     arm: &impl Kinematics<N>,
     prismatic: &[bool; N],

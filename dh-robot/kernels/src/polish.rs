@@ -17,13 +17,13 @@ pub trait Kinematics<const N: usize> {
     /// The pose, and the geometric Jacobian: rows 0..3 linear, at the origin of that frame, rows 3..6 angular, in base axes.
     fn forward_and_jacobian(&self, q: &[f64; N]) -> (Pose, [[f64; N]; 6]);
 
-    /// The unit of lengths, as far as reasons name it.
+    /// The unit of lengths, for reports that name it.
     #[inline]
     fn unit(&self) -> &'static str {
         ""
     }
 
-    /// How actuators move rows, where a whole turn of a row is no whole turn of the actuators.
+    /// The coupled drive, where a whole turn of a row is not a whole number of actuator turns.
     #[inline]
     fn drive(&self) -> Option<Drive<N>> {
         None

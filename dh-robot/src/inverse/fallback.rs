@@ -211,7 +211,7 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'a, A
         if way.iter().any(|d| d.abs() > 0.4 * STRIDE) { moved(&way) } else { FreeJoints::NONE }
     }
 
-    /// Why there is no solution.
+    /// The reason if there is no solution.
     pub(super) fn reason(&mut self, why: Why<f64>) -> Why<f64> {
         // What a step lacks, over the length scale: the reason unless some joint vector comes nearer to the target.
         let gap = match why {

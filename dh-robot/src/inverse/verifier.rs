@@ -30,14 +30,14 @@ pub(super) struct Verifier<'a, A, T: 'static, const N: usize, const M: usize> {
     pub(super) arm: &'a A,
     pub(super) setting: Setting<T, N>,
     pub(super) task: &'a TaskTarget,
-    /// How actuators are coupled, where whole turns of rows are not whole turns of actuators.
+    /// The coupled drive, where whole turns of rows are not whole turns of actuators.
     pub(super) drive: Option<Drive<N>>,
     /// Residual up to which a joint vector is a solution.
     pub(super) tolerance: f64,
     pub(super) out: Solutions<T, N, M>,
     /// The smallest miss so far.
     pub(super) nearest: f64,
-    /// The joint vector that misses by so little.
+    /// The joint vector with the smallest miss.
     pub(super) best: [f64; N],
     /// Other solutions may be missing: a chosen value led to no solution, or to one where nothing is free, or there is a self-motion
     /// for which one chosen value is not enough.

@@ -13,7 +13,7 @@ pub use angles::{angle, angles};
 use crate::{Branch, Joint, Real, Solution, Solutions};
 
 /// Largest difference between an entry of the target and of a branch's forward kinematics (rotation, or position over the length scale) that the
-/// fast way accepts: some hundred times the rounding of a regular pose.
+/// fast path accepts: some hundred times the rounding of a regular pose.
 pub const CONFIRMED: f64 = 1e-12;
 /// Relative distance of a discriminant from zero below which the fallback path decides.
 const CLEAR: f64 = 1e-7;

@@ -2,7 +2,7 @@
 //!
 //! Frames lie on the joint axes, before and after the shift d along each axis, since the point where neighbouring axes meet is
 //! one of the two. A task that leaves something open becomes virtual joints: the turn about the tool's axis for `axis`, three turns
-//! about the tool's point for `position`, a slide along z for `planar` where joints change the height.
+//! about the tool's point for `position`, a translation along z for `planar` where joints change the height.
 
 use std::sync::OnceLock;
 
@@ -37,7 +37,7 @@ pub struct Axes {
     pub end: Transform,
     /// All motions from the base to the tip in order, with the places of the table's frames among them.
     pub items: Vec<Item>,
-    /// For each frame of the links, frame 0 first, the item before which it stands.
+    /// For each frame of the links, frame 0 first, the item that follows it.
     pub places: Vec<usize>,
     /// Names: the chain's, the virtual joints' and those that plans introduce.
     pub ring: Ring,
@@ -51,7 +51,7 @@ pub struct Axes {
     squares: Vec<OnceLock<Poly>>,
 }
 
-/// Numeric value of a parameter; fields get their nominal value, slightly detuned so that no structure is read off a value that the
+/// Numeric value of a parameter; fields get their nominal value, slightly detuned so that no structure is inferred from a value that the
 /// user may change.
 pub(crate) fn generic_parameter(chain: &Chain, handle: Handle) -> f64 {
     let value = chain.nominal(handle);
@@ -238,8 +238,8 @@ impl Axes {
         })
     }
 
-    /// Frame `a` seen from frame `b`: the inverse of [`Axes::between`], as a product too, since what it takes to turn a long product
-    /// round is many times what is left of it.
+    /// Frame `a` seen from frame `b`: the inverse of [`Axes::between`], as a product too, since inverting a long product
+    /// costs many times as much.
     ///
     /// # Panics
     /// As [`Axes::between`].
@@ -257,7 +257,7 @@ impl Axes {
 
     /// The squared distance of the origins of frames `a` and `b`.
     ///
-    /// With the next way d it grows by d.d + 2 (R^T p).d, and -R^T p is known: nothing long is squared, to fall together afterwards.
+    /// With the next displacement d it grows by d.d + 2 (R^T p).d, and -R^T p is known: no long sum is squared only to cancel afterwards.
     ///
     /// # Panics
     /// As [`Axes::between`].

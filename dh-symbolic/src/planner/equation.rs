@@ -6,7 +6,7 @@ use super::prismatic;
 use super::scalar::{Equation, FrameScalar, fold};
 use crate::algebra::{Poly, Transform, Vector, dot};
 
-/// About how many terms the products of an equation have before any are put together.
+/// An estimate of the number of terms of an equation's products before like terms are combined.
 pub(super) fn weight(axes: &Axes, knowledge: &mut Knowledge, e: &Equation) -> usize {
     let (left, right) = fold(axes, knowledge, e);
     let size =

@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 pub struct Known {
     /// The combination.
     pub form: JointCombination,
-    /// Symbols of its cosine and sine; for a sliding joint its own symbol twice.
+    /// Symbols of its cosine and sine; for a prismatic joint its own symbol twice.
     pub symbols: [Symbol; 2],
     /// Whether it is an angle.
     pub is_angle: bool,
@@ -47,7 +47,7 @@ pub enum Basis {
     Cos(u8),
     /// sin(k u).
     Sin(u8),
-    /// u^k of a sliding joint.
+    /// u^k of a prismatic joint.
     Power(u8),
 }
 
@@ -76,12 +76,12 @@ impl Knowledge {
         Knowledge { ring: axes.ring.clone(), known: Vec::new(), span: Subspace::default(), poses: Vec::new() }
     }
 
-    /// Text of a form, `q2 + q3`.
+    /// A combination as text, `q2 + q3`.
     pub fn form_name(&self, axes: &Axes, form: &[i8]) -> String {
         self.joined(axes, form, ["-", " - ", " + "], "*")
     }
 
-    /// The names in a form, with words for its signs: a minus in front, minus, plus; and for a factor.
+    /// The names in a combination, with words for its signs: a minus in front, minus, plus; and for a factor.
     fn joined(&self, axes: &Axes, form: &[i8], [first, minus, plus]: [&str; 3], times: &str) -> String {
         let mut out = String::new();
         for (i, k) in form.iter().enumerate().filter(|(_, k)| **k != 0) {
@@ -156,7 +156,7 @@ impl Knowledge {
         axes.links.iter().take_while(|h| h.joint.is_none_or(|j| self.has(axes, j))).count()
     }
 
-    /// The first frame behind which all joints are known.
+    /// The first frame after which all joints are known.
     pub fn suffix(&self, axes: &Axes) -> usize {
         axes.links.len() - axes.links.iter().rev().take_while(|h| h.joint.is_none_or(|j| self.has(axes, j))).count()
     }

@@ -40,7 +40,7 @@ pub enum Refusal {
     Unconfirmed {
         /// Samples that were not found.
         missed: usize,
-        /// Of so many.
+        /// The number of them all.
         of: usize,
     },
 }

@@ -14,9 +14,9 @@ pub enum FrameScalar {
     Back(u8),
     /// Squared distance of the origins.
     Distance,
-    /// Component of the position across two sliding axes: the one that frame `a` stands on, and that of this link.
+    /// Component of the position across two prismatic axes: that of frame `a`, and that of this link.
     Across(u8),
-    /// The same for the slides of two links, where the way from the turning axis of link `a` to that of link `b - 1` is taken apart along
+    /// The same for the prismatic joints of two links, where the displacement from the revolute axis of link `a` to that of link `b - 1` is decomposed along
     /// these axes, so that neither angle occurs.
     Bridge(u8, u8),
 }

@@ -9,7 +9,7 @@ use super::subspace::JointCombination;
 /// One step.
 #[derive(Clone, Debug)]
 pub struct Step {
-    /// What is solved.
+    /// The kind of equations.
     pub kind: StepKind,
     /// The unknown combinations (one or two; all for the general elimination).
     pub unknown: Vec<JointCombination>,
@@ -23,7 +23,7 @@ pub struct Step {
     pub before: usize,
 }
 
-/// A way to invert an arm.
+/// A plan of the inverse kinematics of an arm.
 #[derive(Clone, Debug)]
 pub struct Plan {
     /// The arm as the planner saw it.
@@ -34,7 +34,7 @@ pub struct Plan {
     pub given: usize,
     /// The steps in order.
     pub steps: Vec<Step>,
-    /// Bound of the number of solutions.
+    /// An upper bound on the number of solutions.
     pub max_solutions: usize,
     /// Whether the task has directions in which the arm cannot move the tool at all: its targets then lie in the reachable set up to rounding only.
     pub rank_deficient: bool,

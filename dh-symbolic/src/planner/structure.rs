@@ -4,7 +4,7 @@ use super::axes::{Axes, numeric};
 use crate::algebra::Poly;
 use crate::chain::{Chain, Convention};
 
-/// How two neighbouring axes lie.
+/// The relation of two neighbouring axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pair {
     /// Parallel, or the same line.
@@ -15,14 +15,14 @@ pub enum Pair {
     Skew,
 }
 
-/// Neighbouring joints (from 0) and how their axes lie.
+/// Neighbouring joints (from 0) and the relation of their axes.
 #[derive(Clone, Debug)]
 pub struct Neighbours {
     /// The first joint; the second is the next one.
     pub first: usize,
     /// How.
     pub pair: Pair,
-    /// Cells of the table that make it so: `alpha2 = 0`.
+    /// The cells of the table that cause it: `alpha2 = 0`.
     pub cells: Vec<String>,
 }
 
@@ -80,7 +80,7 @@ fn link_of(axes: &Axes, joint: usize) -> Option<usize> {
     axes.links.iter().position(|h| h.joint == Some(joint))
 }
 
-/// The cells between two joints that a relation rests on.
+/// The cells between two joints that cause a relation.
 fn cells(chain: &Chain, first: usize, pair: Pair) -> Vec<String> {
     let (Some(a), Some(b)) = (chain.joints.get(first), chain.joints.get(first + 1)) else { return Vec::new() };
     let rows = match chain.convention {

@@ -1,4 +1,4 @@
-//! The proof that a program computes what it should, by values in a prime field (see [`FieldPoint`]): for long chains and odd twists,
+//! Proof by values in a prime field (see [`FieldPoint`]) that a program computes the product of link transforms: for long chains and odd twists,
 //! whose normal forms have thousands of terms. Program and product of link transforms must agree at every point.
 
 use super::Program;

@@ -24,7 +24,7 @@ enum Way {
     Axes,
 }
 
-/// Columns of every block's frame in the base, as far as a way computes them.
+/// Columns of every block's frame in the base, as far as this order of evaluation computes them.
 struct Known {
     pose: [V3; 3],
     /// z of each block.

@@ -1,4 +1,4 @@
-//! The proof that a program computes what it should, by normal forms: expanded back into the algebra it must be the product itself.
+//! Proof by normal forms that a program computes the product of link transforms: its outputs are expanded back into the algebra.
 
 use super::Program;
 use super::fold::Arithmetic;
@@ -7,7 +7,7 @@ use crate::chain::Chain;
 use crate::kinematics::{Kinematics, jacobian};
 use std::fmt;
 
-/// An output that differs from what it should be.
+/// An output that differs from the exact formula.
 #[derive(Clone, Debug)]
 pub struct Disproof {
     /// Which output.

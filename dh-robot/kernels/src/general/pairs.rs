@@ -13,7 +13,7 @@
 //!
 //! with a number `u` and a vector `v` that follow from `n` and `w`. The product of `u + v.l` over both `l` is a Gram determinant of `n`, `e`,
 //! `v` and `l`; the product over both `n`, times the fourth power of the distance of `w` from A, is a trigonometric polynomial of degree 8.
-//! If nothing tells `n` from `-n`, half of that is enough. No angle is singled out, and no matrix is needed.
+//! If `n` cannot be distinguished from `-n`, half of that is enough. No angle is singled out, and no matrix is needed.
 
 use super::super::chain::NumericChain;
 use super::super::elementary::sqrt;
@@ -232,7 +232,7 @@ impl Pairs {
             self.complete(&place, [x - sign * place.w[1], y + sign * place.w[0], z], &mut candidates);
         }
         candidates.as_mut_slice().sort_unstable_by(|a, b| a.misses.total_cmp(&b.misses));
-        // What the best one misses by tells how well the root is known.
+        // The error of the best one shows how well the root is known.
         let known = candidates.first().map_or(0.0, |c| 1e3 * c.misses);
         let limit = if multiple { MISSES } else { HOLDS.max(known).min(MISSES) };
         let mut best = List::new();

@@ -15,7 +15,7 @@ use super::pairs;
 pub struct Ranked {
     /// The choice.
     pub choice: Choice,
-    /// Its worst condition, as a power of two: about so many binary digits are lost.
+    /// Its worst condition as a power of two: about the number of binary digits that are lost.
     pub condition: i32,
     /// Samples on which it missed the known solution.
     pub misses: usize,
@@ -115,7 +115,7 @@ impl Ranked {
                 .any(|p: &[f64; 6]| p.iter().zip(&q).all(|(a, b)| sin_cos(0.5 * (a - b)).0.abs() < 1e-5));
             self.misses += usize::from(!hit);
             self.unclean += usize::from(attempt.account == Account::Open);
-            // Another elimination must confirm what phantoms may hide.
+            // Spurious null vectors can mask roots: a second elimination must confirm.
             self.work += attempt.work + if attempt.account == Account::WithPhantoms { CONFIRMATION } else { 0 };
         }
     }
@@ -165,7 +165,7 @@ fn by_condition(samples: &[(NumericChain<6>, [f64; 6])]) -> [Ranked; Choice::GEN
 
 /// The best `K` choices for an arm by their condition at two poses that have nothing special; fewer if fewer are of use.
 ///
-/// What is left of [`rank`] where there is no time for trials: at run time, on an arm that the ranked choices don't fit.
+/// A ranking without the trials of [`rank`], for run time, on an arm that the ranked choices don't fit.
 pub(super) fn best_conditioned<const K: usize>(arm: &NumericChain<6>) -> List<Choice, K> {
     let samples = [[0.7, -1.1, 0.9, -0.4, 1.3, -2.1], [-2.0, 0.5, -0.6, 1.7, -0.9, 0.3]].map(|q| (*arm, q));
     let mut best = List::new();

@@ -8,10 +8,10 @@ use super::super::random::Random;
 use super::super::scalar::{Equation, FrameScalar};
 use dh_kernels::pose::{self, Pose};
 
-/// Equations whose values (lengths over the length scale) differ by less at joint vectors and targets of no special kind are one.
+/// Equations whose values (lengths over the length scale) differ by less at generic joint vectors and targets count as one.
 const EQUAL: f64 = 1e-10;
 
-/// Joint vectors and targets that have nothing to do with each other.
+/// Joint vectors and targets that are independent of each other.
 pub(super) struct Probes(Vec<(Vec<Pose>, Pose)>);
 
 /// Left side minus right side at each probe.
@@ -25,7 +25,7 @@ impl Probes {
         Probes((0..2).map(|_| (frames(), target(frames()))).collect())
     }
 
-    /// The values of an equation that compares two frames; none for those of slides.
+    /// The values of an equation that compares two frames; `None` for those across prismatic joints.
     pub(super) fn values(&self, e: &Equation) -> Option<Values> {
         self.0.iter().map(|(frames, target)| value(e, frames, target)).collect()
     }

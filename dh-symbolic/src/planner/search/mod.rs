@@ -1,8 +1,8 @@
 //! The search for a plan: chooses which equations to solve next.
 //!
 //! Every kind of step (`planner/steps`) offers its ways to find one unknown combination of joints; the best offer is taken, in the order of
-//! [`Rank`](super::steps::Rank), ties going to the shorter formula. Where there is none, two equations in two unknowns; at last what the
-//! kinds fall back on.
+//! [`Rank`](super::steps::Rank), ties going to the shorter formula. Where there is none, two equations in two unknowns; at last the
+//! fallbacks of the kinds.
 
 mod dedup;
 mod single_unknown;
@@ -26,7 +26,7 @@ use crate::algebra::Poly;
 use crate::chain::Chain;
 use dedup::{Probes, Values, is_same};
 
-/// Most equations of one kind with the same unknowns that are looked at.
+/// Most equations of one kind with the same unknowns that are considered.
 const LOOK: usize = 14;
 /// Equations with more terms than this, before any are put together, are left out: written out they take seconds, and nobody could read
 /// them. (Joints that a task leaves open, behind twists of no simple angle; those of usual arms stay below 1500.)
@@ -80,13 +80,13 @@ struct Search<'a> {
     steps: Vec<Step>,
     /// Equations written out, by the frames between which the target is known: step after step asks for the same ones.
     written: BTreeMap<(usize, usize, Equation), Rc<Poly>>,
-    /// Where equations are compared.
+    /// The probes at which equations are compared.
     probes: Probes,
-    /// Families with one or two unknowns, at so many known combinations.
+    /// Cached groups of families with one or two unknowns, keyed by the number of known combinations.
     groups: (usize, Vec<Group>),
 }
 
-/// What families still depend on, and which they are.
+/// The unknown combinations that families still depend on, and the families.
 type Group = (Subspace, Vec<usize>);
 
 /// The better one of two offers; of equally good ones the first.

@@ -1,5 +1,5 @@
-//! The kinds of steps that a plan is made of, one file each: which equations it recognises, how eagerly the search takes it, which
-//! kernel solves it, how many roots it has, how it degenerates, and what a textbook calls it.
+//! The kinds of steps that a plan is made of, one file each: which equations it recognises, its rank in the search, which
+//! kernel solves it, how many roots it has, how it degenerates, and its name in textbooks.
 //!
 //! A new kind is a file here with its [`Kind`], its kernel in `dh-kernels` (and in the JavaScript runtime), and its lines in the two
 //! lists below. Search, lowering, interpreter, printers, notes and plan read everything else from its file.
@@ -40,7 +40,7 @@ macro_rules! kinds {
             /// All kinds.
             pub(super) const ALL: &'static [StepKind] = &[$(StepKind::$kind),*];
 
-            /// What its file says.
+            /// The description in its file.
             fn kind(self) -> &'static dyn Kind {
                 match self {
                     $(StepKind::$kind => &$module::$kind,)*
@@ -65,9 +65,9 @@ kinds! {
     SecondHarmonic = second_harmonic;
     /// Two equations, each linear in (1, cos u, sin u) and in (1, cos v, sin v).
     Bilinear = bilinear;
-    /// Two equations in a sliding joint d (up to d^2) and an angle v.
+    /// Two equations in a prismatic joint d (up to d^2) and an angle v.
     LengthAndAngle = length_and_angle;
-    /// The elimination for six turning joints in general position.
+    /// The elimination for six joints in general position.
     General = general;
     /// The combination is free at every pose: a value is chosen.
     Choose = choose;
@@ -90,7 +90,7 @@ trait Kind: Sync {
         None
     }
 
-    /// What the coefficients of one equation belong to, in their order.
+    /// The basis functions that the coefficients of one equation belong to, in their order.
     fn columns(&self) -> Vec<Vec<Basis>>;
 
     /// The call of its kernel for a number of equations; `is_angle` says whether the (first) unknown is an angle.
@@ -133,7 +133,7 @@ impl StepKind {
         self.kind().fallback(at)
     }
 
-    /// What the coefficients of one equation belong to, in their order.
+    /// The basis functions that the coefficients of one equation belong to, in their order.
     pub fn columns(self) -> Vec<Vec<Basis>> {
         self.kind().columns()
     }
@@ -170,7 +170,7 @@ impl Step {
         self.kind.kind().reach_limit(plan, self)
     }
 
-    /// What people call it.
+    /// Its name in the literature.
     pub fn words(&self) -> Words {
         self.kind.kind().words(self.is_distance())
     }

@@ -28,7 +28,7 @@ pub(in crate::planner) enum Rank {
     Quadratic,
     /// An angle by a second harmonic.
     SecondHarmonic,
-    /// Two unknowns at once, with so many solutions.
+    /// Two unknowns at once, with this number of solutions.
     TwoUnknowns(usize),
 }
 

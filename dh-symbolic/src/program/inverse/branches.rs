@@ -127,7 +127,7 @@ impl Inverse {
         [0, 1, 2].map(|j| (0..3).map(|i| start[i][j] * base[i][2]).sum())
     }
 
-    /// Left shoulder, elbow up, wrist not flipped: what joint coordinates say, where the arm has such a thing.
+    /// Left shoulder, elbow up, wrist not flipped at given joint coordinates, where the arm has such parts.
     fn sides(&self, chain: &Chain, x: &[f64], solved: &[usize]) -> [Option<bool>; PARTS] {
         let axes = &self.plan.axes;
         let frames = axes.frames_number(x);

@@ -75,7 +75,7 @@ pub enum Indicator {
     Wrist,
 }
 
-/// What is said of a step without a root.
+/// The report of a step without a root.
 #[derive(Clone, Debug)]
 pub struct Report {
     /// Which step of the plan.
@@ -171,7 +171,7 @@ impl Sequence {
         all
     }
 
-    /// What is said of steps without roots, outermost first.
+    /// The reports of steps without roots, outermost first.
     pub fn reports(&self) -> Vec<&Report> {
         let mut all = Vec::new();
         for instruction in &self.0 {

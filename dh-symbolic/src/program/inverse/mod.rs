@@ -1,7 +1,7 @@
 //! A plan as a program: values computed from the target and from what is known, and the tree that solves for the rest.
 //!
 //! All lengths are over the arm's length scale, so that one tolerance fits all. Known combinations enter as symbols of their cosine and
-//! sine; which symbols an instruction needs tells at which depth of the search it is computed.
+//! sine; the symbols an instruction needs determine at which depth of the search it is computed.
 
 mod batched;
 mod branches;

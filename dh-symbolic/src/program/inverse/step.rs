@@ -1,4 +1,4 @@
-//! One step of a plan: the coefficients of its equations, the call of its kernel, and what is said where it has no root.
+//! Translates one step of a plan: the coefficients of its equations, the call of its kernel, and its report where it has no root.
 
 use super::ir::{Distance, Report, Solve};
 use super::lower::{Lower, Pose};

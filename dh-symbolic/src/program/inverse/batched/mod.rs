@@ -22,7 +22,7 @@ const MOST: usize = 16;
 pub enum What {
     /// A step of the plan.
     Step(usize),
-    /// The values that need so many known combinations.
+    /// The values that need this number of known combinations.
     Values(usize),
     /// Confirmation and joint values.
     Finish,
@@ -70,7 +70,7 @@ pub struct Batched {
     pub branches: usize,
     /// The steps.
     pub solves: Vec<BatchedSolve>,
-    /// Branches that differ once so many combinations are known; the two halves of a mirror symmetry count as one.
+    /// The number of different branches once this number of combinations is known; the two halves of a mirror symmetry count as one.
     pub widths: Vec<usize>,
     /// What is computed, in order.
     pub items: Vec<Item>,

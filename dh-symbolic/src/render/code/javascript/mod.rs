@@ -25,7 +25,7 @@ pub enum Solver {
     Closed(Box<Inverse>),
     /// A kernel of the plan is not ported (that of the general six-axis arm): by Newton's method from many starts.
     Numeric,
-    /// There is no plan, for this reason: the same.
+    /// The same, because there is no plan for this reason.
     Refused(Refusal),
     /// The table asks for no inverse.
     Unwanted,

@@ -8,7 +8,7 @@ const COMMENT: &str = "comment_line";
 /// Formats items. Doc comments come out line by line, and so do the comments of generated statements.
 ///
 /// # Errors
-/// Where the tokens are no items.
+/// If the tokens are not items.
 pub fn pretty(items: Items) -> syn::Result<String> {
     let mut tokens = items.declaration;
     let (text, comments) = marked(&items.text);

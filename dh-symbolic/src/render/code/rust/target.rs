@@ -5,7 +5,7 @@ use crate::chain::{Chain, Coordinate, Handle, Role, Scalar, Task};
 use crate::render::code::steps::LENGTH_SCALE;
 use crate::render::code::{literal, scalar_name};
 
-/// What `inverse` takes, and what it makes of that.
+/// The argument of `inverse`, and the statements that convert it.
 pub(super) struct Target {
     /// The parameter, with its type.
     pub(super) parameter: String,

@@ -49,7 +49,7 @@ pub(crate) struct StepExplanation {
     pub(crate) index: usize,
     /// Entries of known poses in its equations, in order.
     pub(crate) symbols: Vec<Symbol>,
-    /// What people call it.
+    /// Its name in the literature.
     pub(crate) words: Words,
     /// The unknowns: angles, sums of angles, lengths.
     pub(crate) unknown: Vec<Math>,

@@ -273,7 +273,7 @@ impl NotesWriter<'_> {
         }
     }
 
-    /// Why there is no solution.
+    /// The reason if there is no solution.
     fn missed(&mut self, arm: &Arm, missed: &Missed) {
         self.say(Phrase::ExampleNone, vec![]);
         match missed {

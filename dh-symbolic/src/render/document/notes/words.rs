@@ -110,7 +110,7 @@ phrases! {
         "距离太近：第 {} 步（求 {}）需要距离 {}，而机械臂最近为 {}。";
     ExampleBeyond: "Step {}, which finds {}, has no root: its equation asks for {}, and the other side is at most {}.",
         "第 {} 步（求 {}）无解：方程要求 {}，而另一边最大为 {}。";
-    ExampleFree: "In solutions {} a joint is free: one value of a continuum is shown.", "解 {} 中有关节可任取：这里只给出其中一个值。";
+    ExampleFree: "In solutions {} a joint is free: one of its values is shown.", "解 {} 中有关节可任取：这里只给出其中一个值。";
     ExampleClosest: "Closest to {} is solution {}.", "距 {} 最近的是第 {} 组解。";
     ExampleClosestInRange: " Of those in range it is solution {}.", "在范围内的解中，最近的是第 {} 组。";
     ExampleNoneInRange: " None is in range.", "没有一组在范围内。";

@@ -118,7 +118,7 @@ impl<'a> BatchedWriter<'a> {
         into_range(self.chain, k, value)
     }
 
-    /// The values that need so many known combinations.
+    /// The values that need this number of known combinations.
     pub(super) fn values(&mut self, body: &mut Body<'_>, depth: usize) {
         self.load_nodes(body, What::Values(depth));
         body.statements(&self.batched.depths, depth);
@@ -135,7 +135,7 @@ impl<'a> BatchedWriter<'a> {
         self.confirm(body, depth);
     }
 
-    /// What so many known combinations say about the pose, to the confirmation.
+    /// The parts of the pose that this number of known combinations determines, for the confirmation.
     pub(super) fn confirm(&mut self, body: &Body<'_>, depth: usize) {
         let here = self.batched.confirmation.iter().filter(|r| self.batched.depths[r.value.node as usize] == depth);
         let terms: Vec<String> =
@@ -171,7 +171,7 @@ impl<'a> BatchedWriter<'a> {
         if width == 1 {
             self.loops.inner.push_str("let branch = 0;\n");
         }
-        self.loops.inner.push_str("// How far the branch is from what it should be.\n");
+        self.loops.inner.push_str("// How far the branch is from the target.\n");
         for (kind, names) in judged.iter().enumerate() {
             self.loops.inner.push_str(&format!("all_{}[branch] = {};\n", KINDS[kind], joined(kind, names)));
         }
