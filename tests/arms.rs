@@ -126,8 +126,8 @@ fn classes(part: usize, of: usize) {
                 let q = joints(&arm, reach, pose % 3, &mut random);
                 let target = arm.arm.pose(&q);
                 let name = format!("{class}, arm {seed}, {q:?}\n{text}");
-                let frozen = &arm.spec.redundant[..];
-                let problem = Problem { arm: &arm.arm, task: arm.spec.task, target, reach, frozen };
+                let frozen = &arm.spec.settings.redundant[..];
+                let problem = Problem { arm: &arm.arm, task: arm.spec.settings.task, target, reach, frozen };
                 let found = arm.invert(&target, &q);
                 judge.pose(&arm, &problem, &q, &found, &name);
                 if pose == 0 {

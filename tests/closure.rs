@@ -138,7 +138,7 @@ fn solutions_reach_their_targets_and_none_is_missing() {
             let name = format!("{} at {q:?}", arm.module);
             assert!(found.q.len() <= found.most, "{name}: {} solutions of {}", found.q.len(), found.most);
             for (i, solution) in found.q.iter().enumerate() {
-                let error = miss(spec.task, &(arm.forward)(solution), &target, reach);
+                let error = miss(spec.settings.task, &(arm.forward)(solution), &target, reach);
                 assert!(error < 1e-9, "{name}: {solution:?} misses by {error:.1e}");
                 let twice = found.q[..i].iter().any(|other| same(&spec, solution, other, reach));
                 assert!(!twice, "{name}: {solution:?} twice");

@@ -454,7 +454,7 @@ impl Note<'_> {
         use dh_symbolic::chain::Task;
         for i in 0..3 {
             for j in 0..4 {
-                let counts = match chain.task {
+                let counts = match chain.settings.task {
                     Task::Pose => true,
                     Task::Position => j == 3,
                     Task::Axis => j >= 2,

@@ -46,7 +46,7 @@ fn check(name: &str, text: &str, tip: Option<&str>) -> Vec<Imported> {
             assert!(off < most, "{name} {convention:?} {rounding:?}: {off:e}\n{}\n{:#?}", made.table, made.notes);
             if rounding == Rounding::Near {
                 let chain = Chain::new(spec(&made.table));
-                if chain.ik {
+                if chain.settings.ik {
                     let plan = planner::search(&chain).unwrap_or_else(|e| panic!("{name}: {e:?}"));
                     let missed = Inverse::derive(&chain, plan).check(&chain, 4);
                     assert_eq!(missed, Ok(()), "{name}: {}", made.table);

@@ -94,7 +94,7 @@ fn javascript_agrees_with_rust() {
             names.map(|n| (n.clone(), json!((interpreter.fields)(&n)))).collect();
         let script = script(&interpreter.chain).expect("proven programs");
         input.push(json!({ "script": script, "parameters": parameters, "cases": cases }));
-        work.push((arm, spec.task, interpreter.engine(), cases, special));
+        work.push((arm, spec.settings.task, interpreter.engine(), cases, special));
     }
     let Some(answers) = node(&Value::Array(input)) else { return };
     for ((arm, task, engine, cases, special), answers) in work.iter().zip(answers.as_array().expect("a list")) {

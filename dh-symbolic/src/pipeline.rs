@@ -93,7 +93,7 @@ pub fn derive(parsed: &Parsed) -> Result<(Chain, Programs), Errors> {
 /// Why there is no inverse, at the places of the table.
 pub fn programs(chain: &Chain, parsed: &Parsed) -> Result<Programs, Errors> {
     let forward = Forward::derive(chain).map_err(|difference| Errors::from(defect(parsed, &difference)));
-    let inverse = chain.ik.then(|| Inverse::of(chain)).transpose();
+    let inverse = chain.settings.ik.then(|| Inverse::of(chain)).transpose();
     let inverse = inverse.map_err(|refusal| refused(chain, &refusal, parsed));
     Ok(Programs { forward: forward?, inverse: inverse? })
 }
@@ -155,11 +155,11 @@ fn head(parsed: &Parsed) -> Head {
 }
 
 fn stub(head: &Head, sketch: &Sketch) -> TokenStream {
-    let scalar = match sketch.scalar {
+    let scalar = match sketch.settings.scalar {
         Scalar::F64 => "f64",
         Scalar::F32 => "f32",
     };
-    let target = match sketch.task {
+    let target = match sketch.settings.task {
         Task::Pose => format!("&::dh_robot::nalgebra::IsometryMatrix3<{scalar}>"),
         Task::Position => format!("&::dh_robot::nalgebra::Point3<{scalar}>"),
         Task::Planar => format!("({scalar}, {scalar}, {scalar})"),
@@ -168,7 +168,7 @@ fn stub(head: &Head, sketch: &Sketch) -> TokenStream {
         }
     };
     let fields: Vec<String> = sketch.fields.iter().map(|f| f.name.to_string()).collect();
-    rust::stub(head, sketch.joints, &fields, scalar, &target, sketch.redundant.len())
+    rust::stub(head, sketch.joints, &fields, scalar, &target, sketch.settings.redundant.len())
 }
 
 #[cfg(test)]

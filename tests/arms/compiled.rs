@@ -49,7 +49,7 @@ impl<const N: usize> Kinematics<N> for Model<'_> {
 
     fn forward_and_jacobian(&self, q: &[f64; N]) -> (Pose, [[f64; N]; 6]) {
         let columns = self.0.arm.jacobian_from_axes(q);
-        let entry = |i: usize, j: usize| if self.0.spec.redundant.contains(&j) { 0.0 } else { columns[j][i] };
+        let entry = |i: usize, j: usize| if self.0.spec.settings.redundant.contains(&j) { 0.0 } else { columns[j][i] };
         (pose(&self.0.arm.pose(q)), std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j))))
     }
 
@@ -169,13 +169,13 @@ impl Compiled {
     fn run<const N: usize, const M: usize>(&self, target: &Matrix, q: &[f64]) -> Solutions<f64, N, M> {
         let joints: &'static [Joint; N] = self.joints.try_into().expect("as many joints as the arm has");
         let plan = &self.inverse.plan;
-        let (reach, redundant) = (plan.axes.length_scale, &self.spec.redundant);
+        let (reach, redundant) = (plan.axes.length_scale, &self.spec.settings.redundant);
         let given: [Option<f64>; N] = std::array::from_fn(|k| redundant.contains(&k).then(|| q[k]));
         let setting = Setting { joints, length_scale: reach, rank_deficient: plan.rank_deficient, given };
         let t = pose(target);
         let mut frame = t.map(|r| [r[0], r[1], r[2], r[3] / reach]);
         let (p, z) = (frame.map(|r| r[3]), t.map(|r| r[2]));
-        let goal = match self.spec.task {
+        let goal = match self.spec.settings.task {
             Task::Pose => Goal::Pose(in_units(&frame, reach)),
             Task::Position => {
                 frame = frame_of_axis(p, [0.0, 0.0, 1.0]);

@@ -115,7 +115,7 @@ fn beside_a_continuum_solutions_stand_alone() {
         let q = [0.934_523_563, 0.008_718_051, -0.720_461_907, -2.747_860_587, off, -1.352_896_528];
         let target = arm.arm.pose(&q);
         let found = arm.invert(&target, &q);
-        let problem = Problem { arm: &arm.arm, task: arm.spec.task, target, reach, frozen: &[] };
+        let problem = Problem { arm: &arm.arm, task: arm.spec.settings.task, target, reach, frozen: &[] };
         assert_eq!(found.q.len(), 8, "{off}: {:?} {:?}", found.q, found.free);
         assert!(found.free.iter().all(|f| f.is_empty()), "{off}: {:?}", found.free);
         assert!(found.q.iter().all(|s| problem.miss(s) < 1e-13), "{off}: {:?}", found.q);

@@ -31,7 +31,8 @@ fn judged(class: &str, draws: &[f64], values: &[f64]) {
     let value = |(slides, x): (&bool, &f64)| if *slides { x * reach } else { x * PI };
     let q: Vec<f64> = arm.slides.iter().zip(values).map(value).collect();
     let target = arm.arm.pose(&q);
-    let problem = Problem { arm: &arm.arm, task: arm.spec.task, target, reach, frozen: &arm.spec.redundant };
+    let problem =
+        Problem { arm: &arm.arm, task: arm.spec.settings.task, target, reach, frozen: &arm.spec.settings.redundant };
     let found = arm.invert(&target, &q);
     let mut judge = Judge { poses: 0, untold: Vec::new() };
     judge.pose(&arm, &problem, &q, &found, &format!("{class}, {q:?}\n{text}"));

@@ -275,7 +275,8 @@ fn poses(arm: &Compiled, reach: f64, count: usize, random: &mut Random) -> Vec<(
 /// A value of joint `k` at which the arm is singular.
 fn singular(arm: &Compiled, reach: f64, q: &[f64], k: usize, random: &mut Random) -> Option<f64> {
     let target = arm.arm.pose(q);
-    let problem = Problem { arm: &arm.arm, task: arm.spec.task, target, reach, frozen: &arm.spec.redundant };
+    let problem =
+        Problem { arm: &arm.arm, task: arm.spec.settings.task, target, reach, frozen: &arm.spec.settings.redundant };
     let range = if arm.slides[k] { reach } else { PI };
     let margin = |x: f64| {
         let mut q = q.to_vec();
@@ -324,8 +325,13 @@ pub(super) fn run(class: &str, seeds: Range<u64>, count: usize, verbose: bool) {
             let reach = arm.inverse.plan.axes.length_scale;
             for (kind, q) in poses(&arm, reach, if general { count.div_ceil(4) } else { count }, &mut random) {
                 let target = arm.arm.pose(&q);
-                let problem =
-                    Problem { arm: &arm.arm, task: arm.spec.task, target, reach, frozen: &arm.spec.redundant };
+                let problem = Problem {
+                    arm: &arm.arm,
+                    task: arm.spec.settings.task,
+                    target,
+                    reach,
+                    frozen: &arm.spec.settings.redundant,
+                };
                 let found = arm.invert(&target, &q);
                 let steps: Vec<_> = arm.inverse.plan.steps.iter().map(|s| format!("{:?}", s.kind)).collect();
                 let name = format!("{name}, seed {seed}, {kind}, {}, {q:?}\n{text}", steps.join(" "));

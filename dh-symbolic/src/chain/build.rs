@@ -102,8 +102,7 @@ pub(super) fn build(spec: ChainSpec) -> Chain {
     Chain {
         name: spec.name,
         convention: spec.convention,
-        unit: spec.unit,
-        scalar: spec.scalar,
+        settings: spec.settings,
         ring: b.ring,
         parameters: b.parameters,
         links,
@@ -111,9 +110,6 @@ pub(super) fn build(spec: ChainSpec) -> Chain {
         drive,
         base,
         tool,
-        task: spec.task,
-        redundant: spec.redundant,
-        ik: spec.ik,
     }
 }
 

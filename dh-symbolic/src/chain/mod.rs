@@ -25,10 +25,8 @@ pub struct Chain {
     pub name: String,
     /// Which of the two Denavit-Hartenberg conventions the rows follow.
     pub convention: Convention,
-    /// Unit of every length at the API.
-    pub unit: LengthUnit,
-    /// Number type at the API.
-    pub scalar: Scalar,
+    /// What the table sets for the robot as a whole.
+    pub settings: Settings,
     /// Names of all symbols and angles of this robot's formulas.
     pub ring: Ring,
     /// Declared lengths and angles, and those that numeric cells gave rise to.
@@ -44,12 +42,6 @@ pub struct Chain {
     pub base: Vec<Elementary>,
     /// Constant transform after the last row.
     pub tool: Vec<Elementary>,
-    /// What `inverse` is asked for.
-    pub task: Task,
-    /// Indices of the joints whose values the caller chooses, in the order of its arguments.
-    pub redundant: Vec<usize>,
-    /// Whether inverse kinematics is wanted.
-    pub ik: bool,
 }
 
 /// One row of the table, in the symbols of the ring. What the four columns mean depends on the convention.
@@ -122,6 +114,11 @@ impl Chain {
         build::build(spec)
     }
 
+    /// The same robot with other settings.
+    pub fn with(&self, settings: Settings) -> Chain {
+        Chain { settings, ..self.clone() }
+    }
+
     /// Number of joints.
     pub fn dof(&self) -> usize {
         self.joints.len()
@@ -156,7 +153,7 @@ impl Chain {
             let joint = self.drive.iter().position(|row| alone(row))?;
             Some((joint, self.drive.get(joint)?.get(*actuator)?.clone()))
         };
-        self.redundant.iter().filter_map(one).collect()
+        self.settings.redundant.iter().filter_map(one).collect()
     }
 
     /// Whether a whole turn of this actuator leaves the arm where it was. False where it drives a prismatic joint, or turns a row by a fraction of a turn.

@@ -10,10 +10,8 @@ pub struct ChainSpec {
     pub name: String,
     /// Which convention the rows follow.
     pub convention: Convention,
-    /// Unit of bare lengths and of the API.
-    pub unit: LengthUnit,
-    /// Number type at the API.
-    pub scalar: Scalar,
+    /// What applies to the robot as a whole.
+    pub settings: Settings,
     /// `let` lines in order. Cells refer to them by index.
     pub parameters: Vec<ParameterSpec>,
     /// Rows in order.
@@ -22,12 +20,34 @@ pub struct ChainSpec {
     pub base: Vec<MotionSpec>,
     /// Constant transform after the last row.
     pub tool: Vec<MotionSpec>,
+}
+
+/// What a table sets for the robot as a whole, beside its convention, which has no default. One field for each setting.
+#[derive(Clone, Debug)]
+pub struct Settings {
+    /// Unit of bare lengths and of every length at the API.
+    pub unit: LengthUnit,
+    /// Number type at the API.
+    pub scalar: Scalar,
     /// What `inverse` is asked for.
     pub task: Task,
     /// Numbers (from 0) of the variables that the caller chooses, in the order of its arguments.
     pub redundant: Vec<usize>,
     /// Whether inverse kinematics is wanted.
     pub ik: bool,
+}
+
+/// What holds where a table is silent.
+impl Default for Settings {
+    fn default() -> Settings {
+        Settings {
+            unit: LengthUnit { name: "m", metres: Rational::ONE },
+            scalar: Scalar::F64,
+            task: Task::Pose,
+            redundant: Vec::new(),
+            ik: true,
+        }
+    }
 }
 
 /// One row as written. Variables are numbered from 0: `q1` is 0.

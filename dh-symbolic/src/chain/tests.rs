@@ -31,15 +31,11 @@ pub(crate) fn mixed_chain(convention: Convention, kinds: &str, rows: &[(i64, &st
     Chain::new(ChainSpec {
         name: "Test".into(),
         convention,
-        unit: LengthUnit { name: "m", metres: Rational::ONE },
-        scalar: Scalar::F64,
+        settings: Settings::default(),
         parameters: vec![],
         rows,
         base: vec![],
         tool: vec![],
-        task: Task::Pose,
-        redundant: vec![],
-        ik: true,
     })
 }
 

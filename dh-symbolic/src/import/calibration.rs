@@ -28,7 +28,7 @@ pub(super) fn read(text: &str, nominal: &str, options: &Options) -> Result<Impor
     let mut notes = Vec::new();
     let deltas = |name: &str| entries.iter().find(|e| e.path.last().is_some_and(|n| n == name));
     let poses = link_poses(&entries)?;
-    let metres = spec.unit.metres.to_f64();
+    let metres = spec.settings.unit.metres.to_f64();
     let (base, tool) = (product(&spec, &spec.base)?, product(&spec, &spec.tool)?);
     let steps: Vec<(Pose, bool)> = if poses.is_empty() {
         let mut rows = rows.clone();
@@ -79,12 +79,15 @@ pub(super) fn read(text: &str, nominal: &str, options: &Options) -> Result<Impor
     let off = distance(&steps, &nominal_steps);
     let reach: f64 = nominal_steps.iter().map(|s| norm(s.0.p)).sum();
     if off > 0.05 * reach {
-        let text = format!("the calibrated arm is off the nominal one by {off:.3} {} at a sample pose", spec.unit.name);
+        let text = format!(
+            "the calibrated arm is off the nominal one by {off:.3} {} at a sample pose",
+            spec.settings.unit.name
+        );
         return Err(Problem::new(text).help("is this the calibration of another arm?"));
     }
     notes.push(format!(
         "the calibrated tip is off the nominal one by at most {off:.2e} {} (at sample poses)",
-        spec.unit.name
+        spec.settings.unit.name
     ));
     let arm = arm(&spec, &steps, reach);
     let rows = frames::build(&arm);
@@ -93,7 +96,7 @@ pub(super) fn read(text: &str, nominal: &str, options: &Options) -> Result<Impor
         docs: vec![format!("{}, calibrated.", spec.name)],
         name: options.name.clone().unwrap_or_else(|| format!("{}Calibrated", spec.name)),
         convention,
-        unit: (spec.unit.name != "m").then_some(spec.unit.name),
+        unit: (spec.settings.unit.name != "m").then_some(spec.settings.unit.name),
         base: write::motions(&rows.base),
         tool: write::motions(&rows.tool),
         settings: Vec::new(),

@@ -4,7 +4,7 @@ use super::Imported;
 use super::problem::Problem;
 use super::sheet::Sheet;
 use crate::chain::table::parse;
-use crate::chain::{Chain, ChainSpec};
+use crate::chain::{Chain, ChainSpec, Settings};
 use crate::diagnostic::lex;
 use crate::planner::{self, Axes, Pair, Plan, StepKind, Structure};
 
@@ -50,7 +50,8 @@ fn read(sheet: &Sheet) -> Result<ChainSpec, Problem> {
 
 /// The arm with one joint given, and its plan.
 fn with_given(spec: &ChainSpec, joint: usize) -> Option<(usize, (Chain, Plan))> {
-    let chain = Chain::new(ChainSpec { redundant: vec![joint], ..spec.clone() });
+    let settings = Settings { redundant: vec![joint], ..spec.settings.clone() };
+    let chain = Chain::new(ChainSpec { settings, ..spec.clone() });
     let plan = planner::search(&chain).ok()?;
     Some((joint, (chain, plan)))
 }

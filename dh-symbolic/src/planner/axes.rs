@@ -103,7 +103,7 @@ impl Axes {
         let mut coordinates: Vec<Coordinate> = chain.joints.iter().map(|j| j.coordinate).collect();
         let real = coordinates.len();
         let mut items: Vec<Item> = Vec::new();
-        match (chain.task, plane::constant_height(chain)) {
+        match (chain.settings.task, plane::constant_height(chain)) {
             // The target's height is 0.
             (Task::Planar, Some(height)) => items.push(Item::Constant(Elementary::Translate(2, -&height))),
             (Task::Planar, None) => {
@@ -127,7 +127,7 @@ impl Axes {
             items.push(Item::Joint(coordinates.len()));
             coordinates.push(Coordinate::Angle(ring.angle(name)));
         };
-        match chain.task {
+        match chain.settings.task {
             Task::Axis => virtual_turn(&mut items, "virtual_roll"),
             Task::Position => {
                 let quarter = || Elementary::Rotate(0, LinearAngle::constant(Angle::degrees(&Rational::int(90))));

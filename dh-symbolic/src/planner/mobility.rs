@@ -40,14 +40,14 @@ impl Mobility {
             .map(|(_, s)| [s[2][1], s[0][2], s[1][0], s[0][3], s[1][3], s[2][3]])
             .collect();
         let mut tool = *axes.frames_number(&x).last().unwrap_or(&pose::IDENTITY);
-        if chain.task == Task::Pose {
+        if chain.settings.task == Task::Pose {
             tool = pose::compose(&tool, &super::numeric(chain, &axes.end, axes.length_scale));
         }
         let rank = |twists: &[Twist]| {
             let mut span = Subspace::default();
-            twists.iter().filter(|t| span.add(&seen(chain.task, t, &tool))).count()
+            twists.iter().filter(|t| span.add(&seen(chain.settings.task, t, &tool))).count()
         };
-        let task = match chain.task {
+        let task = match chain.settings.task {
             Task::Pose => 6,
             Task::Position | Task::Planar => 3,
             Task::Axis => 5,
@@ -113,7 +113,7 @@ mod tests {
 
     fn mobility(rows: &[(i64, &str, &str, i64)], task: Task) -> (usize, usize, usize) {
         let mut chain = revolute_chain(Convention::Standard, rows);
-        chain.task = task;
+        chain.settings.task = task;
         let m = Mobility::new(&chain, &Axes::new(&chain));
         (m.task, m.rank, m.orbit)
     }

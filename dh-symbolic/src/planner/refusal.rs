@@ -50,13 +50,13 @@ pub enum Refusal {
 /// # Errors
 /// The first reason why it does not.
 pub(super) fn check(chain: &Chain) -> Result<(), Refusal> {
-    let given = chain.redundant.len();
+    let given = chain.settings.redundant.len();
     let open = chain.dof().saturating_sub(given);
     // A plan that leaves a joint to chance would be found, and fail.
     if open > MOST_OPEN_JOINTS {
         return Err(Refusal::TooManyJoints { open, given });
     }
-    if chain.task == Task::Planar {
+    if chain.settings.task == Task::Planar {
         let plane = Plane::new(chain);
         let tilting = plane.tilting_joints();
         if !tilting.is_empty() {
@@ -74,7 +74,7 @@ pub(super) fn check(chain: &Chain) -> Result<(), Refusal> {
 /// # Errors
 /// Where the others alone cannot do what all do together.
 pub(super) fn check_given(chain: &Chain, axes: &Axes) -> Result<(), Refusal> {
-    let given = chain.redundant.len();
+    let given = chain.settings.redundant.len();
     if given == 0 {
         return Ok(());
     }

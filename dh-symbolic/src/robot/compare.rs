@@ -226,7 +226,7 @@ impl<'a> Side<'a> {
         common: &mut Common,
     ) -> Side<'a> {
         let ratio = |x: &Rational, y: &Rational| x.recip().map_or(Rational::ONE, |r| &r * y);
-        let scale = ratio(&unit_of.unit.metres, &chain.unit.metres);
+        let scale = ratio(&unit_of.settings.unit.metres, &chain.settings.unit.metres);
         let back = ratio(&scale, &Rational::ONE);
         let (mut symbols, mut angles) = (Vec::new(), Vec::new());
         for p in &chain.parameters {

@@ -38,7 +38,7 @@ pub(crate) mod text;
 pub use origin::{Column, Origins};
 pub use statements::{ClaimTokens, Head};
 
-use super::{AngleCell, ChainSpec, MotionSpec, Quantity, Scalar, Task};
+use super::{AngleCell, ChainSpec, MotionSpec, Quantity, Settings};
 use crate::diagnostic::{Error, Errors, Place};
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use scope::{Kind, Scope};
@@ -68,14 +68,8 @@ pub struct Sketch {
     pub joints: usize,
     /// Fields of the struct.
     pub fields: Vec<Field>,
-    /// What `inverse` is asked for.
-    pub task: Task,
-    /// Indices of the joints whose values the caller chooses.
-    pub redundant: Vec<usize>,
-    /// Number type.
-    pub scalar: Scalar,
-    /// Whether inverse kinematics is wanted.
-    pub ik: bool,
+    /// What is set for the robot as a whole.
+    pub settings: Settings,
     /// The table as text: header and rows, for the documentation of the generated type.
     pub table: Vec<Vec<String>>,
     /// `base` and `tool` as text.
@@ -108,7 +102,8 @@ pub fn parse(input: TokenStream) -> Parsed {
         errors.push(error.help("write `pub struct Name;`, `convention = modified;` and a table"));
     }
     let mut written = if nothing { Written::default() } else { statements::read(&tokens, &mut errors) };
-    let settings = settings::read(&written.settings, &mut errors);
+    let lines = settings::read(&written.settings, &mut errors);
+    let mut settings = lines.settings;
     let head_place = written.head.name.as_ref().map_or_else(Place::call_site, |n| Place::at(n.span()));
 
     let mut scope = Scope { names: Vec::new(), unit: settings.unit.clone() };
@@ -121,7 +116,7 @@ pub fn parse(input: TokenStream) -> Parsed {
             errors.push(Error::new(d.place, text));
         }
     }
-    if !settings.has_convention && !nothing {
+    if !lines.has_convention && !nothing {
         let error = Error::new(head_place, "the convention is missing; there is no default");
         errors.push(error.help("write `convention = standard;` or `convention = modified;` (Craig)"));
     }
@@ -131,7 +126,7 @@ pub fn parse(input: TokenStream) -> Parsed {
     };
     let (base, tool) = (motions("base", &mut errors), motions("tool", &mut errors));
     let checked = match &written.grid {
-        Some(grid) => check::grid(grid, settings.convention, &scope, &mut errors),
+        Some(grid) => check::grid(grid, lines.convention, &scope, &mut errors),
         None if nothing => check::Checked::default(),
         None => {
             let error = Error::new(head_place, "the table is missing");
@@ -142,11 +137,10 @@ pub fn parse(input: TokenStream) -> Parsed {
     let joints = checked.joints.len();
     let fine = errors.is_empty();
     let known = written.grid.is_some() && joints > 0;
-    let mut redundant: Vec<usize> = Vec::new();
-    for (word, place) in &settings.redundant {
-        let index = variable(word, *place, if known { joints } else { usize::MAX }, &redundant);
+    for (word, place) in &lines.redundant {
+        let index = variable(word, *place, if known { joints } else { usize::MAX }, &settings.redundant);
         let index = index.and_then(|k| if known && fine { moves_alone(k, *place, &checked.rows) } else { Ok(k) });
-        redundant.extend(errors.take(index));
+        settings.redundant.extend(errors.take(index));
     }
     check_angles(&scope, &checked.rows, &base, &tool, &mut errors);
     if errors.is_empty() && !written.settings.iter().any(|s| s.name == "unit") {
@@ -163,10 +157,7 @@ pub fn parse(input: TokenStream) -> Parsed {
     let sketch = Sketch {
         joints,
         fields,
-        task: settings.task,
-        redundant: redundant.clone(),
-        scalar: settings.scalar,
-        ik: settings.ik,
+        settings: settings.clone(),
         table: written.grid.as_ref().map_or_else(Vec::new, table_text),
         motions: motions_text(&written.settings),
     };
@@ -178,19 +169,15 @@ pub fn parse(input: TokenStream) -> Parsed {
         parameters: scope.names.iter().map(|d| d.place).collect(),
         joints: checked.joints,
     };
-    let spec = match (&written.head.name, settings.convention) {
+    let spec = match (&written.head.name, lines.convention) {
         (Some(name), Some(convention)) if errors.is_empty() => Some(ChainSpec {
             name: name.to_string(),
             convention,
-            unit: settings.unit,
-            scalar: settings.scalar,
+            settings,
             parameters: parameters::specs(&scope),
             rows: checked.rows,
             base,
             tool,
-            task: settings.task,
-            redundant,
-            ik: settings.ik,
         }),
         _ => None,
     };

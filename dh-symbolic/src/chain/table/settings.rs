@@ -4,8 +4,7 @@ use super::number;
 use super::spelling::{shown, suggestion};
 use super::statements::SettingLine;
 use super::text;
-use crate::algebra::Rational;
-use crate::chain::{Convention, LengthUnit, Scalar, Task};
+use crate::chain::{Convention, Scalar, Settings, Task};
 use crate::diagnostic::{Error, Errors, Place};
 use proc_macro2::TokenTree;
 
@@ -14,31 +13,22 @@ const NAMES: [&str; 9] = ["convention", "unit", "scalar", "base", "tool", "task"
 /// More settings than this would only cost time.
 const MOST: usize = 32;
 
-/// All settings that need no names.
-#[derive(Clone, Debug)]
-pub(super) struct Settings {
+/// What the lines say, before the names in them are looked up.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Lines {
     pub(super) convention: Option<Convention>,
-    pub(super) unit: LengthUnit,
-    pub(super) scalar: Scalar,
-    pub(super) task: Task,
-    /// `redundant`: the words and their places.
-    pub(super) redundant: Vec<(String, Place)>,
-    pub(super) ik: bool,
     /// Whether `convention` was written, rightly or wrongly.
     pub(super) has_convention: bool,
+    /// `redundant`: the words and their places.
+    pub(super) redundant: Vec<(String, Place)>,
+    /// The rest, complete but for `redundant`.
+    pub(super) settings: Settings,
 }
 
 /// Reads them; the later of two of one name is an error.
-pub(super) fn read(list: &[SettingLine], errors: &mut Errors) -> Settings {
-    let mut s = Settings {
-        convention: None,
-        unit: LengthUnit { name: "m", metres: Rational::ONE },
-        scalar: Scalar::F64,
-        task: Task::Pose,
-        redundant: Vec::new(),
-        ik: true,
-        has_convention: false,
-    };
+pub(super) fn read(list: &[SettingLine], errors: &mut Errors) -> Lines {
+    let mut lines = Lines::default();
+    let s = &mut lines.settings;
     if let Some(setting) = list.get(MOST) {
         errors.push(Error::new(Place::at(setting.name.span()), "there are not so many settings"));
     }
@@ -52,16 +42,16 @@ pub(super) fn read(list: &[SettingLine], errors: &mut Errors) -> Settings {
         }
         if setting.value.is_empty() && NAMES.contains(&name.as_str()) {
             errors.push(Error::new(at, format!("`{name}` has no value")));
-            s.has_convention |= name == "convention";
+            lines.has_convention |= name == "convention";
             continue;
         }
         let word = text::of(&setting.value);
         let choice = Choice { name: &name, word: &word, place: setting.place };
         match name.as_str() {
             "convention" => {
-                s.has_convention = true;
+                lines.has_convention = true;
                 let all = [("standard", Convention::Standard), ("modified", Convention::Modified)];
-                s.convention = errors.take(choice.convention(&all));
+                lines.convention = errors.take(choice.convention(&all));
             }
             "unit" => match number::length_unit(&word) {
                 Some(unit) => s.unit = unit,
@@ -79,7 +69,7 @@ pub(super) fn read(list: &[SettingLine], errors: &mut Errors) -> Settings {
                 ];
                 s.task = errors.take(choice.of(&all)).unwrap_or(s.task);
             }
-            "redundant" => s.redundant = words(setting),
+            "redundant" => lines.redundant = words(setting),
             "ik" => s.ik = errors.take(choice.of(&[("none", false)])).unwrap_or(true),
             "base" | "tool" => {}
             "urdf" | "chain" => {
@@ -97,7 +87,7 @@ pub(super) fn read(list: &[SettingLine], errors: &mut Errors) -> Settings {
             }
         }
     }
-    s
+    lines
 }
 
 /// The words of a list with commas.

@@ -215,7 +215,13 @@ fn settings_and_motions() {
     );
     let spec = spec(lines, &rows);
     assert_eq!(
-        (spec.unit.name, spec.scalar, spec.task, spec.redundant.clone(), spec.ik),
+        (
+            spec.settings.unit.name,
+            spec.settings.scalar,
+            spec.settings.task,
+            spec.settings.redundant.clone(),
+            spec.settings.ik
+        ),
         ("mm", Scalar::F32, Task::Position, vec![1], false)
     );
     assert!(matches!(spec.base.as_slice(), [MotionSpec::Translate(2, x)] if *x == number(373, 1)));

@@ -50,7 +50,7 @@ pub(crate) fn scaled_constant(chain: &Chain, p: &Poly, scale: f64) -> f64 {
 
 /// A field as a number of the code's type.
 fn field(chain: &Chain, name: &str, scalar: Scalar) -> Code {
-    let widened = chain.scalar == Scalar::F32 && scalar == Scalar::F64;
+    let widened = chain.settings.scalar == Scalar::F32 && scalar == Scalar::F64;
     Code::atom(if widened { format!("f64::from(self.{name})") } else { format!("self.{name}") })
 }
 

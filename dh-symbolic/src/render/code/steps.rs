@@ -203,7 +203,7 @@ pub(in crate::render) fn pattern(dialect: Dialect, variables: &Variables, solve:
 
 /// The statements for what the caller gives: its coordinate, cosine and sine (or the length over the length scale).
 pub(super) fn given(chain: &Chain, index: usize, variable: &Variable) -> String {
-    let name = if chain.redundant.len() == 1 { "given".to_string() } else { format!("given[{index}]") };
+    let name = if chain.settings.redundant.len() == 1 { "given".to_string() } else { format!("given[{index}]") };
     let (Variable { pair: [c, s], value, is_angle }, known) = (variable, chosen(chain, index, &name));
     let bound = if *is_angle {
         format!("let ({s}, {c}) = ::dh_robot::runtime::sin_cos({value});\n")
@@ -215,7 +215,7 @@ pub(super) fn given(chain: &Chain, index: usize, variable: &Variable) -> String 
 
 /// What turns the numbers of a step's equation into a unit: an expression, and the unit (empty for pure numbers).
 pub(in crate::render) fn unit<'a>(chain: &'a Chain, report: &Report, scale: &'a str) -> (&'a str, &'static str) {
-    if report.is_length || report.distance.is_some() { (scale, chain.unit.name) } else { ("1.0", "") }
+    if report.is_length || report.distance.is_some() { (scale, chain.settings.unit.name) } else { ("1.0", "") }
 }
 
 /// The length scale in Rust: a constant of the arm.
@@ -226,7 +226,7 @@ pub(super) fn length_scale(chain: &Chain, inverse: &Inverse) -> String {
     format!(
         "/// The sum of the arm's lengths, in {}: equations are solved for lengths over it, so that one tolerance fits all.\n\
          const LENGTH_SCALE: f64 = {};\n/// What a length is multiplied by.\nconst PER_LENGTH: f64 = 1.0 / {LENGTH_SCALE};\n",
-        chain.unit.name,
+        chain.settings.unit.name,
         literal(inverse.plan.axes.length_scale, Scalar::F64)
     )
 }

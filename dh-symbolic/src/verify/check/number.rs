@@ -77,7 +77,7 @@ impl Evaluator<'_> {
             "turn" => Value::Angle(Turn::constant(Angle::half_turns(&value * &Rational::int(2)))),
             "rad" if value.is_zero() => Value::Angle(Turn::constant(Angle::ZERO)),
             "rad" => Value::Angle(Turn::constant(radians(value.to_f64()))),
-            _ => match (metres(&unit), self.chain.unit.metres.recip()) {
+            _ => match (metres(&unit), self.chain.settings.unit.metres.recip()) {
                 (Some(m), Some(per_metre)) => Value::Scalar(Ratio::number(&(&value * &m) * &per_metre)),
                 _ => {
                     return refuse(

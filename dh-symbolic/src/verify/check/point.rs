@@ -196,7 +196,7 @@ pub(super) struct Rounding {
 
 impl Evaluator<'_> {
     pub(super) fn metre(&self) -> f64 {
-        self.chain.unit.metres.to_f64()
+        self.chain.settings.unit.metres.to_f64()
     }
 
     /// Reads a setting of an `at` line.

@@ -122,7 +122,7 @@ pub fn singular(chain: &Chain, k: &Kinematics) -> Singular {
             Err(size) => Singular::TooLong(size),
         };
     }
-    if some && chain.task != Task::Pose {
+    if some && chain.settings.task != Task::Pose {
         return Singular::Everywhere;
     }
     gram(chain, k).unwrap_or(Singular::NotSquare)
@@ -143,7 +143,7 @@ fn gram(chain: &Chain, k: &Kinematics) -> Option<Singular> {
 
 /// Determinant of the coupling: the factor between the actuators' and the joints' Jacobian.
 pub fn coupling(chain: &Chain) -> Option<Poly> {
-    let whole = chain.dof() <= SIDE && chain.redundant.is_empty() && !chain.is_direct();
+    let whole = chain.dof() <= SIDE && chain.settings.redundant.is_empty() && !chain.is_direct();
     whole.then(|| determinant(&chain.drive, BUDGET)).flatten()
 }
 
@@ -160,7 +160,7 @@ fn choices(chain: &Chain, joints: &[usize], views: &[View<'_>]) -> Vec<Vec<Open>
     let position = || translations.iter().chain(&[3, 4, 5]).map(motion).collect::<Vec<Open>>();
     let orientation = || [0, 1, 2].iter().chain(&rotations).map(motion).collect::<Vec<Open>>();
     let natural = || still.iter().map(motion).collect::<Vec<Open>>();
-    let all = match chain.task {
+    let all = match chain.settings.task {
         Task::Pose => vec![natural(), position(), orientation()],
         Task::Position => vec![position()],
         Task::Planar => vec![vec![Open::Translation(2), Open::Rotation(0), Open::Rotation(1)]],

@@ -15,7 +15,7 @@ pub fn class(chain: &Chain, forward: &Forward, solver: &Solver) -> String {
         "// {}: forward kinematics, Jacobian and inverse. Lengths in {}, angles in radians; a pose is the rows of [R | p].\n\
          class Arm {{\nconstructor() {{\n{}}}\n\n",
         chain.name,
-        chain.unit.name,
+        chain.settings.unit.name,
         data(chain, solver)
     );
     let functions = [
@@ -73,8 +73,8 @@ fn data(chain: &Chain, solver: &Solver) -> String {
         Solver::Closed(inverse) => inverse.plan.axes.length_scale,
         _ => crate::planner::Axes::new(chain).length_scale,
     };
-    let (task, rank_deficient) = match chain.task {
-        Task::Pose => ("pose", chain.dof() - chain.redundant.len() < 6),
+    let (task, rank_deficient) = match chain.settings.task {
+        Task::Pose => ("pose", chain.dof() - chain.settings.redundant.len() < 6),
         Task::Position => ("position", false),
         Task::Planar => ("planar", false),
         Task::Axis => ("axis", false),
@@ -83,13 +83,13 @@ fn data(chain: &Chain, solver: &Solver) -> String {
         Convention::Modified => "modified",
         Convention::Standard => "standard",
     };
-    let mut out = format!("this.name = {};\nthis.unit = {};\n", string(&chain.name), string(chain.unit.name));
+    let mut out = format!("this.name = {};\nthis.unit = {};\n", string(&chain.name), string(chain.settings.unit.name));
     out.push_str(&format!("this.parameters = {{ {} }};\n", fields.join(", ")));
     out.push_str(&format!("this.joints = [\n{}];\n", joints.concat()));
     out.push_str(&format!(
         "this.convention = \"{convention}\";\nthis.task = \"{task}\";\nthis.rankDeficient = {rank_deficient};\n"
     ));
-    out.push_str(&format!("this.redundant = {};\n", format_args!("{:?}", chain.redundant)));
+    out.push_str(&format!("this.redundant = {};\n", format_args!("{:?}", chain.settings.redundant)));
     out.push_str(&format!("this.lengthScale = {};\n", number(length_scale)));
     out
 }

@@ -10,7 +10,7 @@ mod text;
 pub use arm::class;
 pub(in crate::render) use text::string;
 
-use crate::chain::{Chain, Scalar};
+use crate::chain::{Chain, Scalar, Settings};
 use crate::planner::Refusal;
 use crate::program::{Disproof, Forward, Inverse};
 
@@ -34,7 +34,7 @@ pub enum Solver {
 impl Solver {
     /// The solver of an arm.
     pub fn of(chain: &Chain) -> Solver {
-        if !chain.ik {
+        if !chain.settings.ik {
             return Solver::Unwanted;
         }
         match Inverse::of(chain) {
@@ -50,7 +50,7 @@ impl Solver {
 /// # Errors
 /// Where a program differs from the product of the link transforms: a defect of this crate.
 pub fn script(chain: &Chain) -> Result<String, Disproof> {
-    let chain = Chain { scalar: Scalar::F64, ..chain.clone() };
+    let chain = chain.with(Settings { scalar: Scalar::F64, ..chain.settings.clone() });
     let forward = Forward::derive(&chain)?;
     Ok(format!("\"use strict\";\n{}\n{}", RUNTIME.join("\n"), class(&chain, &forward, &Solver::of(&chain))))
 }

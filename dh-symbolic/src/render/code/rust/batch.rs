@@ -11,7 +11,7 @@ const SLICES: &str = "as many as the shorter slice holds; what lies beyond stays
 
 /// Forward kinematics and Jacobians of many joint vectors.
 pub(super) fn forward(chain: &Chain) -> String {
-    let (n, f) = (chain.dof(), scalar_name(chain.scalar));
+    let (n, f) = (chain.dof(), scalar_name(chain.settings.scalar));
     let one = |name: &str, single: &str, to: &str, kind: &str| {
         format!(
             "/// [`{single}`](Self::{single}) of every joint vector: {SLICES}\n#[inline]\n\
@@ -26,16 +26,16 @@ pub(super) fn forward(chain: &Chain) -> String {
 
 /// Solutions of many targets.
 pub(super) fn inverse(chain: &Chain, inverse: &Inverse) -> String {
-    let (n, f) = (chain.dof(), scalar_name(chain.scalar));
+    let (n, f) = (chain.dof(), scalar_name(chain.settings.scalar));
     let m = inverse.plan.max_solutions;
     let Target { parameter, kind, .. } = Target::of(chain, &|_| String::new());
     let target = if parameter.starts_with("target: &") { "target" } else { "*target" };
-    let (given, chosen, pass, pair) = match chain.redundant.len() {
+    let (given, chosen, pass, pair) = match chain.settings.redundant.len() {
         0 => (String::new(), "", "", "target"),
         1 => (format!(", given: &[{f}]"), ".zip(given)", ", *given", "(target, given)"),
         k => (format!(", given: &[[{f}; {k}]]"), ".zip(given)", ", *given", "(target, given)"),
     };
-    let also = if chain.redundant.is_empty() {
+    let also = if chain.settings.redundant.is_empty() {
         ""
     } else {
         " The values of the joints that you choose come with each target."

@@ -11,12 +11,12 @@ use crate::render::code::steps::{
 /// The private function that runs the program.
 pub(super) fn candidates(chain: &Chain, inverse: &Inverse) -> String {
     let n = chain.dof();
-    let redundant = match chain.redundant.len() {
+    let redundant = match chain.settings.redundant.len() {
         0 => String::new(),
         1 => "given: f64, ".to_string(),
         n => format!("given: [f64; {n}], "),
     };
-    let attempt = if chain.scalar == Scalar::F32 { "single" } else { "new" };
+    let attempt = if chain.settings.scalar == Scalar::F32 { "single" } else { "new" };
     let variables = Variables::of(inverse);
     let body = Body::of_inverse(Dialect::Rust, chain, inverse, inverse.values(), &variables);
     let depths = inverse.depths();

@@ -6,7 +6,7 @@ use crate::chain::{Chain, Convention, Handle, Nominal, Parameter, Role};
 /// Docs of a field.
 pub(super) fn field(chain: &Chain, p: &Parameter) -> String {
     let unit = match p.handle {
-        Handle::Length(_) => chain.unit.name,
+        Handle::Length(_) => chain.settings.unit.name,
         Handle::Angle(_) => "radians",
     };
     let nominal = match &p.role {
@@ -22,7 +22,7 @@ pub(super) fn table(head: &Head, chain: &Chain, extra: &str) -> String {
         Convention::Standard => "standard convention (theta, d, a and alpha of one link)",
         Convention::Modified => "modified convention (Craig: alpha and a of the link before)",
     };
-    let unit = chain.unit.name;
+    let unit = chain.settings.unit.name;
     let mut out = format!("\nDenavit-Hartenberg table, {convention}; bare lengths in {unit}:\n\n");
     for (i, row) in head.table.iter().enumerate() {
         let cells: Vec<String> = row.iter().map(|c| escape(c)).collect();

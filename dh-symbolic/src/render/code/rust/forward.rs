@@ -30,11 +30,11 @@ fn cost(p: &Program) -> Cost {
 
 /// The inherent functions.
 pub(super) fn functions(chain: &Chain, forward: &Forward) -> String {
-    let (n, f) = (chain.dof(), scalar_name(chain.scalar));
-    let unit = chain.unit.name;
+    let (n, f) = (chain.dof(), scalar_name(chain.settings.scalar));
+    let unit = chain.settings.unit.name;
     let mut out = String::new();
     let (number, next) = crate::render::formula::products::equation_numbers(chain);
-    let body = Body::new(chain, &forward.pose, chain.scalar);
+    let body = Body::new(chain, &forward.pose, chain.settings.scalar);
     out.push_str(&format!(
         "/// Pose of the last frame (with the tool) in the base; angles in radians, lengths in {unit}.\n///\n/// \
          Cost: {}. Proven equal to the product of the link transforms; equation ({number}) of the robot's notes.\n#[inline]\n#[must_use]\n\
@@ -46,7 +46,7 @@ pub(super) fn functions(chain: &Chain, forward: &Forward) -> String {
     let rows: Vec<usize> = chain.joints.iter().map(|j| j.row).collect();
     let outputs = rows.iter().flat_map(|r| forward.frames.outputs.iter().skip(12 * r).take(12).copied()).collect();
     let frames = Program { graph: forward.frames.graph.clone(), outputs };
-    let body = Body::new(chain, &frames, chain.scalar);
+    let body = Body::new(chain, &frames, chain.settings.scalar);
     let poses: Vec<String> = (0..n).map(|i| pose(&body, 12 * i)).collect();
     out.push_str(&format!(
         "/// Pose of every moving link's frame in the base, without the tool.\n///\n/// Cost: {}.\n#[must_use]\n\
@@ -56,7 +56,7 @@ pub(super) fn functions(chain: &Chain, forward: &Forward) -> String {
         poses.join(",\n")
     ));
     let jacobian = Program { graph: forward.jacobian.graph.clone(), outputs: forward.jacobian.outputs[12..].to_vec() };
-    let body = Body::new(chain, &jacobian, chain.scalar);
+    let body = Body::new(chain, &jacobian, chain.settings.scalar);
     let columns: Vec<String> = (0..n)
         .map(|j| format!("[{}]", (0..6).map(|r| body.output(6 * j + r)).collect::<Vec<_>>().join(", ")))
         .collect();
@@ -69,7 +69,7 @@ pub(super) fn functions(chain: &Chain, forward: &Forward) -> String {
         body.lines.join("\n"),
         columns.join(",\n")
     ));
-    let body = Body::new(chain, &forward.jacobian, chain.scalar);
+    let body = Body::new(chain, &forward.jacobian, chain.settings.scalar);
     let columns: Vec<String> = (0..n)
         .map(|j| format!("[{}]", (0..6).map(|r| body.output(12 + 6 * j + r)).collect::<Vec<_>>().join(", ")))
         .collect();
@@ -90,7 +90,7 @@ pub(super) fn functions(chain: &Chain, forward: &Forward) -> String {
 
 /// The trait implementations that go with them.
 pub(super) fn traits(chain: &Chain, name: &str) -> String {
-    let (n, f) = (chain.dof(), scalar_name(chain.scalar));
+    let (n, f) = (chain.dof(), scalar_name(chain.settings.scalar));
     let iso = format!("::dh_robot::nalgebra::IsometryMatrix3<{f}>");
     format!(
         "impl ::dh_robot::Robot<{n}, {f}> for {name} {{\n\

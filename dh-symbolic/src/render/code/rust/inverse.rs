@@ -13,11 +13,11 @@ use crate::render::code::steps::{LENGTH_SCALE, combination, length_scale};
 
 /// All functions and traits of the inverse.
 pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) -> String {
-    let (n, f) = (chain.dof(), scalar_name(chain.scalar));
+    let (n, f) = (chain.dof(), scalar_name(chain.settings.scalar));
     let m = inverse.plan.max_solutions;
     let Target { parameter: target, task, kind, .. } = Target::of(chain, &refuse_list);
     let frame = frame(chain, &refuse_list);
-    let (given, pass) = match chain.redundant.len() {
+    let (given, pass) = match chain.settings.redundant.len() {
         0 => (String::new(), ""),
         1 => (format!(", given: {f}"), ", given.into()"),
         k => (format!(", given: [{f}; {k}]"), ", given.map(|x| x.into())"),
@@ -35,7 +35,7 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
     let frame_one = self::frame(chain, &refuse_one);
     let run = format!("|frame, sample, found| self.candidates(frame{pass}, sample, found)");
     let solve = format!("::dh_robot::runtime::solve_bounded(self, setting, &task, &frame, Self::MAX_WORK, {run})\n");
-    let same = if !chain.redundant.is_empty() { ", given" } else { "" };
+    let same = if !chain.settings.redundant.is_empty() { ", given" } else { "" };
     let fallback = format!("self.inverse_with_work(target{same}).0\n");
     let rest = fast.as_ref().map_or(fallback, |fast| format!("{frame}\n{}", fast.call(chain, inverse)));
     let work = if inverse.plan.steps.iter().any(Step::is_elimination) { "ELIMINATION" } else { "CLOSED_FORM" };
@@ -86,7 +86,7 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
 /// The statements that make `frame`, or give back a reason; a joint value that is not finite is one.
 fn frame(chain: &Chain, refuse: &dyn Fn(&str) -> String) -> String {
     let frame = Target::of(chain, refuse).frame;
-    let finite = match chain.redundant.len() {
+    let finite = match chain.settings.redundant.len() {
         0 => return frame,
         1 => "given.is_finite()",
         _ => "given.iter().all(|x| x.is_finite())",
@@ -115,7 +115,7 @@ fn near(chain: &Chain, inverse: &Inverse, fast: Option<&FastPath>, prepare: &str
     let mut out = prepare.to_string();
     if let Some(fast) = fast {
         let total = fast.branches();
-        let number = if !chain.redundant.is_empty() { ", given.into()" } else { "" };
+        let number = if !chain.settings.redundant.is_empty() { ", given.into()" } else { "" };
         out.push_str(&format!(
             "let mut found = [[0.0; {total}]; {n}];\nlet mut valid = [0.0; {total}];\n\
              if self.all_branches(&frame{number}, &mut found, &mut valid) {{\n\
@@ -132,14 +132,14 @@ fn near(chain: &Chain, inverse: &Inverse, fast: Option<&FastPath>, prepare: &str
 
 /// The function that gives the direction of a solution's self-motion.
 fn tangent(chain: &Chain, rank_deficient: bool) -> String {
-    let (n, f) = (chain.dof(), scalar_name(chain.scalar));
-    let one = |k: usize| match chain.redundant.contains(&k) {
+    let (n, f) = (chain.dof(), scalar_name(chain.settings.scalar));
+    let one = |k: usize| match chain.settings.redundant.contains(&k) {
         false => "::core::option::Option::None".to_string(),
         true => format!("::core::option::Option::Some(solution.q[{k}].into())"),
     };
     let fixed = format!("[{}]", (0..n).map(one).collect::<Vec<_>>().join(", "));
     let position = "[t[0][3], t[1][3], t[2][3]]";
-    let task = match chain.task {
+    let task = match chain.settings.task {
         Task::Pose => "Pose(*t)".to_string(),
         Task::Position => format!("Position({position})"),
         Task::Axis => format!("Axis({position}, [t[0][2], t[1][2], t[2][2]])"),
@@ -178,10 +178,10 @@ fn unknowns(chain: &Chain, inverse: &Inverse) -> String {
 
 /// The value that the caller gives to each joint, if any.
 fn fixed(chain: &Chain) -> String {
-    if chain.redundant.is_empty() {
+    if chain.settings.redundant.is_empty() {
         return format!("[::core::option::Option::None; {}]", chain.dof());
     }
-    let one = |k: usize| match (chain.redundant.iter().position(|r| *r == k), chain.redundant.len()) {
+    let one = |k: usize| match (chain.settings.redundant.iter().position(|r| *r == k), chain.settings.redundant.len()) {
         (None, _) => "::core::option::Option::None".to_string(),
         (Some(_), 1) => "::core::option::Option::Some(given.into())".to_string(),
         (Some(i), _) => format!("::core::option::Option::Some(given[{i}].into())"),
@@ -191,13 +191,13 @@ fn fixed(chain: &Chain) -> String {
 
 /// The trait: with redundant joints its target is a pair, of the target and the values of these joints.
 fn as_trait(chain: &Chain, name: &str, m: usize, kind: &str) -> String {
-    let (n, f) = (chain.dof(), scalar_name(chain.scalar));
-    let (kind, target, given) = match chain.redundant.len() {
+    let (n, f) = (chain.dof(), scalar_name(chain.settings.scalar));
+    let (kind, target, given) = match chain.settings.redundant.len() {
         0 => (kind.to_string(), "target", ""),
         1 => (format!("({kind}, {f})"), "target.0", ", target.1"),
         k => (format!("({kind}, [{f}; {k}])"), "target.0", ", target.1"),
     };
-    let target = match (chain.task, chain.redundant.is_empty()) {
+    let target = match (chain.settings.task, chain.settings.redundant.is_empty()) {
         (Task::Pose | Task::Position, true) | (Task::Planar | Task::Axis, false) => target.to_string(),
         (Task::Pose | Task::Position, false) => format!("&{target}"),
         (Task::Planar | Task::Axis, true) => format!("*{target}"),
@@ -216,7 +216,7 @@ fn docs(chain: &Chain, inverse: &Inverse) -> String {
     let mut out = String::from(
         "/// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.\n///\n",
     );
-    if chain.task == Task::Pose {
+    if chain.settings.task == Task::Pose {
         out.push_str(
             "/// A rotation that lost digits (in a file with six decimals, say) is accepted up to\n\
              /// [`Real::ROTATION_TOLERANCE`](::dh_robot::Real::ROTATION_TOLERANCE) and the nearest exact one taken.\n///\n",

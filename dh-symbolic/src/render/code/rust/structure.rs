@@ -60,7 +60,7 @@ pub fn robot(head: &Head, chain: &Chain, programs: &Forward, inverse: &str, extr
     let name = head.ident.to_string();
     let declaration = declaration(head, chain, &docs::table(head, chain, extra_docs));
     let joints: Vec<String> = chain.joints.iter().enumerate().map(|(i, j)| joint(chain, i, j)).collect();
-    let (n, f) = (chain.dof(), scalar_name(chain.scalar));
+    let (n, f) = (chain.dof(), scalar_name(chain.settings.scalar));
     let text = format!(
         "#[allow(unused, clippy::all, clippy::pedantic)]\nimpl {name} {{\n/// Number of joints.\npub const DOF: usize = {n};\n\
          /// Kind, range and name of every joint.\npub const JOINTS: [::dh_robot::Joint<{f}>; {n}] = [{}];\n{}}}\n{}{inverse}",
@@ -74,7 +74,7 @@ pub fn robot(head: &Head, chain: &Chain, programs: &Forward, inverse: &str, extr
 /// The struct and its default.
 pub(super) fn declaration(head: &Head, chain: &Chain, docs: &str) -> TokenStream {
     let (attributes, visibility, ident) = (&head.attributes, &head.visibility, &head.ident);
-    let f = lex(scalar_name(chain.scalar));
+    let f = lex(scalar_name(chain.settings.scalar));
     let (mut fields, mut defaults) = (TokenStream::new(), Some(TokenStream::new()));
     let mut any = false;
     for p in &chain.parameters {
@@ -86,7 +86,7 @@ pub(super) fn declaration(head: &Head, chain: &Chain, docs: &str) -> TokenStream
         fields.extend(quote! { #(#[doc = #written])* #[doc = #doc] pub #name: #f, });
         match (value, &mut defaults) {
             (Some(_), Some(list)) => {
-                let value = lex(&literal(chain.nominal(p.handle), chain.scalar));
+                let value = lex(&literal(chain.nominal(p.handle), chain.settings.scalar));
                 list.extend(quote! { #name: #value, });
             }
             _ => defaults = None,
@@ -121,7 +121,11 @@ pub(super) fn declaration(head: &Head, chain: &Chain, docs: &str) -> TokenStream
 fn joint(chain: &Chain, actuator: usize, joint: &crate::chain::Joint) -> String {
     let kind = if chain.is_periodic(actuator) { "revolute" } else { "prismatic" };
     let range = joint.range.as_ref().map_or(String::new(), |(lo, hi)| {
-        format!(".with_range({}, {})", literal(bound(lo), chain.scalar), literal(bound(hi), chain.scalar))
+        format!(
+            ".with_range({}, {})",
+            literal(bound(lo), chain.settings.scalar),
+            literal(bound(hi), chain.settings.scalar)
+        )
     });
     let label = joint.label.as_ref().map_or(String::new(), |text| format!(".with_label({text:?})"));
     format!("::dh_robot::Joint::{kind}(\"{}\"){range}{label}", joint.name)

@@ -20,10 +20,10 @@ pub(super) struct Target {
 impl Target {
     /// The target of a chain's task; `refuse` is the statement that gives back a reason.
     pub(super) fn of(chain: &Chain, refuse: &dyn Fn(&str) -> String) -> Target {
-        let f = scalar_name(chain.scalar);
+        let f = scalar_name(chain.settings.scalar);
         let (length_scale, not_finite, refuse) = (LENGTH_SCALE, refuse("::dh_robot::Why::NotFinite"), refuse("why"));
         let finite = |list: &str| format!("if !{list}.iter().all(|x: &f64| x.is_finite()) {{ {not_finite}; }}");
-        match chain.task {
+        match chain.settings.task {
             Task::Pose => Target {
                 parameter: format!("target: &::dh_robot::nalgebra::IsometryMatrix3<{f}>"),
                 frame: format!(

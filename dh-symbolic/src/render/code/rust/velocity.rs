@@ -7,7 +7,7 @@ use crate::render::code::{literal, scalar_name};
 
 /// The inherent functions.
 pub(super) fn functions(chain: &Chain) -> String {
-    let (n, f) = (chain.dof(), scalar_name(chain.scalar));
+    let (n, f) = (chain.dof(), scalar_name(chain.settings.scalar));
     let q = format!("q: &[{f}; {n}]");
     let matrix = format!("::dh_robot::nalgebra::SMatrix<{f}, 6, {n}>");
     let derivative = match matrices(chain) {
@@ -17,7 +17,7 @@ pub(super) fn functions(chain: &Chain) -> String {
             m.det, m.rows, m.actuators
         ),
     };
-    let size = literal(Axes::new(chain).length_scale, chain.scalar);
+    let size = literal(Axes::new(chain).length_scale, chain.settings.scalar);
     format!(
         "/// [`jacobian`](Self::jacobian) in the axes of the last frame (or tool) instead of the base; the point is the same.\n\
          #[inline]\n#[must_use]\npub fn jacobian_in_tool(&self, {q}) -> {matrix} {{\n\

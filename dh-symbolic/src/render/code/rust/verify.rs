@@ -22,13 +22,13 @@ pub(super) fn kinematics(chain: &Chain, name: &str, forward: &Forward, rank_defi
     let rows: Vec<String> = (0..6)
         .map(|r| {
             let row: Vec<String> = (0..n)
-                .map(|j| if chain.redundant.contains(&j) { "0.0".into() } else { both.output(12 + 6 * j + r) })
+                .map(|j| if chain.settings.redundant.contains(&j) { "0.0".into() } else { both.output(12 + 6 * j + r) })
                 .collect();
             format!("[{}]", row.join(", "))
         })
         .collect();
     let unit = if rank_deficient {
-        format!("fn unit(&self) -> &'static str {{ \"{}\" }}\n", chain.unit.name)
+        format!("fn unit(&self) -> &'static str {{ \"{}\" }}\n", chain.settings.unit.name)
     } else {
         String::new()
     };

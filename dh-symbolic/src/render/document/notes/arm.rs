@@ -207,7 +207,7 @@ impl Arm {
 
     /// How far a pose misses what the task asks for.
     fn misses(&self, a: &Pose, b: &Pose) -> f64 {
-        let counts = |i: usize, j: usize| match self.chain.task {
+        let counts = |i: usize, j: usize| match self.chain.settings.task {
             Task::Pose => true,
             Task::Position => j == 3,
             Task::Axis => j >= 2,

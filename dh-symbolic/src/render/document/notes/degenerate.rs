@@ -102,7 +102,7 @@ fn task(arm: &Arm, explanation: &Explanation<'_>, x: &[f64]) -> Option<Vec<f64>>
     let mut out = Vec::new();
     for (i, row) in t.iter().enumerate() {
         for (j, value) in row.iter().enumerate() {
-            let counts = match arm.chain.task {
+            let counts = match arm.chain.settings.task {
                 Task::Pose => true,
                 Task::Position => j == 3,
                 Task::Axis => j >= 2,

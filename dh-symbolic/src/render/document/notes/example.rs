@@ -47,7 +47,7 @@ impl Start {
 impl NotesWriter<'_> {
     /// Appends the example; nothing where the arm has no inverse or no solution to show.
     pub(super) fn example(&mut self, start: &Start) {
-        if !self.chain.ik || self.chain.dof() == 0 {
+        if !self.chain.settings.ik || self.chain.dof() == 0 {
             return;
         }
         let Ok(inverse) = &*self.solved() else { return };
@@ -72,7 +72,7 @@ impl NotesWriter<'_> {
                 self.say(Phrase::ExampleGiven, vec![]);
                 self.goal(&arm, &goal, Some(self.motions(list)));
                 let chosen: Vec<Math> =
-                    self.chain.redundant.iter().map(|k| self.value_of(&arm, *k, q[*k], 2)).collect();
+                    self.chain.settings.redundant.iter().map(|k| self.value_of(&arm, *k, q[*k], 2)).collect();
                 if !chosen.is_empty() {
                     self.say(Phrase::ExampleChosen, vec![Math::list(&chosen)]);
                 }
@@ -158,7 +158,7 @@ impl NotesWriter<'_> {
         let p: Vec<Math> = goal.iter().map(|r| decimal(r[3], length)).collect();
         let vector = |list: Vec<Math>| Math::Matrix(list.into_iter().map(|m| vec![m]).collect());
         let named = |letter: char, right: Math| (Math::Letter(letter), right);
-        let (phrase, list) = match self.chain.task {
+        let (phrase, list) = match self.chain.settings.task {
             Task::Pose => return,
             Task::Position => (Phrase::ExamplePosition, vec![named('p', vector(p))]),
             Task::Axis => {
@@ -216,7 +216,7 @@ impl NotesWriter<'_> {
 
     /// The pose between the first and the last frame, where base or tool is more than that.
     fn inner(&mut self, arm: &Arm, goal: &Pose) {
-        if self.chain.task != Task::Pose || (self.chain.base.is_empty() && self.chain.tool.is_empty()) {
+        if self.chain.settings.task != Task::Pose || (self.chain.base.is_empty() && self.chain.tool.is_empty()) {
             return;
         }
         let k = Kinematics::new(&arm.chain);

@@ -62,7 +62,7 @@ impl NotesWriter<'_> {
             _ if dexterous => Phrase::FigureDexterous,
             _ => Phrase::FigureReach,
         };
-        let text = self.words(phrase).replace("{}", self.chain.unit.name);
+        let text = self.words(phrase).replace("{}", self.chain.settings.unit.name);
         self.draw(drawing, text.into());
     }
 

@@ -10,7 +10,7 @@ use crate::diagnostic::{Errors, lex};
 /// What is wrong with the text.
 pub(super) fn motions(chain: &Chain, what: &str, text: &str) -> Result<Vec<MotionSpec>, String> {
     // A table that has nothing but these motions.
-    let unit = chain.unit.name;
+    let unit = chain.settings.unit.name;
     let source = format!(
         "pub struct Pose; convention = modified; unit = {unit}; base = {text};\n| alpha | a | d | theta |\n| 0 | 0 | 0 | q1 |\n"
     );

@@ -11,7 +11,7 @@ use crate::render::{Language, refusal};
 
 impl NotesWriter<'_> {
     pub(super) fn inverse(&mut self) {
-        if !self.chain.ik || self.chain.dof() == 0 {
+        if !self.chain.settings.ik || self.chain.dof() == 0 {
             return;
         }
         self.heading(1, Phrase::Inverse);
@@ -63,7 +63,7 @@ impl NotesWriter<'_> {
         self.say(Phrase::Wanted, vec![given, r, Math::Letter('p')]);
         self.without_constants(explanation.whole());
         let open = |k| vec![explanation.coordinate(k)];
-        match self.chain.task {
+        match self.chain.settings.task {
             Task::Pose => {}
             Task::Axis => self.say(Phrase::TaskAxis, open(self.chain.dof())),
             Task::Position => self.say(Phrase::TaskPosition, vec![]),

@@ -109,7 +109,7 @@ impl NotesWriter<'_> {
         }
         for (phrase, list) in [(Phrase::Lengths, lengths), (Phrase::Angles, angles), (Phrase::Free, free)] {
             if !list.is_empty() {
-                let unit = Span::Plain(self.chain.unit.name.to_string());
+                let unit = Span::Plain(self.chain.settings.unit.name.to_string());
                 let mut text = Text::fill(self.words(phrase), vec![unit]);
                 text.0.extend(Text::join(list.into_iter().map(Text::from), ", ").0);
                 self.blocks.push(Block::Paragraph(text));

@@ -7,7 +7,7 @@ mod words;
 use super::Block;
 use super::html;
 use super::notes::{Options, matrices};
-use crate::chain::{Chain, Scalar};
+use crate::chain::{Chain, Scalar, Settings};
 use crate::program::{Disproof, Forward};
 use crate::render::code::javascript::{RUNTIME, Solver, class};
 use crate::render::{Language, refusal};
@@ -19,7 +19,7 @@ use words::{object, words};
 /// Where a program differs from the product of the link transforms: a defect of this crate, never of the table.
 pub fn page(chain: &Chain, options: &Options) -> Result<String, Disproof> {
     let language = options.language;
-    let numbers = Chain { scalar: Scalar::F64, ..chain.clone() };
+    let numbers = chain.with(Settings { scalar: Scalar::F64, ..chain.settings.clone() });
     let solver = Solver::of(&numbers);
     let arm = class(&numbers, &Forward::derive(&numbers)?, &solver);
     let (how, wanted) = match &solver {
@@ -47,6 +47,7 @@ pub fn page(chain: &Chain, options: &Options) -> Result<String, Disproof> {
     let title = html::escape(&w("title").replace("{}", &chain.name));
     let formulas = formulas(chain, options);
     let given = chain
+        .settings
         .redundant
         .iter()
         .filter_map(|k| chain.joints.get(*k))
@@ -85,7 +86,7 @@ pub fn page(chain: &Chain, options: &Options) -> Result<String, Disproof> {
         w("radians"),
         w("reset"),
         w("parameters"),
-        html::escape(chain.unit.name),
+        html::escape(chain.settings.unit.name),
         w("drawing"),
         w("frames"),
         w("ghosts"),

@@ -24,8 +24,8 @@ impl FastPath {
     /// found.
     pub(super) fn of(chain: &Chain, inverse: &Inverse) -> Option<FastPath> {
         let actuators = whole_actuators(chain, &inverse.body.result()?.joints)?;
-        let fits =
-            chain.task == Task::Pose && (chain.redundant.is_empty() || chain.redundant.len() == 1 && chain.is_direct());
+        let fits = chain.settings.task == Task::Pose
+            && (chain.settings.redundant.is_empty() || chain.settings.redundant.len() == 1 && chain.is_direct());
         Some(FastPath { batched: inverse.batched().filter(|_| fits)?, actuators })
     }
 
@@ -37,7 +37,7 @@ impl FastPath {
     /// The statements of `inverse` that follow `frame`: the fast path, and the fallback path where that has to decide.
     pub(super) fn call(&self, chain: &Chain, inverse: &Inverse) -> String {
         let (n, total) = (chain.dof(), self.batched.branches);
-        let [number, same] = if !chain.redundant.is_empty() { [", given.into()", ", given"] } else { [""; 2] };
+        let [number, same] = if !chain.settings.redundant.is_empty() { [", given.into()", ", given"] } else { [""; 2] };
         let mut out = format!(
             "let mut q = [[0.0; {total}]; {n}];\nlet mut valid = [0.0; {total}];\n\
              if !self.all_branches(&frame{number}, &mut q, &mut valid) {{\nreturn self.inverse_with_work(target{same}).0;\n}}\n"
@@ -68,16 +68,16 @@ impl FastPath {
         let variables = Variables::of(inverse);
         let mut body = Body::of_inverse(Dialect::Rust, chain, inverse, outputs, &variables);
         let (n, total) = (chain.dof(), batched.branches);
-        let parameter = if !chain.redundant.is_empty() { ", given: f64" } else { "" };
+        let parameter = if !chain.settings.redundant.is_empty() { ", given: f64" } else { "" };
         let mut w = BatchedWriter::new(chain, inverse, batched, variables, self.actuators);
         w.loops.out = names(inverse, &w.variables, total);
         w.loops.out.push_str(&format!(
             "/// The plan for all branches at once: joint values, and which branches are real; false where the fallback path has to decide.\n\
              #[inline]\nfn all_branches(&self, t: &::dh_robot::runtime::Pose{parameter}, q: &mut [[f64; {total}]; {n}], valid: &mut [f64; {total}]) -> bool {{\n"
         ));
-        if let Some(k) = chain.redundant.first().copied() {
+        if let Some(k) = chain.settings.redundant.first().copied() {
             // A narrower scalar is brought into its range with the others, once it is rounded.
-            let value = match chain.scalar {
+            let value = match chain.settings.scalar {
                 Scalar::F64 => format!("Self::JOINTS[{k}].normalize(given)"),
                 Scalar::F32 => "given".into(),
             };

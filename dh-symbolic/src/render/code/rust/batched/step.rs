@@ -97,7 +97,7 @@ impl BatchedWriter<'_> {
         let kernel = &solve.kernel;
         let arguments: Vec<String> =
             solve.arguments.iter().map(|a| argument(Dialect::Rust, a, &|v| body.value(*v), "")).collect();
-        let name = kernel.single_precision.filter(|_| self.chain.scalar == Scalar::F32).unwrap_or(kernel.name);
+        let name = kernel.single_precision.filter(|_| self.chain.settings.scalar == Scalar::F32).unwrap_or(kernel.name);
         let call = format!("::dh_robot::runtime::batched::{name}({})", arguments.join(", "));
         let two = kernel.roots == BatchedRoots::Two;
         let found = match (two, roots.is_angle) {
