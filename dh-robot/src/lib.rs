@@ -293,6 +293,7 @@
 mod arm;
 pub mod atan2;
 mod branch;
+mod elementary;
 mod follow;
 mod free;
 mod inverse;

@@ -4,11 +4,12 @@ use core::fmt::{Display, LowerExp};
 
 use nalgebra::RealField;
 
+use crate::elementary::Elementary;
 use crate::{atan2, sincos};
 
 mod sealed {
     /// Keeps [`Real`](super::Real) to the scalars that the kernels are written and measured for.
-    pub trait Sealed {}
+    pub trait Sealed: super::Elementary {}
     impl Sealed for f32 {}
     impl Sealed for f64 {}
 }

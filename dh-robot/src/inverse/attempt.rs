@@ -1,6 +1,6 @@
 //! The interface between generated code and the solvers: samples for free unknowns, the roots behind a candidate, the outcome of a run.
 
-use super::path::{Equation, Path};
+use super::path::{Path, SinCosEquation};
 use crate::{FreeJoints, Why};
 use dh_kernels::{List, Outcome, Status};
 
@@ -136,7 +136,7 @@ pub struct Attempt {
     /// The steps that left their unknown free, a bit each.
     free: u16,
     /// Equations of one unknown behind a free one.
-    pub(super) equations: List<Equation, 24>,
+    pub(super) equations: List<SinCosEquation, 24>,
     pub(super) why: Why<f64>,
 }
 
@@ -214,7 +214,7 @@ impl Attempt {
     /// Notes `a cos u + b sin u = c` of a step behind a free one.
     #[cold]
     pub fn see(&mut self, step: usize, path: &Path, coefficients: [f64; 3]) {
-        self.equations.push(Equation { step, path: *path, coefficients });
+        self.equations.push(SinCosEquation { step, path: *path, coefficients });
     }
 }
 

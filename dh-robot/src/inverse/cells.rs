@@ -1,7 +1,7 @@
 //! Divides the circle of a free angle into cells at which later steps lose or change their roots: each cell is sampled once, and the cells
 //! that one self-motion passes through are known without walking along it.
 
-use super::path::{Equation, Path};
+use super::path::{Path, SinCosEquation};
 use crate::math::atan2;
 use dh_kernels::{Angles, Blank, List, TrigPoly, solve_many};
 
@@ -54,11 +54,11 @@ type Sinusoid = [f64; 3];
 
 impl Cells {
     /// The cuts that follow from the equations seen at some angles of the free unknown, of which three are needed and a fourth checks.
-    pub(super) fn of(angles: &[f64], equations: &[&[Equation]]) -> Self {
+    pub(super) fn of(angles: &[f64], equations: &[&[SinCosEquation]]) -> Self {
         let mut cells = Cells { cuts: List::new(), folds: List::new(), rough: false };
         for (run, list) in equations.iter().enumerate() {
             for (i, e) in list.iter().enumerate() {
-                let is = |x: &Equation| x.step == e.step && x.path == e.path;
+                let is = |x: &SinCosEquation| x.step == e.step && x.path == e.path;
                 // Each equation once, at the first angle that it is seen at.
                 if list[..i].iter().any(is) || equations[..run].iter().any(|l| l.iter().any(is)) {
                     continue;
@@ -92,7 +92,7 @@ impl Cells {
     }
 
     /// Notes where something happens to an equation whose coefficients are sinusoids.
-    fn cut(&mut self, e: &Equation, sinusoids: &[Sinusoid; 3]) {
+    fn cut(&mut self, e: &SinCosEquation, sinusoids: &[Sinusoid; 3]) {
         let note = |cuts: &mut List<Cut, CUTS>, root: [f64; 2], event: Event| {
             let angle = atan2(root[1], root[0]);
             cuts.push(Cut { angle, event, step: e.step, path: e.path });
@@ -219,8 +219,8 @@ fn sinusoids(seen: &[[f64; 4]]) -> Option<[Sinusoid; 3]> {
 mod tests {
     use super::*;
 
-    fn seen(angle: f64, path: Path, law: impl Fn(f64) -> [f64; 3]) -> Equation {
-        Equation { step: 3, path, coefficients: law(angle) }
+    fn seen(angle: f64, path: Path, law: impl Fn(f64) -> [f64; 3]) -> SinCosEquation {
+        SinCosEquation { step: 3, path, coefficients: law(angle) }
     }
 
     fn cells(law: impl Fn(f64) -> [f64; 3]) -> Cells {

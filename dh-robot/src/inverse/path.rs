@@ -67,7 +67,7 @@ impl Path {
 
 /// An equation `a cos u + b sin u = c` that a step had, behind a free unknown.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Equation {
+pub(super) struct SinCosEquation {
     /// The step.
     pub(super) step: usize,
     /// The path that led to it.
@@ -76,7 +76,7 @@ pub(super) struct Equation {
     pub(super) coefficients: [f64; 3],
 }
 
-impl Blank for Equation {
+impl Blank for SinCosEquation {
     const BLANK: Self = Self { step: 0, path: Path::START, coefficients: [0.0; 3] };
 }
 

@@ -2,7 +2,7 @@
 
 use super::cells::{Cells, Cut, Event, common_zeros};
 use super::fallback::{BLUNT, FEW, MANY, Plan, RUN, Search};
-use super::path::{Equation, Path};
+use super::path::{Path, SinCosEquation};
 use super::sheets::{Node, Sheets};
 use super::{Attempt, Sample};
 use crate::{Branch, FreeJoints, Real, Solution};
@@ -50,7 +50,7 @@ impl<A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'_, A, T,
         }
         let at = |angle: f64| sample.with(step, angle);
         let mut runs: [List<Node<N>, RUN>; 3] = [List::new(); 3];
-        let mut equations: [List<Equation, 24>; 4] = [run.equations, List::new(), List::new(), List::new()];
+        let mut equations: [List<SinCosEquation, 24>; 4] = [run.equations, List::new(), List::new(), List::new()];
         for (k, angle) in ANGLES.iter().enumerate().skip(1) {
             equations[k] = self.run(frame, &at(*angle), plan, &mut runs[k - 1]).equations;
         }

@@ -9,7 +9,7 @@ use super::urdf::{Joint, Kind, Model};
 
 /// An arm as lines in space.
 #[derive(Clone, Debug)]
-pub(super) struct Arm {
+pub(super) struct PlacedAxes {
     /// The moving joints in order.
     pub(super) axes: Vec<Axis>,
     /// The tip at zero.
@@ -59,12 +59,12 @@ pub(super) struct Rounded {
 const MOST_JOINTS: usize = 12;
 
 /// Places the axes.
-pub(super) fn place(model: &Model, route: &Route, rounding: Rounding) -> Result<Arm, Problem> {
+pub(super) fn place(model: &Model, route: &Route, rounding: Rounding) -> Result<PlacedAxes, Problem> {
     let joints: Vec<&Joint> = route.joints.iter().map(|&j| &model.joints[j]).collect();
     let reach: f64 = joints.iter().map(|j| norm(j.xyz)).sum();
     let limits = Limits::new(rounding, reach.max(1e-3));
     let (mut here, mut written) = (Pose::IDENTITY, Pose::IDENTITY);
-    let mut arm = Arm {
+    let mut arm = PlacedAxes {
         axes: Vec::new(),
         end: Pose::IDENTITY,
         written: Vec::new(),
@@ -115,7 +115,7 @@ pub(super) fn place(model: &Model, route: &Route, rounding: Rounding) -> Result<
     Ok(arm)
 }
 
-impl Arm {
+impl PlacedAxes {
     /// The tip's pose with every digit of the file, for values of the motors.
     pub(super) fn written_pose(&self, q: &[f64]) -> Pose {
         let mut pose = Pose::IDENTITY;
@@ -176,7 +176,7 @@ fn coordinate_axis(v: Vector, angle: f64) -> Vector {
 }
 
 /// Who drives whom: each joint has its own motor, but those that follow another joint of the chain.
-fn motors(joints: &[&Joint], arm: &mut Arm) -> Result<(), Problem> {
+fn motors(joints: &[&Joint], arm: &mut PlacedAxes) -> Result<(), Problem> {
     let moving: Vec<&&Joint> = joints.iter().filter(|j| j.kind != Kind::Fixed).collect();
     let position = |name: &str| moving.iter().position(|j| j.name == name);
     // The joint that moves another in the end, the factor and the value at zero.

@@ -4,7 +4,7 @@
 //! deviations of the four columns (`delta_theta`, `delta_a`, `delta_d`, `delta_alpha`). Rows of nearly parallel axes as makers write them may hold
 //! lengths of hundreds of metres; here the frames are placed anew, so that all lengths stay those of the arm.
 
-use super::axes::{Arm, Axis};
+use super::axes::{Axis, PlacedAxes};
 use super::frames;
 use super::problem::Problem;
 use super::rounding::Limits;
@@ -253,9 +253,9 @@ fn link_poses(entries: &[Entry]) -> Result<Vec<Pose>, Problem> {
 }
 
 /// The axes in space.
-fn arm(spec: &ChainSpec, steps: &[(Pose, bool)], reach: f64) -> Arm {
+fn arm(spec: &ChainSpec, steps: &[(Pose, bool)], reach: f64) -> PlacedAxes {
     let limits = Limits::new(Rounding::AsWritten, reach);
-    let mut arm = Arm {
+    let mut arm = PlacedAxes {
         axes: Vec::new(),
         end: Pose::IDENTITY,
         written: Vec::new(),

@@ -16,7 +16,7 @@
 //! before. Frame 0 sits on the first axis, at the point nearest to the base's origin; the last frame on the last axis, at the
 //! point nearest to the tip.
 
-use super::axes::Arm;
+use super::axes::PlacedAxes;
 use super::rounding::{Angle, Limits};
 use super::space::{Pose, Rotation, Vector, across, add, cross, dot, minus, norm, scale, unit};
 
@@ -56,7 +56,7 @@ const FAR: f64 = 2.0;
 const NEARLY: f64 = 0.1;
 
 /// Puts frames on the axes.
-pub(super) fn build(arm: &Arm) -> Rows {
+pub(super) fn build(arm: &PlacedAxes) -> Rows {
     let limits = arm.limits;
     let lines = arm.axes.iter().map(|a| (a.p, a.z)).collect();
     let mut rest = Rest { lines, end: arm.end, limits, turned: 0.0 };
@@ -319,7 +319,7 @@ pub(super) fn product(list: &[Motion]) -> Pose {
 
 impl Rows {
     /// The tip's pose for values of the motors.
-    pub(super) fn pose(&self, arm: &Arm, q: &[f64]) -> Pose {
+    pub(super) fn pose(&self, arm: &PlacedAxes, q: &[f64]) -> Pose {
         let mut pose = product(&self.base);
         for link in &self.links {
             let (mut theta, mut d) = (link.theta.radians(), link.d);

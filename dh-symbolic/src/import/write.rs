@@ -1,7 +1,7 @@
 //! From an arm with frames to the cells of a table, and what was rounded as lines for people.
 
 use super::Options;
-use super::axes::{Arm, Axis};
+use super::axes::{Axis, PlacedAxes};
 use super::frames::{Link, Motion, Rows};
 use super::rounding::{Angle, number, shown};
 use super::route::Route;
@@ -11,7 +11,7 @@ use super::urdf::Model;
 use crate::chain::Convention;
 
 /// The table.
-pub(super) fn sheet(model: &Model, route: &Route, arm: &Arm, rows: &Rows, options: &Options) -> Sheet {
+pub(super) fn sheet(model: &Model, route: &Route, arm: &PlacedAxes, rows: &Rows, options: &Options) -> Sheet {
     let convention = options.convention.unwrap_or(Convention::Modified);
     let robot = if model.name.is_empty() { "A robot" } else { &model.name };
     let (base, tip) = (&model.links[route.base], &model.links[route.tip]);
@@ -28,7 +28,7 @@ pub(super) fn sheet(model: &Model, route: &Route, arm: &Arm, rows: &Rows, option
 }
 
 /// The rows of a table.
-pub(super) fn rows(arm: &Arm, rows: &Rows, convention: Convention) -> Vec<SheetRow> {
+pub(super) fn rows(arm: &PlacedAxes, rows: &Rows, convention: Convention) -> Vec<SheetRow> {
     let first = Link::default();
     let before = std::iter::once(&first).chain(&rows.links);
     // A row of a modified table holds the normal before its joint.
@@ -36,7 +36,7 @@ pub(super) fn rows(arm: &Arm, rows: &Rows, convention: Convention) -> Vec<SheetR
     rows.links.iter().zip(before).map(normal).collect()
 }
 
-fn row(arm: &Arm, link: &Link, normal: &Link) -> SheetRow {
+fn row(arm: &PlacedAxes, link: &Link, normal: &Link) -> SheetRow {
     let mut row = SheetRow {
         alpha: normal.alpha.text(),
         a: number(normal.a),
@@ -131,7 +131,7 @@ const NOISE: f64 = 1e-11;
 const SMALL: f64 = 1e-7;
 
 /// What was rounded, line by line, and what it does to the tip.
-pub(super) fn rounded(arm: &Arm, rows: &Rows) -> Vec<String> {
+pub(super) fn rounded(arm: &PlacedAxes, rows: &Rows) -> Vec<String> {
     let mut notes = Vec::new();
     let mut small = (0, 0.0f64);
     let mut told: Vec<(&str, f64)> = Vec::new();
@@ -198,7 +198,7 @@ fn twist(rows: &Rows, i: usize) -> Option<Angle> {
 }
 
 /// The largest differences of position and direction between the table and the file, at sample poses.
-fn difference(arm: &Arm, rows: &Rows) -> (f64, f64) {
+fn difference(arm: &PlacedAxes, rows: &Rows) -> (f64, f64) {
     let motors = arm.motors();
     let mut worst = (0.0f64, 0.0f64);
     for sample in 0..8usize {
@@ -213,7 +213,7 @@ fn difference(arm: &Arm, rows: &Rows) -> (f64, f64) {
 }
 
 /// What is nearly exact, but too far off to be rounded without asking.
-fn questions(arm: &Arm, rows: &Rows) -> Vec<String> {
+fn questions(arm: &PlacedAxes, rows: &Rows) -> Vec<String> {
     let mut list = Vec::new();
     for link in &rows.links {
         let Some(axis) = link.axis.and_then(|i| arm.axes.get(i + 1)) else { continue };

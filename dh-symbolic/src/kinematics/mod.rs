@@ -13,4 +13,4 @@ mod segments;
 
 pub use forward::Kinematics;
 pub use jacobian::jacobian;
-pub use segments::{AngleSum, Block, BlockJoint, FrameMark, Piece, blocks};
+pub use segments::{AngleSum, BlockJoint, FrameMark, Piece, Segment, blocks};

@@ -9,7 +9,7 @@ use crate::chain::{Chain, Coordinate, Elementary};
 
 /// A stretch of the chain with one axis direction: z of the block's frame.
 #[derive(Clone, Debug, Default)]
-pub struct Block {
+pub struct Segment {
     /// Shifts, in order from base to tip.
     pub pieces: Vec<Piece>,
     /// Joints of the block, in order.
@@ -82,8 +82,8 @@ pub struct FrameMark {
 }
 
 /// Cuts a chain, base and tool included, into blocks.
-pub fn blocks(chain: &Chain) -> Vec<Block> {
-    let mut cutter = Cutter { done: Vec::new(), now: Block::default(), half_turn: false };
+pub fn blocks(chain: &Chain) -> Vec<Segment> {
+    let mut cutter = Cutter { done: Vec::new(), now: Segment::default(), half_turn: false };
     for e in &chain.base {
         cutter.step(e, None);
     }
@@ -111,8 +111,8 @@ pub fn blocks(chain: &Chain) -> Vec<Block> {
 }
 
 struct Cutter {
-    done: Vec<Block>,
-    now: Block,
+    done: Vec<Segment>,
+    now: Segment,
     /// An odd number of half turns about x is pending.
     half_turn: bool,
 }

@@ -37,7 +37,7 @@ pub use scalar::{Equation, FrameScalar};
 pub use search::search;
 pub use step::{Plan, Step};
 pub use steps::{
-    Argument, BatchedKernel, BatchedRoots, Call, Coefficient, Kernel, ReachLimit, Representative, Roots, Slot,
+    Argument, BatchedKernel, BatchedRoots, Call, Coefficient, Kernel, KernelRoots, ReachLimit, Representative, Slot,
     StepKind, Unknown, Wording, Words,
 };
 pub use structure::{Neighbours, Pair, Structure};

@@ -10,10 +10,10 @@ use super::vector::{V3, identity, turn_columns, unit};
 use super::{Cost, Program};
 use crate::algebra::Poly;
 use crate::chain::Chain;
-use crate::kinematics::{AngleSum, Block, Piece};
+use crate::kinematics::{AngleSum, Piece, Segment};
 
 /// Turns a vector from the frame after block `n - 1` (that is, block n's frame, or the tool's) into the base.
-pub(super) fn to_base(g: &mut Graph, blocks: &[Block], v: V3) -> V3 {
+pub(super) fn to_base(g: &mut Graph, blocks: &[Segment], v: V3) -> V3 {
     blocks.iter().rev().fold(v, |v, b| {
         let v = g.turn_by(&b.exit, v);
         g.turn_z(&b.turn, v)
@@ -22,7 +22,7 @@ pub(super) fn to_base(g: &mut Graph, blocks: &[Block], v: V3) -> V3 {
 
 /// Sum of the pieces of a block from the last one to piece `first`, on top of `tip`, which stands in the frame after the block's
 /// whole turn. Pieces with one turn are added before they are turned.
-pub(super) fn lever(g: &mut Graph, block: &Block, first: usize, tip: V3) -> V3 {
+pub(super) fn lever(g: &mut Graph, block: &Segment, first: usize, tip: V3) -> V3 {
     let mut groups: Vec<(AngleSum, V3)> = vec![(block.turn.clone(), tip)];
     for Piece { turn, v } in block.pieces[first.min(block.pieces.len())..].iter().rev() {
         let v = g.vector(v);
@@ -43,7 +43,7 @@ pub(super) fn lever(g: &mut Graph, block: &Block, first: usize, tip: V3) -> V3 {
 }
 
 /// Position of the tip in the frame of the first block.
-fn tip(g: &mut Graph, blocks: &[Block]) -> V3 {
+fn tip(g: &mut Graph, blocks: &[Segment]) -> V3 {
     blocks.iter().rev().fold([super::graph::ZERO; 3], |tip, block| {
         let inner = g.turn_by(&block.exit, tip);
         lever(g, block, 0, inner)
@@ -52,7 +52,7 @@ fn tip(g: &mut Graph, blocks: &[Block]) -> V3 {
 
 /// The blocks without the shift of the last one along its own axis, and that shift: where the axis is a column of the pose anyway, the
 /// shift is that column times a length.
-fn without_last_shift(blocks: &[Block]) -> Option<(Vec<Block>, Poly)> {
+fn without_last_shift(blocks: &[Segment]) -> Option<(Vec<Segment>, Poly)> {
     let mut rest = blocks.to_vec();
     let last = rest.last_mut().filter(|b| b.exit.is_empty())?;
     let shift: Poly = last.pieces.iter().map(|p| p.v[2].clone()).sum();
@@ -66,7 +66,7 @@ fn without_last_shift(blocks: &[Block]) -> Option<(Vec<Block>, Poly)> {
 pub(super) const COLUMN_CHOICES: [Option<usize>; 4] = [Some(1), Some(0), Some(2), None];
 
 /// The three columns of the rotation from the tip, one of them as a cross product.
-pub(super) fn columns_from_tip(g: &mut Graph, blocks: &[Block], crossed: Option<usize>) -> [V3; 3] {
+pub(super) fn columns_from_tip(g: &mut Graph, blocks: &[Segment], crossed: Option<usize>) -> [V3; 3] {
     let mut columns = [[super::graph::ZERO; 3]; 3];
     for k in (0..3).filter(|k| Some(*k) != crossed) {
         columns[k] = to_base(g, blocks, unit(k));
@@ -100,7 +100,7 @@ fn outputs(columns: [V3; 3], p: V3) -> Vec<Value> {
 }
 
 /// The cheapest program for the pose.
-pub(super) fn pose(chain: &Chain, blocks: &[Block]) -> Program {
+pub(super) fn pose(chain: &Chain, blocks: &[Segment]) -> Program {
     let mut best: Option<(usize, Program)> = None;
     let mut offer = |graph: Graph, columns: [V3; 3], p: V3| {
         let program = Program { graph, outputs: outputs(columns, p) }.share_angle_sums();
@@ -139,7 +139,7 @@ pub(super) fn pose(chain: &Chain, blocks: &[Block]) -> Program {
 }
 
 /// Every link frame, from the base outwards.
-pub(super) fn frames(chain: &Chain, blocks: &[Block]) -> Program {
+pub(super) fn frames(chain: &Chain, blocks: &[Segment]) -> Program {
     let mut g = Graph::new(chain);
     let mut all = vec![Vec::new(); chain.links.len()];
     let walk = outwards(&mut g, blocks, Shifts::Turned);
@@ -180,7 +180,7 @@ pub(super) enum Shifts {
 }
 
 /// Walks from the base to the tip.
-pub(super) fn outwards(g: &mut Graph, blocks: &[Block], shifts: Shifts) -> Walk {
+pub(super) fn outwards(g: &mut Graph, blocks: &[Segment], shifts: Shifts) -> Walk {
     let mut walk = Walk { stops: Vec::new(), columns: identity(), tip: [super::graph::ZERO; 3] };
     for block in blocks {
         let mut origins = vec![walk.tip];

@@ -11,7 +11,7 @@ use super::links::link_by_link;
 use super::vector::{V3, identity, unit};
 use super::{Cost, Program};
 use crate::chain::{Chain, Coordinate, Joint};
-use crate::kinematics::Block;
+use crate::kinematics::Segment;
 
 /// How the rotation and the joint axes are found.
 #[derive(Clone, Copy, Debug)]
@@ -35,7 +35,7 @@ struct Known {
     turned: Vec<Option<[V3; 2]>>,
 }
 
-fn known(g: &mut Graph, blocks: &[Block], way: Way) -> Option<Known> {
+fn known(g: &mut Graph, blocks: &[Segment], way: Way) -> Option<Known> {
     let n = blocks.len();
     match way {
         Way::Tip(crossed) => Some(Known {
@@ -97,7 +97,7 @@ struct Local {
 }
 
 /// The ways to bring a column to the base.
-fn candidates(g: &mut Graph, blocks: &[Block], k: &Known, column: &Local) -> Vec<(Graph, V3)> {
+fn candidates(g: &mut Graph, blocks: &[Segment], k: &Known, column: &Local) -> Vec<(Graph, V3)> {
     let (b, v) = (column.block, column.v);
     let mut all = Vec::new();
     let mut from_tip = g.clone();
@@ -134,7 +134,7 @@ fn candidates(g: &mut Graph, blocks: &[Block], k: &Known, column: &Local) -> Vec
 }
 
 /// The lever of a joint in the frame after the block's whole turn; `None` where some of its shifts are turned by less.
-fn lever_after_turn(g: &mut Graph, block: &Block, first: usize, tip: V3) -> Option<V3> {
+fn lever_after_turn(g: &mut Graph, block: &Segment, first: usize, tip: V3) -> Option<V3> {
     let pieces = block.pieces.get(first..)?;
     let along_axis = |p: &crate::kinematics::Piece| p.v[0].is_zero() && p.v[1].is_zero();
     if !pieces.iter().all(|p| p.turn == block.turn || along_axis(p)) {
@@ -146,7 +146,7 @@ fn lever_after_turn(g: &mut Graph, block: &Block, first: usize, tip: V3) -> Opti
     }))
 }
 
-fn build(chain: &Chain, blocks: &[Block], way: Way) -> Option<Program> {
+fn build(chain: &Chain, blocks: &[Segment], way: Way) -> Option<Program> {
     let mut g = Graph::new(chain);
     let k = known(&mut g, blocks, way)?;
     let mut columns: Vec<[V3; 2]> = vec![[[ZERO; 3]; 2]; chain.dof()];
@@ -194,7 +194,7 @@ fn build(chain: &Chain, blocks: &[Block], way: Way) -> Option<Program> {
 
 /// The textbook's way: all frames from the base, block by block or (`None`) link by link, and z x (tip - origin) for a joint that
 /// turns.
-fn textbook(chain: &Chain, blocks: &[Block], shifts: Option<Shifts>) -> Program {
+fn textbook(chain: &Chain, blocks: &[Segment], shifts: Option<Shifts>) -> Program {
     let mut g = Graph::new(chain);
     let mut axes: Vec<(V3, V3)> = vec![([ZERO; 3], [ZERO; 3]); chain.dof()];
     let (pose, tip) = match shifts {
@@ -252,7 +252,7 @@ fn motor_columns(g: &mut Graph, chain: &Chain, columns: &[[V3; 2]]) -> Vec<Value
 }
 
 /// The cheapest program for pose and Jacobian.
-pub(super) fn jacobian(chain: &Chain, blocks: &[Block]) -> Program {
+pub(super) fn jacobian(chain: &Chain, blocks: &[Segment]) -> Program {
     let ways = COLUMN_CHOICES.into_iter().map(Way::Tip).chain([Way::Base, Way::Axes]);
     let mut best: Option<(usize, Program)> = None;
     let built = ways

@@ -30,7 +30,7 @@ pub use proof::{Disproof, prove_frames, prove_jacobian, prove_pose};
 
 use crate::algebra::LinearAngle;
 use crate::chain::{Chain, Elementary};
-use crate::kinematics::{Block, Kinematics, blocks};
+use crate::kinematics::{Kinematics, Segment, blocks};
 
 /// Instructions with their outputs.
 #[derive(Clone, Debug)]
@@ -89,7 +89,7 @@ impl Forward {
 const SHORT: usize = 6;
 
 /// Turns on the way from base to tip that double the number of terms: all but constant ones by quarter turns.
-fn turns_in_a_row(blocks: &[Block]) -> usize {
+fn turns_in_a_row(blocks: &[Segment]) -> usize {
     let doubles = |angle: &LinearAngle| {
         !angle.terms.is_empty() || angle.constant.steps_of_15_degrees().is_none_or(|steps| steps % 6 != 0)
     };

@@ -1,7 +1,7 @@
 //! One exact formula of a robot: arithmetic, derivatives, equality, numbers, and how it is printed.
 
 use super::EvalError;
-use super::names::Arm;
+use super::names::Names;
 use crate::algebra::Poly;
 use crate::render::document::{latex, typst};
 use crate::render::formula::{math::Math, plain, text};
@@ -25,7 +25,7 @@ use std::sync::Arc;
 /// `Display` prints the textbook's grouping in one line. Sums, differences and products of formulas of different robots mean nothing.
 #[derive(Clone)]
 pub struct Formula {
-    pub(super) arm: Arc<Arm>,
+    pub(super) arm: Arc<Names>,
     pub(super) value: Poly,
 }
 
@@ -106,7 +106,7 @@ impl Eq for Formula {}
 /// # Panics
 /// The operators panic where the formulas belong to different robots.
 #[track_caller]
-pub(super) fn same_arm(a: &Arm, b: &Arm) {
+pub(super) fn same_arm(a: &Names, b: &Names) {
     assert!(a.is_like(b), "formulas of two robots: {} and {}", a.chain.name, b.chain.name);
 }
 

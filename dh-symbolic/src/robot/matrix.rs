@@ -1,7 +1,7 @@
 //! A matrix of exact formulas of one robot: transforms, Jacobians, and what is made of them.
 
 use super::formula::same_arm;
-use super::names::Arm;
+use super::names::Names;
 use super::{EvalError, Formula};
 use crate::algebra::{Poly, determinant};
 use crate::render::document::{latex, typst};
@@ -32,7 +32,7 @@ use std::sync::Arc;
 /// ```
 #[derive(Clone)]
 pub struct Matrix {
-    arm: Arc<Arm>,
+    arm: Arc<Names>,
     /// By rows, all of one length.
     entries: Vec<Vec<Poly>>,
 }
@@ -41,7 +41,7 @@ pub struct Matrix {
 const BUDGET: usize = 4_000_000;
 
 impl Matrix {
-    pub(super) fn new(arm: &Arc<Arm>, entries: Vec<Vec<Poly>>) -> Matrix {
+    pub(super) fn new(arm: &Arc<Names>, entries: Vec<Vec<Poly>>) -> Matrix {
         Matrix { arm: Arc::clone(arm), entries }
     }
 

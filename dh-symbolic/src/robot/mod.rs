@@ -28,7 +28,7 @@ use crate::pipeline;
 use crate::render::code::javascript;
 use crate::render::document::{Document, InversePlan, Options, notes, page};
 use crate::verify::{self, Claims, check, report};
-use names::Arm;
+use names::Names;
 use std::fmt;
 use std::sync::Arc;
 
@@ -65,7 +65,7 @@ use std::sync::Arc;
 /// ```
 #[derive(Clone)]
 pub struct Robot {
-    arm: Arc<Arm>,
+    arm: Arc<Names>,
     kinematics: Arc<Kinematics>,
     source: Arc<Source>,
 }
@@ -121,7 +121,7 @@ impl Robot {
         };
         let chain = Chain::new(spec);
         let kinematics = Arc::new(Kinematics::new(&chain));
-        Ok(Robot { arm: Arc::new(Arm::new(chain)), kinematics, source: Arc::new(source) })
+        Ok(Robot { arm: Arc::new(Names::new(chain)), kinematics, source: Arc::new(source) })
     }
 
     /// The name of the type in the table.

@@ -8,7 +8,7 @@ use crate::render::formula::notation::{Name, Notation};
 
 /// What formulas of one robot share.
 #[derive(Debug)]
-pub(super) struct Arm {
+pub(super) struct Names {
     pub(super) chain: Chain,
     pub(super) notation: Notation,
     pub(super) order: Order,
@@ -16,8 +16,8 @@ pub(super) struct Arm {
     actuators: Vec<Symbol>,
 }
 
-impl Arm {
-    pub(super) fn new(mut chain: Chain) -> Arm {
+impl Names {
+    pub(super) fn new(mut chain: Chain) -> Names {
         let mut notation = Notation::textbook(&chain);
         let order = Order::of(&chain);
         let mut actuators = Vec::new();
@@ -30,11 +30,11 @@ impl Arm {
                 actuators.push(chain.ring.symbol(&name));
             }
         }
-        Arm { chain, notation, order, actuators }
+        Names { chain, notation, order, actuators }
     }
 
     /// Do formulas of these two arms mean the same?
-    pub(super) fn is_like(&self, other: &Arm) -> bool {
+    pub(super) fn is_like(&self, other: &Names) -> bool {
         std::ptr::eq(self, other) || self.chain.ring == other.chain.ring
     }
 
@@ -129,7 +129,7 @@ fn sorted<T: Ord>(list: impl Iterator<Item = T>) -> Vec<T> {
 
 /// Numbers for names while a formula is evaluated.
 struct Values<'a> {
-    arm: &'a Arm,
+    arm: &'a Names,
     given: &'a [(&'a str, f64)],
     missing: Vec<String>,
 }

@@ -1,6 +1,6 @@
 //! An angle from two or more equations a cos u + b sin u + c = 0: sine and cosine both, one value.
 
-use super::kernel::{Argument, BatchedKernel, BatchedRoots, Call, Coefficient, Kernel, Representative, Roots};
+use super::kernel::{Argument, BatchedKernel, BatchedRoots, Call, Coefficient, Kernel, KernelRoots, Representative};
 use super::kernel::{minus, plus, row};
 use super::recognise::{Offer, Rank, Row, SingleUnknown};
 use super::{Kind, StepKind, Words};
@@ -17,8 +17,8 @@ static PAIR: Kernel = Kernel {
     is_sine_equation: false,
     unknowns: 1,
     run: |x, _, _, tolerance| {
-        let &[a, b, c, d, e, f] = x else { return Roots::none() };
-        Roots::of(&solve_pair(a, b, c, d, e, f, tolerance), |u| vec![u])
+        let &[a, b, c, d, e, f] = x else { return KernelRoots::none() };
+        KernelRoots::of(&solve_pair(a, b, c, d, e, f, tolerance), |u| vec![u])
     },
 };
 
@@ -32,12 +32,12 @@ static MANY: Kernel = Kernel {
     unknowns: 1,
     run: |x, _, _, tolerance| match *x {
         [a, b, c, d, e, f, g, h, i] => {
-            Roots::of(&solve_many(&[[a, b, c], [d, e, f], [g, h, i]], tolerance), |u| vec![u])
+            KernelRoots::of(&solve_many(&[[a, b, c], [d, e, f], [g, h, i]], tolerance), |u| vec![u])
         }
         [a, b, c, d, e, f, g, h, i, j, k, l] => {
-            Roots::of(&solve_many(&[[a, b, c], [d, e, f], [g, h, i], [j, k, l]], tolerance), |u| vec![u])
+            KernelRoots::of(&solve_many(&[[a, b, c], [d, e, f], [g, h, i], [j, k, l]], tolerance), |u| vec![u])
         }
-        _ => Roots::none(),
+        _ => KernelRoots::none(),
     },
 };
 

@@ -1,6 +1,6 @@
 //! Two angles from two equations, each linear in the sine and cosine of either angle: Pieper's method.
 
-use super::kernel::{Argument, Call, Coefficient, Kernel, Representative, Roots, row};
+use super::kernel::{Argument, Call, Coefficient, Kernel, KernelRoots, Representative, row};
 use super::recognise::{Offer, TwoUnknowns};
 use super::{Kind, Slot, StepKind, Words};
 use crate::planner::known::{Basis, Collected};
@@ -15,8 +15,8 @@ static BILINEAR: Kernel = Kernel {
     is_sine_equation: false,
     unknowns: 2,
     run: |x, _, free, tolerance| {
-        let (&[first, second], &[u, v]) = (x.as_chunks::<9>().0, free) else { return Roots::none() };
-        Roots::of(&solve_bilinear_choosing(&first, &second, [u, v], tolerance), |r| r.to_vec())
+        let (&[first, second], &[u, v]) = (x.as_chunks::<9>().0, free) else { return KernelRoots::none() };
+        KernelRoots::of(&solve_bilinear_choosing(&first, &second, [u, v], tolerance), |r| r.to_vec())
     },
 };
 

@@ -1,6 +1,6 @@
 //! All remaining joints at once by the elimination of the general six-axis arm (Raghavan and Roth 1990), where no equation has fewer unknowns.
 
-use super::kernel::{Argument, Call, Coefficient, Kernel, Representative, Roots, plus};
+use super::kernel::{Argument, Call, Coefficient, Kernel, KernelRoots, Representative, plus};
 use super::recognise::Scene;
 use super::{Kind, StepKind, Words};
 use crate::planner::known::Basis;
@@ -17,13 +17,13 @@ static GENERAL: Kernel = Kernel {
     is_sine_equation: false,
     unknowns: 6,
     run: |x, arguments, _, _| {
-        let (poses, []) = x.as_chunks::<12>() else { return Roots::none() };
+        let (poses, []) = x.as_chunks::<12>() else { return KernelRoots::none() };
         let pose = |k: usize| -> Pose {
             let p = poses.get(k).copied().unwrap_or_default();
             std::array::from_fn(|i| std::array::from_fn(|j| p[4 * i + j]))
         };
-        let Some(Argument::Elimination { prismatic, cuts }) = arguments.last() else { return Roots::none() };
-        Roots::of(&solve_general(&std::array::from_fn(pose), &pose(6), prismatic, *cuts), |r| r.to_vec())
+        let Some(Argument::Elimination { prismatic, cuts }) = arguments.last() else { return KernelRoots::none() };
+        KernelRoots::of(&solve_general(&std::array::from_fn(pose), &pose(6), prismatic, *cuts), |r| r.to_vec())
     },
 };
 

@@ -1,7 +1,7 @@
 //! An angle from the ratio of its sine and cosine: a cos u + b sin u = 0, two values half a turn apart. A second such equation decides
 //! where the first one vanishes.
 
-use super::kernel::{Argument, BatchedKernel, BatchedRoots, Call, Coefficient, Kernel, Representative, Roots};
+use super::kernel::{Argument, BatchedKernel, BatchedRoots, Call, Coefficient, Kernel, KernelRoots, Representative};
 use super::kernel::{plus, row, zero};
 use super::recognise::{Offer, Rank, Row, SingleUnknown};
 use super::sin_cos::SIN_COS;
@@ -19,8 +19,8 @@ static HALF_TURN: Kernel = Kernel {
     is_sine_equation: false,
     unknowns: 1,
     run: |x, _, _, tolerance| {
-        let &[a, b, c, d] = x else { return Roots::none() };
-        Roots::of(&solve_half_turn([a, b], [c, d], tolerance), |u| vec![u])
+        let &[a, b, c, d] = x else { return KernelRoots::none() };
+        KernelRoots::of(&solve_half_turn([a, b], [c, d], tolerance), |u| vec![u])
     },
 };
 

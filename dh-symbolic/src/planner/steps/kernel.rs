@@ -7,24 +7,24 @@ use dh_kernels::Outcome;
 pub type Unknown = [f64; 2];
 
 /// What a kernel found: values of all unknowns per root, and why there are as many.
-pub struct Roots {
+pub struct KernelRoots {
     /// One list per root, in the order of the unknowns.
     pub roots: Vec<Vec<Unknown>>,
     /// Why there are as many.
     pub outcome: Outcome,
 }
 
-impl Roots {
+impl KernelRoots {
     /// Nothing: the arguments are not those of the kernel.
-    pub(super) fn none() -> Roots {
-        Roots { roots: Vec::new(), outcome: Outcome::NoRealRoot }
+    pub(super) fn none() -> KernelRoots {
+        KernelRoots { roots: Vec::new(), outcome: Outcome::NoRealRoot }
     }
 
     pub(super) fn of<T: Copy + dh_kernels::Blank, const N: usize>(
         found: &dh_kernels::Roots<T, N>,
         unknowns: impl Fn(T) -> Vec<Unknown>,
-    ) -> Roots {
-        Roots { roots: found.iter().map(|r| unknowns(*r)).collect(), outcome: found.outcome }
+    ) -> KernelRoots {
+        KernelRoots { roots: found.iter().map(|r| unknowns(*r)).collect(), outcome: found.outcome }
     }
 }
 
@@ -115,7 +115,7 @@ pub enum Representative {
 
 /// Runs a kernel: its numbers, its arguments as they stand in the call, what free unknowns take, and the size below which a coefficient
 /// counts as zero.
-type Run = fn(numbers: &[f64], arguments: &[Argument<f64>], free: &[Unknown], tolerance: f64) -> Roots;
+type Run = fn(numbers: &[f64], arguments: &[Argument<f64>], free: &[Unknown], tolerance: f64) -> KernelRoots;
 
 /// A function of `dh-kernels` that finds all roots of some equations.
 #[derive(Debug)]
@@ -159,7 +159,7 @@ impl<N> Call<N> {
 
 impl Call<f64> {
     /// Runs the kernel; `free` is what the unknowns take where they are free.
-    pub fn run(&self, free: &[Unknown], tolerance: f64) -> Roots {
+    pub fn run(&self, free: &[Unknown], tolerance: f64) -> KernelRoots {
         let numbers: Vec<f64> = self.numbers().into_iter().copied().collect();
         let mut found = (self.kernel.run)(&numbers, &self.arguments, free, tolerance);
         if found.outcome == Outcome::Free && found.roots.is_empty() {

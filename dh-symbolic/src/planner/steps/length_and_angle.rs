@@ -1,6 +1,6 @@
 //! A length and an angle from two equations: up to the square of the length, linear in the angle's sine and cosine.
 
-use super::kernel::{Argument, Call, Coefficient, Kernel, Representative, Roots, row};
+use super::kernel::{Argument, Call, Coefficient, Kernel, KernelRoots, Representative, row};
 use super::recognise::{Offer, TwoUnknowns};
 use super::{Kind, Slot, StepKind, Words};
 use crate::planner::known::Basis;
@@ -15,9 +15,9 @@ static LENGTH_AND_ANGLE: Kernel = Kernel {
     is_sine_equation: false,
     unknowns: 2,
     run: |x, _, free, tolerance| {
-        let (&[first, second], &[[d, _], v]) = (x.as_chunks::<9>().0, free) else { return Roots::none() };
+        let (&[first, second], &[[d, _], v]) = (x.as_chunks::<9>().0, free) else { return KernelRoots::none() };
         let found = solve_length_squared_and_angle_choosing(&first, &second, (d, v), tolerance);
-        Roots::of(&found, |(d, v)| vec![[d, d], v])
+        KernelRoots::of(&found, |(d, v)| vec![[d, d], v])
     },
 };
 

@@ -18,7 +18,9 @@ mod second_harmonic;
 mod sin_cos;
 mod words;
 
-pub use kernel::{Argument, BatchedKernel, BatchedRoots, Call, Coefficient, Kernel, Representative, Roots, Unknown};
+pub use kernel::{
+    Argument, BatchedKernel, BatchedRoots, Call, Coefficient, Kernel, KernelRoots, Representative, Unknown,
+};
 pub(super) use recognise::{Offer, Row, Scene, SingleUnknown, TwoUnknowns};
 pub use sin_cos::ReachLimit;
 pub use words::{Slot, Wording, Words};

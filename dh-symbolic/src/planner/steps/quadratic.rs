@@ -1,6 +1,6 @@
 //! A length from one quadratic equation: a d^2 + b d + c = 0.
 
-use super::kernel::{Call, Coefficient, Kernel, Representative, Roots, row};
+use super::kernel::{Call, Coefficient, Kernel, KernelRoots, Representative, row};
 use super::recognise::{Offer, Rank, SingleUnknown};
 use super::{Kind, StepKind, Words};
 use crate::planner::known::Basis;
@@ -15,8 +15,8 @@ pub(super) static QUADRATIC: Kernel = Kernel {
     is_sine_equation: false,
     unknowns: 1,
     run: |x, _, _, tolerance| {
-        let &[a, b, c] = x else { return Roots::none() };
-        Roots::of(&solve_quadratic(a, b, c, tolerance), |d| vec![[d, d]])
+        let &[a, b, c] = x else { return KernelRoots::none() };
+        KernelRoots::of(&solve_quadratic(a, b, c, tolerance), |d| vec![[d, d]])
     },
 };
 

@@ -1,6 +1,6 @@
 //! An angle from a trigonometric polynomial of second degree: up to four values.
 
-use super::kernel::{Argument, Call, Coefficient, Kernel, Representative, Roots, plus};
+use super::kernel::{Argument, Call, Coefficient, Kernel, KernelRoots, Representative, plus};
 use super::recognise::{Offer, Rank, SingleUnknown};
 use super::{Kind, Slot, StepKind, Words};
 use crate::planner::known::Basis;
@@ -15,8 +15,8 @@ static SECOND_HARMONIC: Kernel = Kernel {
     is_sine_equation: false,
     unknowns: 1,
     run: |x, _, _, tolerance| {
-        let &[a, b, d, c, e] = x else { return Roots::none() };
-        Roots::of(&solve_second_harmonic(a, [b, d], [c, e], tolerance), |u| vec![u])
+        let &[a, b, d, c, e] = x else { return KernelRoots::none() };
+        KernelRoots::of(&solve_second_harmonic(a, [b, d], [c, e], tolerance), |u| vec![u])
     },
 };
 

@@ -1,7 +1,7 @@
 //! An angle from one equation in its sine and cosine: a cos u + b sin u + c = 0, two values. Where the equation says how far two points
 //! are apart it is the law of cosines.
 
-use super::kernel::{BatchedKernel, BatchedRoots, Call, Coefficient, Kernel, Representative, Roots, minus, plus};
+use super::kernel::{BatchedKernel, BatchedRoots, Call, Coefficient, Kernel, KernelRoots, Representative, minus, plus};
 use super::recognise::{Offer, Rank, SingleUnknown};
 use super::{Kind, StepKind, Words};
 use crate::algebra::{Poly, dot};
@@ -19,8 +19,8 @@ pub(super) static SIN_COS: Kernel = Kernel {
     is_sine_equation: true,
     unknowns: 1,
     run: |x, _, _, tolerance| {
-        let &[a, b, c] = x else { return Roots::none() };
-        Roots::of(&solve_sincos(a, b, c, tolerance), |u| vec![u])
+        let &[a, b, c] = x else { return KernelRoots::none() };
+        KernelRoots::of(&solve_sincos(a, b, c, tolerance), |u| vec![u])
     },
 };
 

@@ -4,7 +4,7 @@
 use super::{Instruction, Inverse, Loop, Report, Sequence, Solve};
 use crate::algebra::{AngleVar, Point, Symbol};
 use crate::chain::{Chain, Handle};
-use crate::planner::{Argument, Roots, Unknown};
+use crate::planner::{Argument, KernelRoots, Unknown};
 use crate::program::Value;
 use crate::program::interpret::Floats;
 use dh_kernels as ik;
@@ -176,7 +176,7 @@ struct State<'a> {
 impl Machine<'_> {
     /// Runs a block in a state of its own.
     fn run(&self, block: &Sequence, mut state: State<'_>, attempt: &mut InterpretedRun) {
-        let mut last: Option<Roots> = None;
+        let mut last: Option<KernelRoots> = None;
         for instruction in &block.0 {
             match instruction {
                 Instruction::Given { known } => {
@@ -207,7 +207,7 @@ impl Machine<'_> {
         }
     }
 
-    fn each_root(&self, over: &Loop, found: &Roots, state: &State<'_>, attempt: &mut InterpretedRun) {
+    fn each_root(&self, over: &Loop, found: &KernelRoots, state: &State<'_>, attempt: &mut InterpretedRun) {
         for (number, root) in found.roots.iter().enumerate() {
             let mut inner = state.clone();
             inner.branch.push(number);
@@ -219,7 +219,7 @@ impl Machine<'_> {
         }
     }
 
-    fn solve(&self, solve: &Solve, state: &State<'_>) -> Roots {
+    fn solve(&self, solve: &Solve, state: &State<'_>) -> KernelRoots {
         let known = &self.inverse.plan.knowledge.known;
         let free: Vec<Unknown> = solve
             .finds

@@ -32,7 +32,7 @@ impl Quotient {
 
 /// The values of the unknown, as formulas of what is known.
 #[derive(Clone, Default)]
-pub(crate) enum Roots {
+pub(crate) enum RootFormulas {
     /// No formula is printed.
     #[default]
     Unprinted,
@@ -48,28 +48,28 @@ pub(crate) enum Roots {
     Pair(Quotient, Quotient),
 }
 
-impl Roots {
+impl RootFormulas {
     /// The values, smallest sign first as they are printed; `at` evaluates a formula.
     pub(crate) fn values(&self, at: &dyn Fn(&Poly) -> f64) -> Vec<f64> {
         let over = |q: &Quotient| at(&q.top) / at(&q.below);
         let list = match self {
-            Roots::Unprinted => Vec::new(),
-            Roots::Linear(q) => vec![over(q)],
-            Roots::Quadratic(a, b, k) => {
+            RootFormulas::Unprinted => Vec::new(),
+            RootFormulas::Linear(q) => vec![over(q)],
+            RootFormulas::Quadratic(a, b, k) => {
                 let (a, b, k) = (at(a), at(b), over(k));
                 let root = (b * b + 4.0 * a * k).sqrt();
                 vec![(root - b) / (2.0 * a), (-root - b) / (2.0 * a)]
             }
-            Roots::SinCos(a, b, k) => {
+            RootFormulas::SinCos(a, b, k) => {
                 let (a, b, k) = (at(a), at(b), over(k));
                 let (middle, apart) = (b.atan2(a), (a * a + b * b - k * k).sqrt().atan2(k));
                 vec![middle + apart, middle - apart]
             }
-            Roots::HalfTurn(a, b) => {
+            RootFormulas::HalfTurn(a, b) => {
                 let (a, b) = (at(a), at(b));
                 vec![(-a).atan2(b), a.atan2(-b)]
             }
-            Roots::Pair(c, s) => vec![over(s).atan2(over(c))],
+            RootFormulas::Pair(c, s) => vec![over(s).atan2(over(c))],
         };
         list.into_iter().filter(|x| x.is_finite()).collect()
     }
@@ -85,7 +85,7 @@ pub(crate) struct Solution {
     /// The same and the name of the right side, as formulas.
     pub(crate) letters: Vec<(Math, Quotient)>,
     /// The values of the unknown.
-    pub(crate) roots: Roots,
+    pub(crate) roots: RootFormulas,
     /// The unknown.
     pub(crate) formulas: Vec<(Math, Math)>,
     /// Does another equation give the unknown in the same way where this one vanishes?
@@ -226,7 +226,7 @@ impl SolutionWriter<'_, '_> {
 
     fn linear(&mut self, unknown: Math, row: &Row) {
         let a = row.coefficient(Basis::Power(1));
-        self.out.roots = Roots::Linear(Quotient::new(&row.right, &(&a * &row.divisor)));
+        self.out.roots = RootFormulas::Linear(Quotient::new(&row.right, &(&a * &row.divisor)));
         let value = match a.as_rational() {
             Some(x) if x.is_one() => row.known_side(self.explanation),
             Some(x) if (-&x).is_one() && row.divisor.is_one() => self.typeset(&-&row.right),
@@ -239,7 +239,7 @@ impl SolutionWriter<'_, '_> {
     /// a d^2 + b d = k.
     fn quadratic(&mut self, unknown: Math, row: &Row) {
         let (a, b) = (row.coefficient(Basis::Power(2)), row.coefficient(Basis::Power(1)));
-        self.out.roots = Roots::Quadratic(a.clone(), b.clone(), Quotient::new(&row.right, &row.divisor));
+        self.out.roots = RootFormulas::Quadratic(a.clone(), b.clone(), Quotient::new(&row.right, &row.divisor));
         let k = self.right(row);
         let (a, b) = (self.named(&a), self.named(&b));
         let monic = a.is_one();
@@ -264,7 +264,7 @@ impl SolutionWriter<'_, '_> {
     /// a cos + b sin = 0.
     fn half_turn(&mut self, unknown: Math, row: &Row, more: &[Row]) {
         let (a, b) = (row.coefficient(Basis::Cos(1)), row.coefficient(Basis::Sin(1)));
-        self.out.roots = Roots::HalfTurn(a.clone(), b.clone());
+        self.out.roots = RootFormulas::HalfTurn(a.clone(), b.clone());
         let (x, y) = (self.short(&a), self.short(&b));
         let right = Math::Row(vec![
             atan2(self.typeset(&-&x), self.typeset(&y)),
@@ -287,7 +287,7 @@ impl SolutionWriter<'_, '_> {
     /// a cos + b sin = k.
     fn sin_cos(&mut self, unknown: Math, row: &Row) {
         let (a, b) = (row.coefficient(Basis::Cos(1)), row.coefficient(Basis::Sin(1)));
-        self.out.roots = Roots::SinCos(a.clone(), b.clone(), Quotient::new(&row.right, &row.divisor));
+        self.out.roots = RootFormulas::SinCos(a.clone(), b.clone(), Quotient::new(&row.right, &row.divisor));
         let k = self.right(row);
         if b.is_zero() || a.is_zero() {
             // one of them alone: the unit circle gives the other
@@ -334,7 +334,7 @@ impl SolutionWriter<'_, '_> {
         let orthogonal = cs.is_zero() && !cc.is_zero() && !ss.is_zero() && !divided;
         if orthogonal {
             self.out.roots =
-                Roots::Pair(Quotient::new(&dot(&parts, 0, 2), &cc), Quotient::new(&dot(&parts, 1, 2), &ss));
+                RootFormulas::Pair(Quotient::new(&dot(&parts, 0, 2), &cc), Quotient::new(&dot(&parts, 1, 2), &ss));
             let mut letters = |p: &[Poly; 3]| -> [Poly; 3] { std::array::from_fn(|i| self.named(&p[i])) };
             let single = |p: &[Poly; 3]| p[0].as_rational().is_some() && p[1].as_rational().is_some();
             let named: Vec<[Poly; 3]> = parts.iter().map(|p| if single(p) { p.clone() } else { letters(p) }).collect();
@@ -371,7 +371,7 @@ impl SolutionWriter<'_, '_> {
                 self.out.coefficients = vec![determinant];
             }
             let (c, s) = (cramer([f, k, b, l]), cramer([a, l, e, k]));
-            self.out.roots = Roots::Pair(Quotient::new(&c, &below), Quotient::new(&s, &below));
+            self.out.roots = RootFormulas::Pair(Quotient::new(&c, &below), Quotient::new(&s, &below));
         }
         let mut letters = |p: &[Poly; 3]| -> [Poly; 3] { std::array::from_fn(|i| self.named(&p[i])) };
         let [a, b, k] =

@@ -8,8 +8,8 @@ use crate::program::{BatchedSolve, Node, What};
 use crate::render::code::body::{Body, Dialect};
 use crate::render::code::steps::argument;
 
-/// The roots of a step, as the loops name them. A length (over the length scale) takes the place of both cosine and sine.
-struct Roots {
+/// The names that the loops give to the roots of a step. A length (over the length scale) takes the place of both cosine and sine.
+struct StepNames {
     /// Which step.
     step: usize,
     /// The joint value of the first root, and of the second.
@@ -30,7 +30,7 @@ struct Roots {
     spread: usize,
 }
 
-impl Roots {
+impl StepNames {
     /// Expression of the joint value of the first root.
     fn first_angle(&self) -> String {
         self.angle(&self.first)
@@ -77,7 +77,7 @@ impl BatchedWriter<'_> {
         let opposite = solve.kernel.roots == BatchedRoots::Opposite;
         let second = if opposite { first.clone().map(|x| format!("-{x}")) } else { of_root("second") };
         let values = [variable.value.clone(), format!("{}_second", variable.value)];
-        let roots = Roots { step: i, values, names, first, second, is_angle, opposite, layout, spread };
+        let roots = StepNames { step: i, values, names, first, second, is_angle, opposite, layout, spread };
         let name = self.inverse.plan.steps[i].words().name.english;
         let unknown = &self.inverse.plan.knowledge.known[solve.known].name;
         self.loops.inner.push_str(&format!("// Step {}: {unknown} from {name}.\n", i + 1));
@@ -92,7 +92,7 @@ impl BatchedWriter<'_> {
     }
 
     /// The roots, whatever becomes of them, and how well they are determined.
-    fn solve(&mut self, body: &Body<'_>, solve: &BatchedSolve, roots: &Roots) {
+    fn solve(&mut self, body: &Body<'_>, solve: &BatchedSolve, roots: &StepNames) {
         let (value, [x, y], [z, w]) = (&roots.values[0], &roots.first, &roots.second);
         let kernel = &solve.kernel;
         let arguments: Vec<String> =
@@ -117,7 +117,7 @@ impl BatchedWriter<'_> {
     }
 
     /// One root in every branch: it has its name already, and is stored where a later loop needs it.
-    fn keep(&mut self, roots: &Roots) {
+    fn keep(&mut self, roots: &StepNames) {
         for (_, name) in roots.parts() {
             let later = (0..self.batched.depths.len()).any(|k| {
                 let symbol = matches!(self.inverse.graph.nodes()[k], Node::Symbol(_));
@@ -132,7 +132,7 @@ impl BatchedWriter<'_> {
     }
 
     /// A step that is solved once: its roots are written out for the branches.
-    fn spread_one(&mut self, roots: &Roots) {
+    fn spread_one(&mut self, roots: &StepNames) {
         let (value, [x, y], [z, w]) = (&roots.values[0], &roots.first, &roots.second);
         for (k, name) in roots.parts() {
             let (first, second) = (&roots.first[k], &roots.second[k]);
@@ -154,7 +154,7 @@ impl BatchedWriter<'_> {
     }
 
     /// A step that is solved in a loop: its roots go into arrays, the second one behind the first.
-    fn spread_branches(&mut self, roots: &Roots) {
+    fn spread_branches(&mut self, roots: &StepNames) {
         let Layout { before, roots: count, p } = roots.layout;
         let (step, many, [value, other]) = (roots.step, p * count, &roots.values);
         let array = format!("{value}_pairs");
