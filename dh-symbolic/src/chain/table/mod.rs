@@ -38,11 +38,11 @@ pub(crate) mod text;
 pub use origin::{Column, Origins};
 pub use statements::{ClaimTokens, Head};
 
-use super::{AngleCell, ChainSpec, MotionSpec, Quantity, Settings};
+use super::{AngleCell, ChainSpec, LengthUnit, MotionSpec, Quantity, Settings};
 use crate::diagnostic::{Error, Errors, Place};
-use proc_macro2::{Ident, TokenStream, TokenTree};
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use scope::{Kind, Scope};
-use statements::Written;
+use statements::{SettingLine, Written};
 
 /// What was read.
 #[derive(Debug)]
@@ -182,6 +182,19 @@ pub fn parse(input: TokenStream) -> Parsed {
         _ => None,
     };
     Parsed { head: written.head, spec, sketch, claims: written.claims, origins, errors }
+}
+
+/// A product of motions that stands alone, such as `tx(830mm) * rz(30deg)`, by the rules of `base` and `tool`.
+///
+/// # Errors
+/// All that is wrong with it, at places of this text.
+pub fn motions(text: &str, unit: &LengthUnit) -> Result<Vec<MotionSpec>, Errors> {
+    let value: Vec<TokenTree> = crate::diagnostic::lex(text)?.into_iter().collect();
+    let place = Place::of_all(&value).unwrap_or_else(Place::call_site);
+    let line = SettingLine { name: Ident::new("base", Span::call_site()), value, place };
+    let mut errors = Errors::new();
+    let list = motion::read(&line, &Scope { names: Vec::new(), unit: unit.clone() }, &mut errors);
+    if errors.is_empty() { Ok(list) } else { Err(errors) }
 }
 
 /// What a cell of a header says, in the spellings of books and data sheets: the column, whether it shows the index i-1, and the unit of

@@ -1,27 +1,17 @@
 //! Reads the joint values or the pose that `--example` and its like give for the worked example.
 
-use crate::chain::table::parse;
-use crate::chain::{AngleCell, Bound, Chain, Coordinate, LengthCell, MotionSpec, Nominal, Role};
-use crate::diagnostic::{Errors, lex};
+use crate::chain::{AngleCell, Bound, Chain, Coordinate, LengthCell, MotionSpec, Nominal, Role, table};
 
 /// A product of motions, read by the rules and in the unit of a table.
 ///
 /// # Errors
 /// What is wrong with the text.
 pub(super) fn motions(chain: &Chain, what: &str, text: &str) -> Result<Vec<MotionSpec>, String> {
-    // A table that has nothing but these motions.
-    let unit = chain.settings.unit.name;
-    let source = format!(
-        "pub struct Pose; convention = modified; unit = {unit}; base = {text};\n| alpha | a | d | theta |\n| 0 | 0 | 0 | q1 |\n"
-    );
-    let fail = |errors: Errors| {
-        let drawn = errors.draw(&source, what);
+    table::motions(text, &chain.settings.unit).map_err(|errors| {
+        let drawn = errors.draw(text, what);
         let first = drawn.lines().next().unwrap_or_default().trim_start_matches("error: ");
         format!("`{what}` `{text}`: {first}")
-    };
-    let mut parsed = parse(lex(&source).map_err(fail)?);
-    let spec = parsed.spec.take().filter(|_| parsed.errors.is_empty());
-    spec.map(|s| s.base).ok_or_else(|| fail(parsed.errors))
+    })
 }
 
 /// Values of some variables, `q1 = 20deg, q3 = 0.1m`: radians and table units, by joint.
