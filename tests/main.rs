@@ -13,6 +13,7 @@ mod corners;
 mod coupled;
 mod determinism;
 mod digits;
+mod export;
 mod fixtures;
 mod fresh;
 mod handwork;

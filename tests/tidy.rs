@@ -8,12 +8,14 @@ const STAGES: [&str; 9] =
     ["algebra", "chain", "kinematics", "planner", "program", "render", "verify", "import", "robot"];
 
 /// Folders of one stage that know nothing of each other, or of which the first knows nothing of the second.
-const APART: [(&str, &str); 6] = [
+const APART: [(&str, &str); 8] = [
     ("render/formula", "render::code"),
     ("render/formula", "render::document"),
     ("render/code", "render::document"),
     ("render/code/javascript", "code::rust"),
     ("render/code/rust", "code::javascript"),
+    ("render/code/c", "code::rust"),
+    ("render/code/c", "code::javascript"),
     ("verify/language", "verify::check"),
 ];
 

@@ -137,6 +137,18 @@ impl Branch {
         }
     }
 
+    /// The branch as a number: to be stored, or passed to programs in other languages. 0 is [`Branch::ANY`].
+    #[inline]
+    pub const fn to_bits(self) -> u64 {
+        self.0
+    }
+
+    /// The branch of such a number; any other number is some branch too.
+    #[inline]
+    pub const fn from_bits(bits: u64) -> Self {
+        Self(bits)
+    }
+
     /// Whether this branch is as `wanted` says, in everything that `wanted` does say.
     #[inline]
     pub const fn agrees_with(self, wanted: Self) -> bool {
@@ -261,6 +273,7 @@ mod tests {
         );
         assert_eq!(branch.with_elbow(Elbow::Up).with_elbow(Elbow::Down), branch);
         assert_eq!(branch.with_step(3, 0).with_step(3, 21), branch);
+        assert_eq!(Branch::from_bits(branch.to_bits()), branch);
     }
 
     #[test]

@@ -68,6 +68,12 @@ impl FreeJoints {
         self.0.count_ones() as usize
     }
 
+    /// The set as a number: bit `i` is joint `i`.
+    #[inline]
+    pub const fn to_bits(self) -> u32 {
+        self.0
+    }
+
     /// The indices of the free joints, rising.
     #[inline]
     pub const fn iter(self) -> FreeJointsIter {
@@ -131,7 +137,7 @@ mod tests {
     #[test]
     fn sets_are_constants_and_combine() {
         const WRIST: FreeJoints = FreeJoints::of(&[5, 3, 3]);
-        assert_eq!(WRIST.len(), 2);
+        assert_eq!((WRIST.len(), WRIST.to_bits()), (2, 0b10_1000));
         assert_eq!(WRIST.union(FreeJoints::NONE.with(0)).to_string(), "q1, q4, q6");
         assert_eq!(format!("{WRIST:?}"), "{q4, q6}");
         assert_eq!(FreeJoints::NONE.to_string(), "");

@@ -101,6 +101,29 @@ pub fn from_matrix<T: Real>(matrix: &Matrix4<T>) -> Result<IsometryMatrix3<T>, W
     if deviation > T::ROTATION_TOLERANCE { Err(Why::NotARotation { deviation }) } else { Ok(pose) }
 }
 
+/// The rows of the homogeneous matrix of a pose: what programs in other languages pass around.
+#[inline]
+pub fn to_rows<T: Real>(pose: &IsometryMatrix3<T>) -> [[T; 4]; 4] {
+    let (r, p) = (pose.rotation.matrix(), &pose.translation.vector);
+    let row = |i: usize| [r[(i, 0)], r[(i, 1)], r[(i, 2)], p[i]];
+    [row(0), row(1), row(2), [T::zero(), T::zero(), T::zero(), T::one()]]
+}
+
+/// The pose of a homogeneous matrix given by its rows. An exact last row makes it a pose unchecked: functions that take it check the rest.
+///
+/// # Errors
+///
+/// Where the last row is not exactly `0 0 0 1`: as [`from_matrix`].
+#[inline]
+pub fn from_rows<T: Real>(rows: &[[T; 4]; 4]) -> Result<IsometryMatrix3<T>, Why<T>> {
+    let [[xx, yx, zx, x], [xy, yy, zy, y], [xz, yz, zz, z], [a, b, c, d]] = *rows;
+    let zero = T::zero();
+    if a == zero && b == zero && c == zero && d == T::one() {
+        return Ok(from_entries([[xx, yx, zx], [xy, yy, zy], [xz, yz, zz]], [x, y, z]));
+    }
+    from_matrix(&Matrix4::from(*rows).transpose())
+}
+
 /// The pose with the rotation that is nearest to its matrix: for targets that lost digits on the way.
 ///
 /// Newton's iteration `R <- R (3 - R^T R) / 2`, which converges for matrices less than half off (entries of
@@ -213,6 +236,19 @@ mod tests {
         assert_eq!(from_matrix(&matrix), Err(Why::NotARotation { deviation: 1.0 }));
         matrix[(3, 0)] = f64::NAN;
         assert_eq!(from_matrix(&matrix), Err(Why::NotFinite));
+    }
+
+    #[test]
+    fn rows_go_there_and_back() {
+        let mut rows = to_rows(&some_pose());
+        assert_eq!(from_rows(&rows), Ok(some_pose()));
+        assert_eq!(rows[1][3], -0.2);
+        rows[3][3] = 1.0 + 1e-9;
+        assert_eq!(from_rows(&rows), Ok(some_pose()));
+        rows[3][1] = 0.5;
+        assert_eq!(from_rows(&rows), Err(Why::NotARotation { deviation: 0.5 }));
+        rows[3][1] = f64::NAN;
+        assert_eq!(from_rows(&rows), Err(Why::NotFinite));
     }
 
     #[test]

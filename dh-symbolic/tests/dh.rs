@@ -348,3 +348,50 @@ fn a_book_gets_its_notes() {
     let (code, out, err) = dh(&["mdbook"], &book(&PLANAR.replace("| 0     | l1 |", "| 0     | l9 |")));
     assert!(code == 2 && out.is_empty() && err.contains("a.md:12:") && err.contains("^^"), "{err}");
 }
+
+#[test]
+fn a_folder_for_c_appears_whole_or_not_at_all() {
+    let place = std::env::temp_dir().join(format!("dh-export-{}", std::process::id()));
+    std::fs::create_dir_all(&place).expect("a folder");
+    let out = place.join("new/planar");
+    let out_text = out.to_string_lossy().into_owned();
+    let export = |more: &[&str], input: &str| {
+        let arguments = [&["export", "--to", "c", "--out", out_text.as_str()], more].concat();
+        dh(&arguments, input)
+    };
+    let position = PLANAR.replace("convention", "task = position; convention");
+    let (code, _, err) = export(&[], &position.replace("| 0     | l1 |", "| 0     | l9 |"));
+    assert!(code == 2 && err.contains("^^") && !out.exists(), "{err}");
+    for bad in [
+        &["--name", "int"][..],
+        &["--dh-robot", "/nowhere"],
+        &["--fast"],
+        &["a.dh", "b.dh"],
+        &["--to", "ada"],
+        &["--name"],
+    ] {
+        let (code, printed, err) = export(bad, &position);
+        assert!(code == 2 && printed.is_empty() && err.starts_with("error: ") && !out.exists(), "{bad:?}: {err}");
+    }
+    assert_eq!((dh(&["export", "--to", "c"], &position).0, dh(&["export", "--out", "x"], &position).0), (2, 2));
+    assert_eq!(export(&[], &format!("{position}prove {{ T(0,3).px = 0; }}")).0, 1);
+
+    let (code, printed, err) = export(&["-"], &position);
+    assert_eq!((code, printed.as_str()), (0, ""), "{err}");
+    let read = |path: &str| std::fs::read_to_string(out.join(path)).unwrap_or_default();
+    assert!(read("include/planar.h").contains("int planar_inverse(const double point[3]"));
+    assert!(read("Cargo.toml").contains(&format!("dh-robot = '{}'", env!("CARGO_PKG_VERSION"))));
+
+    // What is there is kept, unless one insists; then files of the same name are replaced and others stay.
+    std::fs::write(out.join("mine.c"), "mine").expect("a file");
+    std::fs::write(out.join("README.md"), "old").expect("a file");
+    let (code, _, err) = export(&[], &position);
+    assert!(code == 2 && err.contains("not empty") && read("README.md") == "old", "{err}");
+    let crate_folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../dh-robot");
+    assert_eq!(export(&["--force", "--dh-robot", crate_folder], &position).0, 0);
+    assert!(read("README.md").starts_with("# planar") && read("mine.c") == "mine");
+    assert!(read("Cargo.toml").contains("dh-robot = { path = '/"));
+    let names = std::fs::read_dir(&out).expect("the folder").map(|e| e.expect("an entry").file_name());
+    assert_eq!(names.filter(|name| name.to_string_lossy().contains("part")).count(), 0);
+    std::fs::remove_dir_all(place).ok();
+}

@@ -14,7 +14,7 @@ pub mod formula;
 mod language;
 pub mod refusal;
 
-pub use code::rust::rustdoc;
+pub use code::rustdoc;
 #[cfg(feature = "documents")]
 pub use document::{Document, Format, InversePlan, Options, Part, notes, page};
 pub use formula::{Style, Transforms};

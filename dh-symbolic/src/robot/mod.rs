@@ -10,12 +10,14 @@
 
 mod compare;
 mod error;
+mod export;
 mod formula;
 mod matrix;
 mod names;
 
 pub use compare::Comparison;
 pub use error::{EvalError, Mistake, TableError};
+pub use export::ExportOptions;
 pub use formula::Formula;
 pub use matrix::Matrix;
 

@@ -17,6 +17,7 @@ dh: kinematics from a Denavit-Hartenberg table
   dh expand  [FILE]   the Rust code that dh_robot! leaves behind
   dh compare A B      are two tables the same arm? If so, the constant transforms between their frames
   dh import  FILE     a table from URDF, CSV, toolbox scripts, calibrations (`dh import --help`)
+  dh export  FILE     a folder with C and C++ interfaces of the arm (`dh export --help`)
   dh mdbook           preprocessor for mdBook: fenced `dh` blocks become notes
 
   --to text|latex|markdown|typst|html   format of notes and plans; plans also: mermaid; notes also: page;

@@ -31,13 +31,14 @@ pub(crate) fn run(request: &Request) -> Answer {
 }
 
 /// The robot of a file.
-fn robot(file: Option<&String>) -> Result<Robot, Answer> {
+pub(crate) fn robot(file: Option<&String>) -> Result<Robot, Answer> {
     let file = file.map(String::as_str);
     let text = read(file)?;
     Robot::parse_file(file.filter(|f| *f != "-").unwrap_or("standard input"), &text).map_err(drawn)
 }
 
-fn drawn(error: TableError) -> Answer {
+/// Errors of a table, drawn.
+pub(crate) fn drawn(error: TableError) -> Answer {
     Answer::bad(error.to_string())
 }
 

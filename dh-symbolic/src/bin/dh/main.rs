@@ -4,6 +4,7 @@
 
 mod arguments;
 mod commands;
+mod export;
 mod import;
 mod output;
 
@@ -14,6 +15,9 @@ fn main() -> ExitCode {
     let mut arguments = std::env::args_os().skip(1).peekable();
     if arguments.next_if(|word| word == "import").is_some() {
         return import::run(arguments).give();
+    }
+    if arguments.next_if(|word| word == "export").is_some() {
+        return export::run(arguments).give();
     }
     let answer = match Request::read(arguments) {
         Ok(request) => commands::run(&request),

@@ -83,3 +83,41 @@ pub(crate) fn write_whole(path: &Path, text: &str) -> std::io::Result<()> {
     }
     done
 }
+
+/// Writes the files of a folder, by their paths in it. They are complete before the first one appears; a new folder appears with all of them.
+///
+/// # Errors
+/// What is wrong: the folder is not empty and may not be written into, or a file cannot be written.
+pub(crate) fn write_folder(folder: &Path, files: &[(String, String)], force: bool) -> Result<(), String> {
+    let text = |e: std::io::Error| e.to_string();
+    let exists = folder.exists();
+    if exists && !folder.is_dir() {
+        return Err("there is a file of this name".to_string());
+    }
+    if exists && !force && std::fs::read_dir(folder).map_err(text)?.next().is_some() {
+        return Err("the folder is not empty (`--force` replaces the files of the same names)".to_string());
+    }
+    // On the same disk as the folder, so that moving is renaming.
+    let part = format!(".dh-export.{}.part", std::process::id());
+    let staged = if exists { folder.join(part) } else { folder.with_file_name(part) };
+    let write = || -> std::io::Result<()> {
+        std::fs::create_dir_all(&staged)?;
+        for (path, text) in files {
+            let place = staged.join(path);
+            std::fs::create_dir_all(place.parent().unwrap_or(&staged))?;
+            std::fs::write(&place, text)?;
+        }
+        if !exists {
+            return std::fs::rename(&staged, folder);
+        }
+        for (path, _) in files {
+            let place = folder.join(path);
+            std::fs::create_dir_all(place.parent().unwrap_or(folder))?;
+            std::fs::rename(staged.join(path), &place)?;
+        }
+        Ok(())
+    };
+    let done = write().map_err(text);
+    let _ = std::fs::remove_dir_all(&staged);
+    done
+}

@@ -1,10 +1,14 @@
-//! Prints programs and plans as Rust items and as JavaScript.
+//! Prints programs and plans as Rust items and as JavaScript, and interfaces to the Rust code for C and C++.
 //!
 //! **In:** a chain, its programs and its inverse. **Out:** text and tokens. `body` prints straight lines, `steps`, `drive` and `names`
-//! what surrounds them; [`rust`] and `javascript` (feature `documents`: only the interactive page needs it) are siblings over this
+//! what surrounds them; [`rust`], `javascript` and `c` (feature `documents`: the macro does without these two) are siblings over this
 //! base.
 
 pub(in crate::render) mod body;
+#[cfg(feature = "documents")]
+pub mod c;
+mod closed_form;
+mod docs;
 pub(in crate::render) mod drive;
 #[cfg(feature = "documents")]
 pub mod javascript;
@@ -15,6 +19,8 @@ pub(in crate::render) mod steps;
 use crate::algebra::{Point, Poly};
 use crate::chain::{AngleCell, Bound, Chain, Handle, Role, Scalar};
 use body::Code;
+
+pub use closed_form::rustdoc;
 
 /// Name of the number type.
 pub(crate) fn scalar_name(s: Scalar) -> &'static str {

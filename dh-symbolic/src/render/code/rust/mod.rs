@@ -7,12 +7,10 @@
 mod batch;
 mod batched;
 mod candidates;
-mod docs;
 mod forward;
 mod inverse;
 #[cfg(feature = "cli")]
 mod pretty;
-mod rustdoc;
 mod structure;
 mod stub;
 mod target;
@@ -22,6 +20,5 @@ mod verify;
 pub use inverse::inverse;
 #[cfg(feature = "cli")]
 pub use pretty::pretty;
-pub use rustdoc::rustdoc;
 pub use structure::{Head, Items, robot};
 pub use stub::stub;

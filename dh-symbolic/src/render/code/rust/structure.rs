@@ -1,9 +1,9 @@
 //! Generates the robot's type with its fields, constants and default, and assembles all items.
 
-use super::{docs, forward};
+use super::forward;
 use crate::chain::{Chain, Role};
 use crate::program::Forward;
-use crate::render::code::{bound, literal, scalar_name};
+use crate::render::code::{bound, docs, literal, scalar_name};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
@@ -58,7 +58,7 @@ impl Items {
 /// All items of a robot. `inverse` is the text of further functions and traits.
 pub fn robot(head: &Head, chain: &Chain, programs: &Forward, inverse: &str, extra_docs: &str) -> Items {
     let name = head.ident.to_string();
-    let declaration = declaration(head, chain, &docs::table(head, chain, extra_docs));
+    let declaration = declaration(head, chain, &docs::table(chain, &head.table, &head.motions, extra_docs));
     let joints: Vec<String> = chain.joints.iter().enumerate().map(|(i, j)| joint(chain, i, j)).collect();
     let (n, f) = (chain.dof(), scalar_name(chain.settings.scalar));
     let text = format!(

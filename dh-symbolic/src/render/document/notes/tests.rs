@@ -105,7 +105,7 @@ fn closed_forms_for_rustdoc() {
         .map(|(name, table)| {
             let chain = chain(table);
             let kinematics = Kinematics::new(&chain);
-            format!("{name}\n{}\n", crate::render::code::rust::rustdoc(&chain, &kinematics))
+            format!("{name}\n{}\n", crate::render::code::rustdoc(&chain, &kinematics))
         })
         .collect();
     insta::with_settings!({ omit_expression => true }, { insta::assert_snapshot!("rustdoc", all) });

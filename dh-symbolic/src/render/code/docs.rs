@@ -1,6 +1,5 @@
 //! Doc comments of generated types: fields, the table as it was written.
 
-use super::Head;
 use crate::chain::{Chain, Convention, Handle, Nominal, Parameter, Role};
 
 /// Docs of a field.
@@ -16,22 +15,26 @@ pub(super) fn field(chain: &Chain, p: &Parameter) -> String {
     format!(" `{}` in {unit}{nominal}.", p.name)
 }
 
-/// The Denavit-Hartenberg table in Markdown, cell by cell as it was written, followed by further text.
-pub(super) fn table(head: &Head, chain: &Chain, extra: &str) -> String {
+/// What the table below is.
+pub(super) fn heading(chain: &Chain) -> String {
     let convention = match chain.convention {
         Convention::Standard => "standard convention (theta, d, a and alpha of one link)",
         Convention::Modified => "modified convention (Craig: alpha and a of the link before)",
     };
-    let unit = chain.settings.unit.name;
-    let mut out = format!("\nDenavit-Hartenberg table, {convention}; bare lengths in {unit}:\n\n");
-    for (i, row) in head.table.iter().enumerate() {
+    format!("Denavit-Hartenberg table, {convention}; bare lengths in {}:", chain.settings.unit.name)
+}
+
+/// The Denavit-Hartenberg table in Markdown, cell by cell as it was written, with `base` and `tool`, followed by further text.
+pub(super) fn table(chain: &Chain, table: &[Vec<String>], motions: &[(String, String)], extra: &str) -> String {
+    let mut out = format!("\n{}\n\n", heading(chain));
+    for (i, row) in table.iter().enumerate() {
         let cells: Vec<String> = row.iter().map(|c| escape(c)).collect();
         out.push_str(&format!("| {} |\n", cells.join(" | ")));
         if i == 0 {
             out.push_str(&format!("|{}\n", "---|".repeat(row.len())));
         }
     }
-    for (name, value) in &head.motions {
+    for (name, value) in motions {
         out.push_str(&format!("\n`{name} = {value};`\n"));
     }
     out.push_str(extra);

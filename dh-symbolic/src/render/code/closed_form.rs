@@ -1,4 +1,4 @@
-//! The closed form of the pose as documentation of the generated type.
+//! The closed form of the pose as text, for the documentation of generated code.
 
 use crate::algebra::{Poly, Transform};
 use crate::chain::Chain;
@@ -15,8 +15,22 @@ const MOST_TERMS: usize = 500;
 /// Glyphs on a line.
 const WIDTH: usize = 84;
 
-/// Markdown: the pose in closed form, with what its abbreviations mean. Names are those of the code: q1, q2, and the fields.
+/// The pose in closed form.
+pub(in crate::render) struct ClosedForm {
+    /// What the formulas are, or why there are none.
+    pub(in crate::render) heading: String,
+    /// The formulas in lines, with what their abbreviations mean; empty where nobody would read them.
+    pub(in crate::render) formulas: String,
+}
+
+/// Markdown for the documentation of the generated type.
 pub fn rustdoc(chain: &Chain, kinematics: &Kinematics) -> String {
+    let ClosedForm { heading, formulas } = closed_form(chain, kinematics);
+    if formulas.is_empty() { format!("\n{heading}\n") } else { format!("\n{heading}\n\n```text\n{formulas}```\n") }
+}
+
+/// The pose of the tool in the base. Names are those of the code: q1, q2, and the fields.
+pub(in crate::render) fn closed_form(chain: &Chain, kinematics: &Kinematics) -> ClosedForm {
     let named = named_offsets(chain);
     let own;
     let kinematics = if named.is_some() {
@@ -29,12 +43,14 @@ pub fn rustdoc(chain: &Chain, kinematics: &Kinematics) -> String {
     let pose = kinematics.pose();
     let count: usize = entries(&pose).map(|(_, _, p)| p.terms().len()).sum();
     if count > MOST_TERMS {
-        return format!("\nThe pose in closed form has {count} terms; `dh notes` derives it step by step.\n");
+        let heading = format!("The pose in closed form has {count} terms; `dh notes` derives it step by step.");
+        return ClosedForm { heading, formulas: String::new() };
     }
     let (order, notation) = (Order::of(chain), Notation::of_code(chain));
     let list: Vec<(usize, usize, Expression)> = entries(&pose).map(|(i, j, p)| (i, j, order.group(p))).collect();
     let end = if chain.tool.is_empty() { "last frame" } else { "tool" };
-    let mut out = format!("\nPose of the {end} in the base, rotation and translation:\n\n```text\n");
+    let heading = format!("Pose of the {end} in the base, rotation and translation:");
+    let mut out = String::new();
     let cells: Vec<Vec<Math>> =
         (0..3).map(|i| list.iter().filter(|e| e.0 == i).map(|e| notation.typeset(&e.2)).collect()).collect();
     let wide: usize =
@@ -61,8 +77,7 @@ pub fn rustdoc(chain: &Chain, kinematics: &Kinematics) -> String {
     meanings.extend(relations(chain, &notation, &order).into_iter().map(|(left, right)| Math::equation(left, right)));
     meanings.extend(constants(chain, &notation, &pose));
     paragraph(&meanings, &mut out);
-    out.push_str("```\n");
-    out
+    ClosedForm { heading, formulas: out }
 }
 
 fn entries(t: &Transform) -> impl Iterator<Item = (usize, usize, &Poly)> {
