@@ -22,6 +22,7 @@ pub use cost::Cost;
 pub use graph::{Graph, Node, Value};
 pub use identity::test_identities;
 pub use interpret::Inputs;
+pub(crate) use inverse::sides;
 pub use inverse::{
     Batched, BatchedSolve, Choice, Distance, Indicator, Instruction, InterpretedRun, InterpretedSolution, Inverse,
     Item, Loop, Mirror, Naming, Report, Residual, Sequence, Shortfall, Solve, TOLERANCE, What, Yield,

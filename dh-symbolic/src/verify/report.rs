@@ -1,6 +1,7 @@
 //! The wording of verdicts on hand derivations, for `dh check`, compile errors and the errata page.
 
 use crate::algebra::Poly;
+use crate::program::Indicator;
 use crate::render::formula::expression::Expression;
 use crate::render::formula::grouping::Order;
 use crate::render::formula::plain;
@@ -13,6 +14,8 @@ use std::fmt::Write;
 
 /// Longer formulas are cut.
 const LONGEST: usize = 600;
+/// A line that is named in a message about another is cut here.
+const SHORT_LINE: usize = 40;
 
 /// What is to be said about one line: a headline, and details one per line of text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -74,6 +77,20 @@ pub fn condition_text(report: &Report, c: &Condition) -> String {
     format!("{} {sign} 0", plain::expression(&report.ring, &e))
 }
 
+/// "the shoulder is left and the elbow is up"
+pub fn configuration_text(parts: &[(Indicator, bool)]) -> Option<String> {
+    let one = |(part, first): &(Indicator, bool)| match (part, first) {
+        (Indicator::Shoulder, true) => "the shoulder is left",
+        (Indicator::Shoulder, false) => "the shoulder is right",
+        (Indicator::Elbow, true) => "the elbow is up",
+        (Indicator::Elbow, false) => "the elbow is down",
+        (Indicator::Wrist, true) => "the wrist is not flipped",
+        (Indicator::Wrist, false) => "the wrist is flipped",
+    };
+    let words: Vec<&str> = parts.iter().map(one).collect();
+    (!words.is_empty()).then(|| words.join(" and "))
+}
+
 /// `q1 = 12.3deg, q2 = 0.4`
 fn example_text(e: &Example) -> String {
     let one = |(name, x, angle): &(String, f64, bool)| match angle {
@@ -117,6 +134,15 @@ pub fn repair_text(tokens: &[Token], m: &Repair) -> String {
     m.edits.iter().map(|e| edit_text(tokens, e)).collect::<Vec<_>>().join(" and ")
 }
 
+/// The beginning of a line of the derivation.
+fn short_line(d: &Derivation, line: usize) -> String {
+    let text = d.lines.get(line).map(|l| d.text(&l.place)).unwrap_or_default();
+    if text.chars().count() <= SHORT_LINE {
+        return text;
+    }
+    text.chars().take(SHORT_LINE).collect::<String>() + "..."
+}
+
 fn fault_remark(report: &Report, d: &Derivation, f: &Fault) -> Remark {
     let at = f.entry.map_or_else(String::new, |(i, j)| format!("entry ({i},{j}): "));
     let mut r = Remark { place: f.place.clone(), ..Remark::default() };
@@ -129,6 +155,21 @@ fn fault_remark(report: &Report, d: &Derivation, f: &Fault) -> Remark {
             r.headline = format!("{at}these angles are not the same: {} is not zero", ratio_text(report, difference));
         }
         FaultKind::Opposite => r.headline = format!("{at}these angles differ by half a turn"),
+        FaultKind::Definition(line) => {
+            r.headline = format!("with this definition `{}` does not hold", short_line(d, *line));
+        }
+        FaultKind::Follows(line) => {
+            r.headline = format!("follows from `{}`, which is wrong", short_line(d, *line));
+        }
+        FaultKind::AngleAt(example, pair) => {
+            r.headline = format!("{at}these angles are not the same");
+            if let Pair::Angles(x, y) = pair {
+                let degrees = |x: f64| format!("{:.4}", x.to_degrees());
+                let numbers =
+                    format!("at {}: printed {}deg, correct {}deg", example_text(example), degrees(*x), degrees(*y));
+                r.details.push(numbers);
+            }
+        }
         FaultKind::Nowhere(example, pair) => {
             let at_pose =
                 if example.joints.is_empty() { String::new() } else { format!("; at {}", example_text(example)) };
@@ -243,7 +284,11 @@ fn line_report_as(report: &Report, d: &Derivation, line: &Line, verdict: &Verdic
         && !w.is_everywhere()
     {
         let all: Vec<String> = w.conditions.iter().map(|c| condition_text(report, c)).collect();
-        let _ = writeln!(out, "        where {}", all.join(" and "));
+        let condition = all.join(" and ");
+        let _ = match configuration_text(&w.configuration) {
+            Some(words) => writeln!(out, "        where {words}: {condition}"),
+            None => writeln!(out, "        where {condition}"),
+        };
         if let Some(e) = w.example.as_ref().filter(|e| !e.joints.is_empty()) {
             let _ = writeln!(out, "        for example {}", example_text(e));
         }
@@ -305,6 +350,14 @@ pub fn document_text(report: &Report, document: &DocumentClaims) -> String {
         Some(true) => out.push_str("      theta_i is read as the variable q_i: so more lines of this document hold\n"),
         Some(false) => out.push_str("      theta_i is read as the angle of the table, offset included\n"),
         None => {}
+    }
+    if report.jacobian_rows != [1, 2, 3, 4, 5, 6] {
+        let rows: Vec<String> = report.jacobian_rows.iter().map(ToString::to_string).collect();
+        let _ = writeln!(
+            out,
+            "      J stands for the rows {} of the Jacobian (1 to 3 linear, 4 to 6 angular)",
+            rows.join(", ")
+        );
     }
     let counts = verdicts_text(report, &document.derivation, |place| document.line(place), &mut out);
     let lines = if document.prose == 1 { "line" } else { "lines" };

@@ -7,7 +7,7 @@
 use super::{Indicator, Inverse, Naming};
 use crate::algebra::Transform;
 use crate::chain::Chain;
-use crate::planner::{Plan, joint_vectors, numeric};
+use crate::planner::{Axes, Plan, joint_vectors, numeric};
 use dh_kernels::vector::{cross, dot};
 
 /// Parts of an arm with names for their two sides, in this order.
@@ -93,7 +93,7 @@ impl Inverse {
             let target = compose(&compose(&constant(&axes.start), &last), &constant(&axes.end));
             let given: Vec<f64> = self.plan.knowledge.known[..self.plan.given].iter().map(|k| k.at(&x)).collect();
             for candidate in self.solve(chain, &target, &given) {
-                let sides = self.sides(chain, &candidate.x, &solved);
+                let sides = sides(chain, axes, &candidate.x, &solved);
                 let root = |part: usize| steps[part].and_then(|i| candidate.branch.get(i).copied());
                 for (part, votes) in votes.iter_mut().enumerate() {
                     let (Some(side), Some(root_taken)) = (sides[part], root(part)) else { continue };
@@ -118,76 +118,75 @@ impl Inverse {
         }
         names
     }
+}
 
-    /// The z axis of frame 0 as the first axis sees it.
-    fn upright(&self, chain: &Chain) -> [f64; 3] {
-        let axes = &self.plan.axes;
-        let base = chain.base.iter().fold(Transform::identity(), |t, e| t.times(&e.transform()));
-        let (base, start) = (numeric(chain, &base, axes.length_scale), numeric(chain, &axes.start, axes.length_scale));
-        [0, 1, 2].map(|j| (0..3).map(|i| start[i][j] * base[i][2]).sum())
-    }
+/// The z axis of frame 0 as the first axis sees it.
+fn upright(chain: &Chain, axes: &Axes) -> [f64; 3] {
+    let base = chain.base.iter().fold(Transform::identity(), |t, e| t.times(&e.transform()));
+    let (base, start) = (numeric(chain, &base, axes.length_scale), numeric(chain, &axes.start, axes.length_scale));
+    [0, 1, 2].map(|j| (0..3).map(|i| start[i][j] * base[i][2]).sum())
+}
 
-    /// Left shoulder, elbow up, wrist not flipped at given joint coordinates, where the arm has such parts.
-    fn sides(&self, chain: &Chain, x: &[f64], solved: &[usize]) -> [Option<bool>; PARTS] {
-        let axes = &self.plan.axes;
-        let frames = axes.frames_number(x);
-        // Point and direction of each axis.
-        let axis = |place: usize| {
-            let joint = *solved.get(place)?;
-            let link = axes.links.iter().position(|h| h.joint == Some(joint))?;
-            let t = frames.get(link + 1).filter(|_| axes.is_revolute(joint))?;
-            Some(([t[0][3], t[1][3], t[2][3]], [t[0][2], t[1][2], t[2][2]]))
-        };
-        let mut sides = [None; PARTS];
-        let middle = solved.get(4).copied().unwrap_or_default();
-        let offset =
-            chain.joints.get(middle).and_then(|j| chain.links.get(j.row)).map_or(0.0, |l| l.theta.constant.radians());
-        sides[2] = x.get(middle).map(|angle| (angle + offset).sin() > 0.0);
-        // A joint that is given may carry the arm, not stand in it.
-        if solved.windows(2).any(|w| w[1] != w[0] + 1) {
-            return sides;
-        }
-        let (Some(mut waist), Some(shoulder), Some(fourth), Some(fifth)) = (axis(0), axis(1), axis(3), axis(4)) else {
-            return sides;
-        };
-        // Above is where the z axis of frame 0 points, also where the first joint turns about its negative.
-        if dot(self.upright(chain), waist.1) < -0.5 {
-            waist.1 = waist.1.map(|x| -x);
-        }
-        let parallel = |a: [f64; 3], b: [f64; 3]| dot(cross(a, b), cross(a, b)) < NOTHING;
-        let elbow = axis(2).filter(|elbow| parallel(elbow.1, shoulder.1));
-        let Some(wrist) = nearest(fourth, fifth) else { return sides };
-        // Where axis 4 is parallel to these too, it is the next point whose place does not depend on how the elbow bends.
-        let hand = match (elbow, axis(5)) {
-            (Some(elbow), Some(sixth)) if parallel(elbow.1, fourth.1) => nearest(fifth, sixth).unwrap_or(wrist),
-            _ => wrist,
-        };
-        // Forward: away from the waist where the shoulder is ahead of it, else along the first frame's x axis.
-        let ahead = cross(shoulder.1, waist.1);
-        let length = dot(ahead, ahead).sqrt();
-        if length < 0.5 {
-            return sides;
-        }
-        let offset = dot(minus(shoulder.0, waist.0), ahead) / length;
-        let first =
-            axes.links.iter().position(|h| h.joint == solved.first().copied()).and_then(|link| frames.get(link + 1));
-        let along_x = first.map_or(0.0, |t| dot([t[0][0], t[1][0], t[2][0]], ahead) / length);
-        let sign = if offset.abs() > NOTHING { offset } else { along_x };
-        if sign.abs() <= NOTHING {
-            return sides;
-        }
-        let forward = ahead.map(|x| if sign < 0.0 { -x / length } else { x / length });
-        let ahead_of_waist = dot(minus(hand, waist.0), forward);
-        let facing = if ahead_of_waist < 0.0 { forward.map(|x| -x) } else { forward };
-        let left = cross(waist.1, facing);
-        let aside = dot(minus(hand, waist.0), left);
-        sides[0] = Some(if aside.abs() > NOTHING { aside > 0.0 } else { ahead_of_waist > 0.0 });
-        if let Some(elbow) = elbow {
-            let turned = cross(minus(elbow.0, shoulder.0), minus(wrist, shoulder.0));
-            sides[1] = Some(dot(turned, left) > 0.0);
-        }
-        sides
+/// Left shoulder, elbow up, wrist not flipped at given joint coordinates, where the arm has such parts. `solved`: the joints that are not
+/// given, six of them.
+pub(crate) fn sides(chain: &Chain, axes: &Axes, x: &[f64], solved: &[usize]) -> [Option<bool>; PARTS] {
+    let frames = axes.frames_number(x);
+    // Point and direction of each axis.
+    let axis = |place: usize| {
+        let joint = *solved.get(place)?;
+        let link = axes.links.iter().position(|h| h.joint == Some(joint))?;
+        let t = frames.get(link + 1).filter(|_| axes.is_revolute(joint))?;
+        Some(([t[0][3], t[1][3], t[2][3]], [t[0][2], t[1][2], t[2][2]]))
+    };
+    let mut sides = [None; PARTS];
+    let middle = solved.get(4).copied().unwrap_or_default();
+    let offset =
+        chain.joints.get(middle).and_then(|j| chain.links.get(j.row)).map_or(0.0, |l| l.theta.constant.radians());
+    sides[2] = x.get(middle).map(|angle| (angle + offset).sin() > 0.0);
+    // A joint that is given may carry the arm, not stand in it.
+    if solved.windows(2).any(|w| w[1] != w[0] + 1) {
+        return sides;
     }
+    let (Some(mut waist), Some(shoulder), Some(fourth), Some(fifth)) = (axis(0), axis(1), axis(3), axis(4)) else {
+        return sides;
+    };
+    // Above is where the z axis of frame 0 points, also where the first joint turns about its negative.
+    if dot(upright(chain, axes), waist.1) < -0.5 {
+        waist.1 = waist.1.map(|x| -x);
+    }
+    let parallel = |a: [f64; 3], b: [f64; 3]| dot(cross(a, b), cross(a, b)) < NOTHING;
+    let elbow = axis(2).filter(|elbow| parallel(elbow.1, shoulder.1));
+    let Some(wrist) = nearest(fourth, fifth) else { return sides };
+    // Where axis 4 is parallel to these too, it is the next point whose place does not depend on how the elbow bends.
+    let hand = match (elbow, axis(5)) {
+        (Some(elbow), Some(sixth)) if parallel(elbow.1, fourth.1) => nearest(fifth, sixth).unwrap_or(wrist),
+        _ => wrist,
+    };
+    // Forward: away from the waist where the shoulder is ahead of it, else along the first frame's x axis.
+    let ahead = cross(shoulder.1, waist.1);
+    let length = dot(ahead, ahead).sqrt();
+    if length < 0.5 {
+        return sides;
+    }
+    let offset = dot(minus(shoulder.0, waist.0), ahead) / length;
+    let first =
+        axes.links.iter().position(|h| h.joint == solved.first().copied()).and_then(|link| frames.get(link + 1));
+    let along_x = first.map_or(0.0, |t| dot([t[0][0], t[1][0], t[2][0]], ahead) / length);
+    let sign = if offset.abs() > NOTHING { offset } else { along_x };
+    if sign.abs() <= NOTHING {
+        return sides;
+    }
+    let forward = ahead.map(|x| if sign < 0.0 { -x / length } else { x / length });
+    let ahead_of_waist = dot(minus(hand, waist.0), forward);
+    let facing = if ahead_of_waist < 0.0 { forward.map(|x| -x) } else { forward };
+    let left = cross(waist.1, facing);
+    let aside = dot(minus(hand, waist.0), left);
+    sides[0] = Some(if aside.abs() > NOTHING { aside > 0.0 } else { ahead_of_waist > 0.0 });
+    if let Some(elbow) = elbow {
+        let turned = cross(minus(elbow.0, shoulder.0), minus(wrist, shoulder.0));
+        sides[1] = Some(dot(turned, left) > 0.0);
+    }
+    sides
 }
 
 /// A point and a direction.

@@ -17,6 +17,7 @@ mod step;
 mod text;
 
 pub use batched::{Batched, BatchedSolve, Item, Mirror, Residual, What};
+pub(crate) use branches::sides;
 pub use interpret::{InterpretedRun, InterpretedSolution, Shortfall, TOLERANCE};
 pub use ir::{Choice, Distance, Indicator, Instruction, Loop, Naming, Report, Sequence, Solve, Yield};
 

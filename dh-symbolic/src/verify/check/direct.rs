@@ -3,6 +3,7 @@
 //! Nothing here goes through the normal form, so that what the algebra says can be held against it.
 
 mod arithmetic;
+mod jacobian;
 mod matrix;
 
 use super::Evaluator;
@@ -11,11 +12,12 @@ use super::number::Written;
 use super::point::{Numbers, wrapped};
 use super::scope::{is_number_without_cell, numbered};
 use super::value::Value;
-use crate::chain::{Chain, Convention, Coordinate, Elementary, Handle};
+use crate::chain::{Chain, Convention, Elementary, Handle};
 use crate::verify::language::{Expr, ExprKind};
 use arithmetic::{added, multiplied, scaled};
 use matrix::{Rows, identity, rotation, translation};
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
 /// Deepest nesting of definitions within definitions.
 const DEPTH: usize = 200;
@@ -38,6 +40,8 @@ pub(super) enum Meaning<'a> {
     Formula(&'a Expr),
     /// `let x: length;`: a quantity of its own.
     Free(Value),
+    /// A definition that is tried in place of the written one.
+    Tried(Rc<Expr>),
 }
 
 impl Direct {
@@ -178,12 +182,8 @@ impl Spot {
         if let Some((_, meaning)) = on.meanings.iter().rev().find(|(n, _)| n == name) {
             return match meaning {
                 Meaning::Free(v) => Some(self.value(v)),
-                Meaning::Formula(e) => {
-                    self.depth += 1;
-                    let v = if self.depth > DEPTH { None } else { self.evaluate(e, on) };
-                    self.depth -= 1;
-                    v
-                }
+                Meaning::Formula(e) => self.inside(e, on),
+                Meaning::Tried(e) => self.inside(e, on),
             };
         }
         self.known(name, on).or_else(|| {
@@ -191,6 +191,19 @@ impl Spot {
             let angle = self.abbreviated(rest, on)?;
             Some(Direct::Scalar(if first == "c" { angle.cos() } else { angle.sin() }))
         })
+    }
+
+    /// A definition within a definition.
+    fn inside(&mut self, e: &Expr, on: &Evaluator<'_>) -> Option<Direct> {
+        self.depth += 1;
+        let v = if self.depth > DEPTH { None } else { self.evaluate(e, on) };
+        self.depth -= 1;
+        v
+    }
+
+    /// Forgets what names are.
+    pub(super) fn forget_names(&mut self) {
+        self.names.clear();
     }
 
     /// The angle behind c23, sa2, cphi.
@@ -242,7 +255,9 @@ impl Spot {
             "pi" => return Some(Direct::Angle(std::f64::consts::PI)),
             "base" => return Some(Direct::Matrix(self.product(&chain.base))),
             "tool" => return Some(Direct::Matrix(self.product(&chain.tool))),
-            "J" => return Some(Direct::Matrix(self.jacobian(chain)?)),
+            "J" => return Some(Direct::Matrix(self.jacobian(on)?)),
+            "Jv" => return Some(Direct::Matrix(self.whole_jacobian(chain)?.some_rows(&[0, 1, 2])?)),
+            "Jw" => return Some(Direct::Matrix(self.whole_jacobian(chain)?.some_rows(&[3, 4, 5])?)),
             "I3" => return Some(Direct::Matrix(identity(3))),
             "I4" => return Some(Direct::Matrix(identity(4))),
             _ => {}
@@ -301,43 +316,6 @@ impl Spot {
         Some(if i > j { t.rigid_inverse() } else { t })
     }
 
-    /// The geometric Jacobian for the variables q: an axis and a lever for every turning row, a direction for every sliding one.
-    fn jacobian(&mut self, chain: &Chain) -> Option<Rows> {
-        let n = chain.links.len();
-        let base = self.product(&chain.base);
-        let tip = base.times(&self.transform(0, n, chain)?).times(&self.product(&chain.tool));
-        let actuators = chain.dof();
-        let mut cells = vec![0.0; 6 * actuators];
-        for (joint, drive) in chain.joints.iter().zip(&chain.drive) {
-            let frame = match chain.convention {
-                Convention::Standard => joint.row,
-                Convention::Modified => joint.row + 1,
-            };
-            let axis = base.times(&self.transform(0, frame, chain)?);
-            let z = [axis.at(0, 2), axis.at(1, 2), axis.at(2, 2)];
-            let arm = [0, 1, 2].map(|i| tip.at(i, 3) - axis.at(i, 3));
-            let column = match joint.coordinate {
-                Coordinate::Angle(_) => {
-                    let linear = [0, 1, 2].map(|i| {
-                        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-                        z[j] * arm[k] - z[k] * arm[j]
-                    });
-                    [linear, z]
-                }
-                Coordinate::Length(_) => [z, [0.0; 3]],
-            };
-            for (actuator, k) in drive.iter().enumerate() {
-                let k = self.numbers.evaluate(k);
-                for (row, x) in column.iter().flatten().enumerate() {
-                    if let Some(cell) = cells.get_mut(row * actuators + actuator) {
-                        *cell += k * x;
-                    }
-                }
-            }
-        }
-        Some(Rows { columns: actuators, cells })
-    }
-
     fn call(&mut self, name: &str, arguments: &[(Option<String>, Expr)], on: &Evaluator<'_>) -> Option<Direct> {
         if name == "subst" {
             return self.substituted(arguments, on);
@@ -351,12 +329,12 @@ impl Spot {
             ("T", [i, j]) => Direct::Matrix(self.transform(index(i)?, index(j)?, on.chain)?),
             ("A", [i]) => Direct::Matrix(self.transform(index(i)?.checked_sub(1)?, index(i)?, on.chain)?),
             ("J", [k]) => {
-                let (j, k) = (self.jacobian(on.chain)?, index(k)?.checked_sub(1)?);
-                let cells = (0..6).map(|i| j.get(i, k)).collect::<Option<_>>()?;
+                let (j, k) = (self.jacobian(on)?, index(k)?.checked_sub(1)?);
+                let cells = (0..j.rows()).map(|i| j.get(i, k)).collect::<Option<_>>()?;
                 Direct::Matrix(Rows { columns: 1, cells })
             }
             ("J", [i, k]) => {
-                Direct::Scalar(self.jacobian(on.chain)?.get(index(i)?.checked_sub(1)?, index(k)?.checked_sub(1)?)?)
+                Direct::Scalar(self.jacobian(on)?.get(index(i)?.checked_sub(1)?, index(k)?.checked_sub(1)?)?)
             }
             ("c" | "s", [e]) if joints_of(e).is_some() => {
                 let mut sum = 0.0;
@@ -421,6 +399,10 @@ impl Spot {
                 Direct::Matrix(Rows { columns: 1, cells: cells.collect::<Option<_>>()? })
             }
             ("diff", [e, v]) => self.slope(e, v, on)?,
+            ("rows", [e, list @ ..]) => {
+                let rows = list.iter().map(|k| index(k)?.checked_sub(1)).collect::<Option<Vec<usize>>>()?;
+                Direct::Matrix(self.evaluate(e, on)?.matrix()?.some_rows(&rows)?)
+            }
             _ => return None,
         })
     }

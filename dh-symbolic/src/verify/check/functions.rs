@@ -4,10 +4,8 @@ use super::Evaluator;
 use super::ratio::{Ratio, dot};
 use super::refusal::{At, Understood, refuse};
 use super::value::{Matrix, Turn, Value};
-use crate::algebra::{Poly, Transform};
-use crate::kinematics::jacobian;
+use crate::algebra::Transform;
 use crate::verify::language::{Expr, ExprKind, Place};
-use std::ops::RangeInclusive;
 
 /// An entry, a part, or the transpose of a matrix.
 pub(super) fn field(v: &Value, name: &str) -> Result<Value, String> {
@@ -66,7 +64,7 @@ impl Evaluator<'_> {
             }
             ("J", [k]) => {
                 let (k, j) = (self.frame(k)?, self.jacobian());
-                self.part_of_jacobian(&j, 1..=6, k, place)
+                self.part_of_jacobian(&j, 1..=j.rows(), k, place)
             }
             ("J", [i, k]) => {
                 let (i, k, j) = (self.frame(i)?, self.frame(k)?, self.jacobian());
@@ -175,6 +173,18 @@ impl Evaluator<'_> {
                 Ok(Value::Matrix(Matrix { columns: 1, entries }))
             }
             ("diff", [e, v]) => self.derivative(e, v, place),
+            ("rows", [e, list @ ..]) if !list.is_empty() => {
+                let m = self.matrix(e)?;
+                let mut entries = Vec::new();
+                for k in list {
+                    let n = self.frame(k)?;
+                    if n == 0 || n > m.rows() {
+                        return refuse(&k.place, format!("a {} matrix has no row {n}", m.shape()));
+                    }
+                    entries.extend((0..m.columns).map(|j| m.at(n - 1, j)));
+                }
+                Ok(Value::Matrix(Matrix { columns: m.columns, entries }))
+            }
             _ => refuse(place, unknown_function(name, plain.len())),
         }
     }
@@ -231,35 +241,6 @@ impl Evaluator<'_> {
             }
         }
         Ok(Value::Matrix(m))
-    }
-
-    /// The geometric Jacobian for the variables q: six rows.
-    pub(super) fn jacobian(&mut self) -> Matrix {
-        let columns = jacobian(self.chain, &self.kinematics);
-        let n = self.chain.dof();
-        let mut entries = Vec::with_capacity(6 * n);
-        for row in 0..6 {
-            for actuator in 0..n {
-                let terms = columns.iter().zip(&self.chain.drive).filter_map(|((linear, angular), line)| {
-                    Some(linear.iter().chain(angular).nth(row)? * line.get(actuator)?)
-                });
-                entries.push(Ratio::from(terms.sum::<Poly>()));
-            }
-        }
-        Matrix { columns: n, entries }
-    }
-
-    /// Rows from 1 of column k from 1; a single one is a number.
-    fn part_of_jacobian(&self, j: &Matrix, rows: RangeInclusive<usize>, k: usize, place: &Place) -> Understood<Value> {
-        let inside = *rows.start() >= 1 && *rows.end() <= 6 && k >= 1 && k <= j.columns;
-        if !inside {
-            return refuse(place, format!("the Jacobian is a 6x{} matrix", j.columns));
-        }
-        let entries: Vec<Ratio> = rows.map(|i| j.at(i - 1, k - 1)).collect();
-        Ok(match <[Ratio; 1]>::try_from(entries) {
-            Ok([only]) => Value::Scalar(only),
-            Err(entries) => Value::Matrix(Matrix { columns: 1, entries }),
-        })
     }
 
     /// The number of a frame, as written.
@@ -341,6 +322,7 @@ fn unknown_function(name: &str, count: usize) -> String {
         "atan2" => "atan2(y, x)",
         "dot" | "cross" => "two columns",
         "diff" => "diff(formula, variable)",
+        "rows" => "rows(matrix, 1, 2, 6)",
         "Rot" => "Rot(x, angle)",
         "Trans" => "Trans(x, y, z)",
         "Rx" | "Ry" | "Rz" | "rx" | "ry" | "rz" => "one angle",

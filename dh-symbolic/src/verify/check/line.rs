@@ -67,6 +67,7 @@ impl<'a> Evaluator<'a> {
         match &line.statement {
             Statement::Unreadable(n) => Err(n.clone()),
             Statement::Define(name, e) => {
+                self.choose_rows(e, &[]);
                 self.free(name, line)?;
                 let v = self.evaluate(e)?;
                 self.locals.push((name.clone(), v));
@@ -108,6 +109,7 @@ impl<'a> Evaluator<'a> {
             Statement::Remark(_) => Ok(Verdict::Noted),
             Statement::Either(branches) => self.either(branches, &line.place),
             Statement::Claim { first, rest, within } => {
+                self.choose_rows(first, rest);
                 let mut verdict = Verdict::Proven(Where::everywhere());
                 let mut left = first;
                 let mut parts = 0;
@@ -214,6 +216,15 @@ impl<'a> Evaluator<'a> {
     /// Looks for a repair of the printed side, then of the other one, where that is plain text as well.
     fn add_repair(&mut self, verdict: &mut Verdict, sides: &Sides<'_>, correct: &Value) {
         let Verdict::Wrong(faults) = verdict else { return };
+        // where roots have signs and angles have branches, a line is tried at poses as a whole
+        let by_poses =
+            matches!(correct, Value::Angle(_)) || faults.iter().any(|f| matches!(f.kind, FaultKind::Nowhere(..)));
+        if by_poses && let Some(m) = self.repair_at_poses(sides) {
+            if let Some(f) = faults.first_mut() {
+                f.repair = Some(m);
+            }
+            return;
+        }
         let mut repair = self.ranked_repair(&sides.printed().place, correct);
         if repair.as_ref().is_none_or(|m| m.0 > 3)
             && let Ok(printed) = self.evaluate(sides.printed())

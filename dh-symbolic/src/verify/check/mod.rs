@@ -9,17 +9,21 @@
 //! the normal form. A proof that fails at a pose is none, conditions must be met by a pose, and what holds at some is not called wrong.
 
 mod approximate;
+mod blame;
 mod compare;
+mod configuration;
 mod direct;
 mod either;
 mod evaluate;
 mod functions;
+mod jacobian;
 mod line;
 mod number;
 mod point;
 mod ratio;
 mod refusal;
 mod repair;
+mod repair_at_poses;
 mod root;
 mod scope;
 mod settle;
@@ -34,6 +38,7 @@ pub use settle::Pair;
 use crate::algebra::{Angle, AngleVar, Poly, Ring, Symbol};
 use crate::chain::{Chain, Coordinate, Joint};
 use crate::kinematics::Kinematics;
+use crate::program::Indicator;
 use crate::verify::language::{Derivation, NotUnderstood, Place, Token};
 use std::collections::BTreeMap;
 
@@ -46,6 +51,8 @@ pub struct Report {
     pub groups: Vec<u16>,
     /// One verdict per line.
     pub verdicts: Vec<Verdict>,
+    /// The rows of the Jacobian that J stands for at the end, from 1: 1 to 3 linear, 4 to 6 angular.
+    pub jacobian_rows: Vec<usize>,
 }
 
 impl Report {
@@ -82,6 +89,9 @@ pub struct Where {
     pub conditions: Vec<Condition>,
     /// A pose of the arm at which they are met.
     pub example: Option<Example>,
+    /// The configurations in which exactly they are met, where these have names: the part of the arm, and whether it is on its first side
+    /// (left, up, not flipped).
+    pub configuration: Vec<(Indicator, bool)>,
 }
 
 impl Where {
@@ -92,7 +102,7 @@ impl Where {
 
     /// Under conditions.
     pub(self) fn under(conditions: Vec<Condition>) -> Where {
-        Where { conditions, example: None }
+        Where { conditions, ..Where::default() }
     }
 
     /// Without any condition?
@@ -147,6 +157,12 @@ pub enum FaultKind {
     Angle(Ratio),
     /// Two angles differ by half a turn.
     Opposite,
+    /// Two angles differ, by more than a short formula says: a pose, and both angles there.
+    AngleAt(Box<Example>, Pair),
+    /// A definition with which a later line (by its number in the derivation) is wrong, and which the repair makes right.
+    Definition(usize),
+    /// The line is wrong because of the definition in an earlier line (by its number in the derivation).
+    Follows(usize),
     /// The line holds nowhere: a pose, and both sides there.
     Nowhere(Box<Example>, Pair),
     /// Of several possibilities none holds at this pose.
@@ -204,12 +220,14 @@ pub fn check_without_repairs(chain: &Chain, derivation: &Derivation) -> Report {
 }
 
 fn report<'a>(mut e: Evaluator<'a>, derivation: &'a Derivation) -> Report {
-    let verdicts = derivation.lines.iter().map(|l| e.line(l)).collect();
+    let mut verdicts: Vec<Verdict> = derivation.lines.iter().map(|l| e.line(l)).collect();
+    e.blame_definitions(derivation, &mut verdicts);
     let group = |j: &Joint| match j.coordinate {
         Coordinate::Angle(v) => Some(v.group()),
         Coordinate::Length(_) => None,
     };
-    Report { ring: e.ring, groups: e.chain.joints.iter().filter_map(group).collect(), verdicts }
+    let jacobian_rows = e.rows.iter().map(|i| i + 1).collect();
+    Report { ring: e.ring, groups: e.chain.joints.iter().filter_map(group).collect(), verdicts, jacobian_rows }
 }
 
 /// A square root in a formula: a symbol whose square is the radicand, and which is not negative.
@@ -240,6 +258,8 @@ struct Evaluator<'a> {
     work: ratio::Work,
     /// Words read in search of repairs.
     searched: usize,
+    /// The rows of the Jacobian that J stands for, from 0.
+    rows: Vec<usize>,
 }
 
 impl<'a> Evaluator<'a> {
@@ -271,6 +291,7 @@ impl<'a> Evaluator<'a> {
             given: Vec::new(),
             work: ratio::Work::new(),
             searched: 0,
+            rows: jacobian::ALL.to_vec(),
         }
     }
 }

@@ -11,12 +11,12 @@ use crate::algebra::Factor;
 use crate::verify::language::{Expr, NotUnderstood, Place, Relation, Token, TokenKind};
 
 /// Longest printed formula that is searched.
-const LONGEST: usize = 240;
+pub(super) const LONGEST: usize = 240;
 /// Most single changes that are combined in pairs.
 const PAIRED: usize = 700;
 /// Words that are read in search of repairs, for one formula and for a whole derivation.
-const EFFORT: usize = 400_000;
-const TOTAL_EFFORT: usize = 4_000_000;
+pub(super) const EFFORT: usize = 400_000;
+pub(super) const TOTAL_EFFORT: usize = 4_000_000;
 /// Most survivors of the sieve that are proven.
 const PROOFS: usize = 40;
 
@@ -27,9 +27,9 @@ const NEAR: f64 = 1e-9;
 const PAIR: u8 = 3;
 
 /// A candidate: the smaller the rank, the likelier the slip.
-struct Candidate {
-    rank: u8,
-    edit: Edit,
+pub(super) struct Candidate {
+    pub(super) rank: u8,
+    pub(super) edit: Edit,
 }
 
 impl Evaluator<'_> {
@@ -164,11 +164,16 @@ impl Evaluator<'_> {
         })
     }
 
-    /// All single changes.
+    /// All single changes that make `place` mean `target`.
     fn candidates(&mut self, place: &Place, target: &Value) -> Vec<Candidate> {
+        let words = self.vocabulary(self.tokens.get(place.clone()).unwrap_or_default(), target);
+        self.changes(place, &words)
+    }
+
+    /// All single changes with the names of a list.
+    pub(super) fn changes(&self, place: &Place, words: &[String]) -> Vec<Candidate> {
         let tokens = self.tokens;
         let printed = tokens.get(place.clone()).unwrap_or_default();
-        let words = self.vocabulary(printed, target);
         let mut out = Vec::new();
         let mut put = |rank: u8, range: Place, new: &[&str]| {
             let tokens = new.iter().map(|t| Token::new(t)).collect();
@@ -210,7 +215,7 @@ impl Evaluator<'_> {
                     for n in ["2", "-1"] {
                         put(4, k..k, &if n == "2" { vec!["2", "*"] } else { vec!["-"] });
                     }
-                    for w in &words {
+                    for w in words {
                         put(5, k..k, &[w, "*"]);
                     }
                 }
@@ -222,7 +227,7 @@ impl Evaluator<'_> {
                             put(3, one.clone(), &[n]);
                         }
                     }
-                    for w in &words {
+                    for w in words {
                         put(4, one.clone(), &[w]);
                         put(5, one.clone(), &["-", w]);
                     }
@@ -246,7 +251,7 @@ impl Evaluator<'_> {
             }
         }
         // a factor before the whole, and the whole transposed
-        for w in &words {
+        for w in words {
             put(5, place.start..place.start, &[w, "*"]);
         }
         put(3, place.end..place.end, &[".", "t"]);

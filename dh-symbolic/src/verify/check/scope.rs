@@ -56,7 +56,7 @@ impl Evaluator<'_> {
 
     /// Is the name taken by something that a local name must not hide?
     pub(super) fn is_taken(&mut self, name: &str) -> bool {
-        name != "J" && self.name(name).is_ok()
+        !matches!(name, "J" | "Jv" | "Jw") && self.name(name).is_ok()
     }
 
     /// Names that mean something without any `let` in the derivation, except c23 and the like.
@@ -68,6 +68,8 @@ impl Evaluator<'_> {
             "base" => self.fixed(self.kinematics.base()),
             "tool" => self.fixed(self.kinematics.tool()),
             "J" => Value::Matrix(self.jacobian()),
+            "Jv" => Value::Matrix(self.rows_of_jacobian(&[0, 1, 2])),
+            "Jw" => Value::Matrix(self.rows_of_jacobian(&[3, 4, 5])),
             "I3" => Value::Matrix(super::value::Matrix::identity(3)),
             "I4" => Value::Matrix(super::value::Matrix::identity(4)),
             _ => return None,

@@ -22,6 +22,8 @@ const ENOUGH: usize = 24;
 const EFFORT: usize = 400_000;
 /// Two values are the same if they differ by no more than this part of their size.
 const SAME: f64 = 1e-7;
+/// Terms of a short formula.
+const SHORT: usize = 2;
 /// A condition decides where it is larger than this part of its largest term.
 const CLEAR: f64 = 1e-7;
 
@@ -63,7 +65,8 @@ impl<'a> Evaluator<'a> {
                 }
                 if s.met > 0 {
                     let example = s.example.map(|n| self.example(&n).of(self, &w.conditions));
-                    return Ok(Verdict::Proven(Where { example, ..w }));
+                    let configuration = self.configuration_of(&w.conditions);
+                    return Ok(Verdict::Proven(Where { example, configuration, ..w }));
                 }
                 if s.agree > 0 || seen == 0 {
                     return refuse(&place, "no joint values were found at which the conditions of this line hold");
@@ -82,7 +85,7 @@ impl<'a> Evaluator<'a> {
                 if s.agree > 1 {
                     return refuse(&place, "this holds at some joint values and not at others, and where is not found");
                 }
-                Ok(Verdict::Wrong(faults))
+                Ok(Verdict::Wrong(self.shorter(sides, faults, s)))
             }
             other => Ok(other),
         }
@@ -108,6 +111,17 @@ impl<'a> Evaluator<'a> {
         let (printed, correct) = if sides.printed_left { (a, b) } else { (b, a) };
         let kind = FaultKind::Nowhere(Box::new(self.example(&at)), Pair::of(&printed, &correct));
         Verdict::Wrong(vec![Fault { place: sides.printed().place.clone(), entry: None, kind, repair: None }])
+    }
+
+    /// Of angles that differ by a long formula, the numbers at a pose say more.
+    fn shorter(&self, sides: &Sides<'_>, mut faults: Vec<Fault>, s: Survey) -> Vec<Fault> {
+        if let ([Fault { kind, .. }], Some((at, a, b))) = (faults.as_mut_slice(), s.against)
+            && matches!(kind, FaultKind::Angle(x) if x.num.terms().len() > SHORT)
+        {
+            let (printed, correct) = if sides.printed_left { (a, b) } else { (b, a) };
+            *kind = FaultKind::AngleAt(Box::new(self.example(&at)), Pair::of(&printed, &correct));
+        }
+        faults
     }
 
     /// The joint values of a pose.
@@ -161,7 +175,7 @@ impl<'a> Evaluator<'a> {
     }
 
     /// Does a pose lie within the set of the conditions, and not on its edge?
-    fn is_met(&self, at: &Numbers, conditions: &[Condition]) -> bool {
+    pub(super) fn is_met(&self, at: &Numbers, conditions: &[Condition]) -> bool {
         let mut n = at.clone();
         self.complete(&mut n);
         conditions.iter().all(|c| n.relative(&c.formula.clone().into()) > CLEAR)

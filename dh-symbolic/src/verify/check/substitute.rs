@@ -48,28 +48,66 @@ impl Evaluator<'_> {
     pub(super) fn derivative(&mut self, e: &Expr, v: &Expr, place: &Place) -> Understood<Value> {
         let by = self.variable(v)?;
         let value = self.evaluate(e)?;
-        let roots: Vec<Symbol> = self.roots.iter().map(|r| r.symbol).collect();
-        let mut one = |x: &Ratio| -> Understood<Ratio> {
-            if roots.iter().any(|s| x.num.has_symbol(*s) || x.den.has_symbol(*s)) {
-                return refuse(place, "the derivative of a square root is not formed");
-            }
-            let d = |p: &Poly| match by {
-                Variable::Symbol(s, _) => p.derivative_by_symbol(s),
-                Variable::Angle(v, _) => p.derivative_by_angle(v),
-            };
-            let w = &mut self.work;
-            let top = &w.times(&d(&x.num), &x.den).at(place)? - &w.times(&x.num, &d(&x.den)).at(place)?;
-            let sign = Rational::int(if by.positive() { 1 } else { -1 });
-            Ratio::new(top.scale(&sign), w.times(&x.den, &x.den).at(place)?).at(place)
-        };
         match value {
-            Value::Scalar(x) => Ok(Value::Scalar(one(&x)?)),
+            Value::Scalar(x) => Ok(Value::Scalar(self.slope(&x, &by, self.roots.len()).at(place)?)),
             Value::Matrix(m) => {
-                let entries = m.entries.iter().map(&mut one).collect::<Understood<_>>()?;
+                let roots = self.roots.len();
+                let entries = m.entries.iter().map(|x| self.slope(x, &by, roots)).collect::<Worked<_>>().at(place)?;
                 Ok(Value::Matrix(Matrix { columns: m.columns, entries }))
             }
-            Value::Angle(_) => refuse(place, "the derivative of an angle is not formed"),
+            Value::Angle(t) => Ok(Value::Scalar(self.slope_of_angle(&t, &by).at(place)?)),
         }
+    }
+
+    /// The derivative of a number; only the first `roots` roots are known to depend on anything.
+    fn slope(&mut self, x: &Ratio, by: &Variable, roots: usize) -> Worked<Ratio> {
+        let own = |p: &Poly| match by {
+            Variable::Symbol(s, _) => p.derivative_by_symbol(*s),
+            Variable::Angle(v, _) => p.derivative_by_angle(*v),
+        };
+        let quotient = |d: &dyn Fn(&Poly) -> Poly, w: &mut super::ratio::Work| {
+            let top = &w.times(&d(&x.num), &x.den)? - &w.times(&x.num, &d(&x.den))?;
+            Ratio::new(top, w.times(&x.den, &x.den)?)
+        };
+        let mut sum =
+            quotient(&own, &mut self.work)?.times(&Ratio::int(if by.positive() { 1 } else { -1 }), &mut self.work)?;
+        for i in 0..roots {
+            let Some(super::Root { symbol, radicand }) = self.roots.get(i).cloned() else { continue };
+            if !x.num.has_symbol(symbol) && !x.den.has_symbol(symbol) {
+                continue;
+            }
+            // (sqrt r)' = r' / (2 sqrt r); roots inside of r are older
+            let inner = self.slope(&radicand, by, i)?;
+            let twice = Ratio::from(Poly::symbol(symbol)).times(&Ratio::int(2), &mut self.work)?;
+            let by_root = quotient(&|p: &Poly| p.derivative_by_symbol(symbol), &mut self.work)?;
+            let part = by_root.times(&inner.over(&twice, &mut self.work)?, &mut self.work)?;
+            sum = sum.plus(&part, &mut self.work)?;
+        }
+        Ok(sum)
+    }
+
+    /// The derivative of an angle, in radians.
+    fn slope_of_angle(&mut self, t: &Turn, by: &Variable) -> Worked<Ratio> {
+        let mut sum = match by {
+            Variable::Angle(v, _) => {
+                let own = t.terms.iter().find(|x| x.0 == *v).map_or(Rational::ZERO, |x| x.1.clone());
+                Ratio::number(own)
+            }
+            Variable::Symbol(..) => Ratio::zero(),
+        };
+        let roots = self.roots.len();
+        for (x, y, minus) in &t.sides {
+            // atan2(y, x)' = (x y' - y x')/(x^2 + y^2)
+            let (dx, dy) = (self.slope(x, by, roots)?, self.slope(y, by, roots)?);
+            let left = x.times(&dy, &mut self.work)?;
+            let right = y.times(&dx, &mut self.work)?;
+            let top = left.minus(&right, &mut self.work)?;
+            let norm = self.norm(x, y)?;
+            let norm = self.reduce(&norm)?;
+            let part = top.over(&norm, &mut self.work)?;
+            sum = if *minus { sum.minus(&part, &mut self.work)? } else { sum.plus(&part, &mut self.work)? };
+        }
+        Ok(sum)
     }
 
     /// The one variable that a name stands for.

@@ -1,5 +1,7 @@
 //! Tests of verdicts on single lines.
 
+mod angles;
+
 use super::*;
 use crate::chain::table::parse;
 use crate::verify::Claims;

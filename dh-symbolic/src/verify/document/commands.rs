@@ -179,6 +179,9 @@ impl Reader<'_> {
                         self.raw();
                     }
                     let inner = self.group('\0');
+                    if plain == "vmatrix" {
+                        self.push(ItemKind::Name("det".into()));
+                    }
                     self.push(ItemKind::Matrix(rows(inner)));
                 }
             }

@@ -88,6 +88,27 @@ impl Statement {
         self.sides.iter().flatten().any(|i| by_time(i) || name(i, "int") || name(i, "sum"))
     }
 
+    /// `\dot x = J \dot q`: what J is for, with the velocities of a pose that has no letters of its own.
+    pub(super) fn is_velocity_law(&self) -> bool {
+        let whole = |i: &Item| matches!(&i.kind, ItemKind::Dotted(inner) if i.sub.is_none() && matches!(inner.as_slice(), [only] if only.sub.is_none() && matches!(only.name(), Some("x" | "X" | "p" | "P" | "r" | "y" | "xi"))));
+        let jacobian = |i: &Item| i.name() == Some("J");
+        self.sides.iter().flatten().any(whole) && self.sides.iter().flatten().any(jacobian)
+    }
+
+    /// `det J = E = 0`: where the arm is singular. What it says of J is the rest.
+    pub(super) fn without_singular(&self) -> Option<Statement> {
+        let zero = |s: &Vec<Item>| matches!(s.as_slice(), [Item { kind: ItemKind::Number(n), .. }] if n == "0");
+        let first = self.sides.first()?;
+        let determinant = first.first().is_some_and(|i| i.name() == Some("det") || i.is('|'));
+        if !determinant || !self.sides.last().is_some_and(zero) || self.relations.last() != Some(&"=") {
+            return None;
+        }
+        let mut rest = self.clone();
+        rest.sides.pop();
+        rest.relations.pop();
+        Some(rest)
+    }
+
     /// A matrix with places that do not matter: `∗`.
     pub(super) fn is_pattern(&self) -> bool {
         let star = |cell: &Vec<Item>| matches!(cell.as_slice(), [only] if only.is('∗') || only.is('*'));

@@ -175,6 +175,13 @@ impl<'a> Translator<'a> {
             ItemKind::Dotted(inner) => {
                 // \dot\theta_1 is the velocity of theta_1
                 let mut inner = inner.clone();
+                if item.sub.is_none() && matches!(inner.as_slice(), [only] if is_all_joints(only)) {
+                    // \dot q: the velocities of all joints
+                    let all = self.names.velocities();
+                    self.put(&all);
+                    self.at += 1;
+                    return self.power(item.sup.as_deref());
+                }
                 if let [only] = inner.as_mut_slice()
                     && only.sub.is_none()
                 {
@@ -261,9 +268,16 @@ impl<'a> Translator<'a> {
     fn absolute(&mut self) -> Read<()> {
         let rest = self.items.get(self.at + 1..).unwrap_or_default();
         let Some(length) = rest.iter().position(|i| i.is('|')) else { return refuse("`|` does not belong here") };
-        self.put("sqrt ( (");
-        self.inner(rest.get(..length).unwrap_or_default())?;
-        self.put(") ^ 2 )");
+        let inner = rest.get(..length).unwrap_or_default();
+        if matches!(inner, [only] if only.name() == Some("J") || matches!(only.kind, ItemKind::Matrix(_))) {
+            self.put("det (");
+            self.inner(inner)?;
+            self.put(")");
+        } else {
+            self.put("sqrt ( (");
+            self.inner(inner)?;
+            self.put(") ^ 2 )");
+        }
         self.at += length + 2;
         self.power(rest.get(length).and_then(|i| i.sup.as_deref()))
     }
@@ -482,6 +496,11 @@ impl<'a> Translator<'a> {
 /// Does it begin with the sign of a partial derivative, with one quantity after it?
 fn is_partial(items: &[Item]) -> bool {
     items.first().is_some_and(|i| i.name() == Some("partial") && i.is_bare()) && items.len() > 1
+}
+
+/// The letter q or theta without an index: the column of all joint variables.
+fn is_all_joints(item: &Item) -> bool {
+    item.sub.is_none() && item.before_sup.is_none() && matches!(item.name(), Some("q" | "theta" | "Theta"))
 }
 
 /// Does a factor begin here?

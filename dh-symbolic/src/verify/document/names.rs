@@ -280,6 +280,12 @@ impl<'a> DocumentNames<'a> {
         format!("( {} )", parts.join(" + "))
     }
 
+    /// The velocities of all joints as a column.
+    pub(super) fn velocities(&self) -> String {
+        let all: Vec<String> = self.chain.joints.iter().map(|j| format!("{}_dot", j.name)).collect();
+        format!("[ {} ]", all.join(" ; "))
+    }
+
     /// The pose of the whole arm.
     pub(super) fn pose(&self) -> String {
         let n = self.chain.links.len();
@@ -303,6 +309,8 @@ impl<'a> DocumentNames<'a> {
         if stem == "J" && letter.frame.is_empty() {
             return match index.split_once(',') {
                 None if index.is_empty() => Some("J".into()),
+                None if matches!(index, "v" | "L" | "P") => Some("Jv".into()),
+                None if matches!(index, "w" | "omega" | "O") => Some("Jw".into()),
                 None if index.len() == 2 && index.bytes().all(|b| b.is_ascii_digit()) => {
                     Some(format!("J ( {} , {} )", &index[..1], &index[1..]))
                 }
@@ -326,7 +334,13 @@ impl<'a> DocumentNames<'a> {
         // u_{11} of a matrix U
         let capital = stem.to_uppercase();
         let matrix =
-            self.given.iter().rev().find(|g| g.2 && g.0.stem == capital && capital != stem && g.0.index.is_empty())?;
+            self.given.iter().rev().find(|g| g.2 && g.0.stem == capital && capital != stem && g.0.index.is_empty());
+        // v_x, omega_z: the velocity of the tool
+        if let ("v" | "omega", "x" | "y" | "z", None) = (stem, index, matrix) {
+            let part = if stem == "v" { "Jv" } else { "Jw" };
+            return Some(format!("( {part} * {} ) . {index}", self.velocities()));
+        }
+        let matrix = matrix?;
         let field = match index {
             "" => "p".to_string(),
             "x" | "y" | "z" => format!("p{index}"),

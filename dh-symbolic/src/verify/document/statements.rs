@@ -99,8 +99,15 @@ impl Statement {
             }
             return;
         }
-        if self.is_legend(names) || self.is_index() || self.is_pattern() || self.is_general() {
+        if self.is_legend(names) || self.is_index() || self.is_pattern() || self.is_general() || self.is_velocity_law()
+        {
             return sheet.remark(&self.raw, self.line);
+        }
+        if let Some(rest) = self.without_singular() {
+            if rest.sides.len() < 2 {
+                return sheet.remark(&self.raw, self.line);
+            }
+            return rest.tell(names, sheet);
         }
         if self.names_entries(names) {
             sheet.remark(&self.raw, self.line);

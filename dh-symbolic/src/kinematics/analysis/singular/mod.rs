@@ -114,6 +114,9 @@ pub fn singular(chain: &Chain, k: &Kinematics) -> Singular {
         return match derive(chain, k, &joints, open, places) {
             Ok(mut d) => match d.agree(&points, &truths) {
                 true => {
+                    if is_odd(&d.open) {
+                        d.number = -&d.number;
+                    }
                     meaning::explain(chain, k, &mut d);
                     Singular::Determinant(Box::new(d))
                 }
@@ -139,6 +142,20 @@ fn gram(chain: &Chain, k: &Kinematics) -> Option<Singular> {
     let value = determinant(&m, BUDGET)?;
     let positive = value.is_sum_of_squares() && value.terms().iter().any(|(m, _)| m.is_one());
     (value.terms().len() <= SHORT).then_some(Singular::Gram(value, positive))
+}
+
+/// The columns of open motions stand behind those of the joints: is the determinant of all six rows the negative of that of the rows that
+/// are left?
+fn is_odd(open: &[Open]) -> bool {
+    let row = |o: &Open| match o {
+        Open::Translation(k) => Some(*k),
+        Open::Rotation(k) => Some(3 + k),
+        Open::Roll => None,
+    };
+    let Some(last) = open.iter().map(row).collect::<Option<Vec<usize>>>() else { return false };
+    let order: Vec<usize> = (0..SIDE).filter(|r| !last.contains(r)).chain(last.iter().copied()).collect();
+    let inversions = (0..order.len()).flat_map(|i| (i + 1..order.len()).map(move |j| (i, j)));
+    inversions.filter(|(i, j)| order.get(*i) > order.get(*j)).count() % 2 == 1
 }
 
 /// Determinant of the coupling: the factor between the actuators' and the joints' Jacobian.

@@ -40,7 +40,7 @@ impl Rows {
         self.cells.len() / self.columns.max(1)
     }
 
-    pub(super) fn get(&self, i: usize, j: usize) -> Option<f64> {
+    pub(in super::super) fn get(&self, i: usize, j: usize) -> Option<f64> {
         if j < self.columns { self.cells.get(i * self.columns + j).copied() } else { None }
     }
 
@@ -86,6 +86,15 @@ impl Rows {
         let shapes = (self.rows(), self.columns, other.rows(), other.columns) == (4, 4, 3, 3);
         let pure = shapes && (0..3).all(|i| self.at(i, 3).abs() < 1e-9 && self.at(3, i).abs() < 1e-9);
         if pure { Rows::by(3, 3, |i, j| self.at(i, j)) } else { self.clone() }
+    }
+
+    /// Rows by their numbers from 0.
+    pub(super) fn some_rows(&self, rows: &[usize]) -> Option<Rows> {
+        let mut cells = Vec::with_capacity(rows.len() * self.columns);
+        for i in rows {
+            cells.extend_from_slice(self.cells.get(i * self.columns..(i + 1) * self.columns)?);
+        }
+        Some(Rows { columns: self.columns, cells })
     }
 
     fn is_square(&self) -> bool {
