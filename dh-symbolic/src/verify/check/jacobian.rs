@@ -138,7 +138,7 @@ impl Evaluator<'_> {
         };
         let used: Vec<usize> = ALL.into_iter().filter(moves).collect();
         let linear: Vec<usize> = used.iter().copied().filter(|i| *i < 3).collect();
-        let of_task: &[usize] = match self.chain.task {
+        let of_task: &[usize] = match self.chain.settings.task {
             Task::Pose => &ALL,
             Task::Position => &[0, 1, 2],
             Task::Planar => &[0, 1, 5],

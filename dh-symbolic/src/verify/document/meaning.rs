@@ -11,9 +11,9 @@ use super::transforms;
 /// Deepest nesting of brackets.
 const DEPTH: usize = 40;
 
-type Read<T> = Result<T, Unknown>;
+pub(super) type Read<T> = Result<T, Unknown>;
 
-fn refuse<T>(why: impl Into<String>) -> Read<T> {
+pub(super) fn refuse<T>(why: impl Into<String>) -> Read<T> {
     Err(Unknown { why: why.into(), name: None })
 }
 
@@ -27,16 +27,16 @@ pub(super) fn formula(items: &[Item], names: &DocumentNames<'_>) -> Read<Vec<Wor
     }
 }
 
-struct Translator<'a> {
-    items: &'a [Item],
-    at: usize,
-    names: &'a DocumentNames<'a>,
+pub(super) struct Translator<'a> {
+    pub(super) items: &'a [Item],
+    pub(super) at: usize,
+    pub(super) names: &'a DocumentNames<'a>,
     depth: usize,
     out: Vec<Word>,
 }
 
 impl<'a> Translator<'a> {
-    fn peek(&self) -> Option<&'a Item> {
+    pub(super) fn peek(&self) -> Option<&'a Item> {
         self.items.get(self.at)
     }
 
@@ -44,7 +44,7 @@ impl<'a> Translator<'a> {
         self.peek().or(self.items.last()).map_or(0, |i| i.line)
     }
 
-    fn put(&mut self, words: &str) {
+    pub(super) fn put(&mut self, words: &str) {
         let line = self.line();
         self.out.extend(words.split_whitespace().map(|w| Word::new(w, line)));
     }
@@ -56,7 +56,7 @@ impl<'a> Translator<'a> {
     }
 
     /// Another formula in the middle of this one.
-    fn inner(&mut self, items: &'a [Item]) -> Read<()> {
+    pub(super) fn inner(&mut self, items: &'a [Item]) -> Read<()> {
         if items.is_empty() {
             return refuse("something is missing here");
         }
@@ -147,7 +147,7 @@ impl<'a> Translator<'a> {
         Ok(())
     }
 
-    fn factor(&mut self, divisor: bool) -> Read<()> {
+    pub(super) fn factor(&mut self, divisor: bool) -> Read<()> {
         let Some(item) = self.peek() else { return refuse("the formula ends too early") };
         match &item.kind {
             ItemKind::Number(n) => self.number(item, n),
@@ -226,7 +226,7 @@ impl<'a> Translator<'a> {
         }
     }
 
-    fn number(&mut self, item: &'a Item, text: &str) -> Read<()> {
+    pub(super) fn number(&mut self, item: &'a Item, text: &str) -> Read<()> {
         let next = self.items.get(self.at + 1);
         // 0T6
         if let Some(t) = next
@@ -309,7 +309,7 @@ impl<'a> Translator<'a> {
     }
 
     /// `^2`, `^{-1}`, `^T`.
-    fn power(&mut self, sup: Option<&[Item]>) -> Read<()> {
+    pub(super) fn power(&mut self, sup: Option<&[Item]>) -> Read<()> {
         let Some(sup) = sup else { return self.field() };
         let text = index_text(sup).unwrap_or_default();
         match text.as_str() {
@@ -408,88 +408,6 @@ impl<'a> Translator<'a> {
         }
         self.put(&meaning);
         self.power(item.sup.as_deref())
-    }
-
-    fn motion(&mut self, axis: char, rotation: Option<bool>) -> Read<()> {
-        let open = self.at + 1;
-        let Some(close) = closing(self.items, open) else { return refuse("a bracket is not closed") };
-        let inner = self.items.get(open + 1..close).unwrap_or_default();
-        let angle = |i: &Item| i.kind == ItemKind::Degree || Letter::of(i).is_some_and(|l| self.names.is_angle(&l));
-        let turns = rotation.unwrap_or_else(|| inner.iter().any(angle));
-        self.put(&format!("{}{axis} (", if turns { "R" } else { "T" }));
-        self.inner(inner)?;
-        self.put(")");
-        self.at = close + 1;
-        self.power(self.items.get(close).and_then(|i| i.sup.as_deref()))
-    }
-
-    /// The arguments of a function, in brackets or without.
-    fn call(&mut self, item: &'a Item, f: &str) -> Read<()> {
-        let sup = item.sup.as_deref().and_then(index_text);
-        let f = match (sup.as_deref(), f) {
-            (Some("-1"), "cos") => "acos",
-            (Some("-1"), "sin") => "asin",
-            (Some("-1"), "tan") => "atan",
-            _ => f,
-        };
-        let power = item.sup.as_deref().filter(|_| sup.as_deref() != Some("-1"));
-        self.put(&format!("{f} ("));
-        match self.peek() {
-            Some(next) if f == "det" && next.is('[') => self.factor(false)?,
-            Some(next) if next.is('(') || next.is('[') || next.is('{') => {
-                let Some(close) = closing(self.items, self.at) else { return refuse("a bracket is not closed") };
-                let inner = self.items.get(self.at + 1..close).unwrap_or_default();
-                self.arguments(inner)?;
-                self.at = close + 1;
-                self.put(")");
-                let after = self.items.get(close).and_then(|i| i.sup.as_deref());
-                return self.power(power.or(after));
-            }
-            Some(Item { kind: ItemKind::Group(inner), .. }) => {
-                let bracketed = inner.first().is_some_and(|i| i.is('(')) && closing(inner, 0) == Some(inner.len() - 1);
-                let inner = if bracketed { inner.get(1..inner.len() - 1).unwrap_or_default() } else { inner };
-                self.arguments(inner)?;
-                self.at += 1;
-            }
-            _ if f == "det" => self.factor(false)?,
-            _ => self.bare_argument()?,
-        }
-        self.put(")");
-        self.power(power)
-    }
-
-    fn arguments(&mut self, inner: &'a [Item]) -> Read<()> {
-        let mut start = 0;
-        for k in separator_places(inner).into_iter().chain([inner.len()]) {
-            self.inner(inner.get(start..k).unwrap_or_default())?;
-            if k < inner.len() {
-                self.put(",");
-            }
-            start = k + 1;
-        }
-        Ok(())
-    }
-
-    /// `\cos 35^\circ`, `\sin 2\theta_1`, `\cos\theta_1`.
-    fn bare_argument(&mut self) -> Read<()> {
-        if let Some(item) = self.peek()
-            && let ItemKind::Number(n) = &item.kind
-        {
-            self.number(item, n)?;
-            if !self.peek().is_some_and(|i| Letter::of(i).is_some_and(|l| self.names.is_angle(&l))) {
-                return Ok(());
-            }
-            self.put("*");
-        }
-        let Some(item) = self.peek() else { return refuse("the argument of a function is missing") };
-        if matches!(item.kind, ItemKind::Fraction(..) | ItemKind::Root(_)) {
-            return self.factor(false);
-        }
-        let Some(letter) = Letter::of(item) else { return refuse("the argument of a function is missing") };
-        let meaning = self.names.meaning(&letter)?;
-        self.put(&meaning);
-        self.at += 1;
-        Ok(())
     }
 }
 

@@ -26,6 +26,7 @@
 
 mod ascii_matrices;
 mod brackets;
+mod calls;
 mod commands;
 mod definitions;
 mod layout;
