@@ -13,6 +13,7 @@ mod corners;
 mod coupled;
 mod determinism;
 mod digits;
+mod dynamic;
 mod export;
 mod fixtures;
 mod fresh;

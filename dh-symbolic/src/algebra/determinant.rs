@@ -31,7 +31,7 @@ pub(crate) fn determinant(m: &[Vec<Poly>], budget: usize) -> Option<Poly> {
 }
 
 /// Adjugate and determinant of a small matrix of formulas.
-pub(crate) fn adjugate(m: &[Vec<Poly>]) -> (Vec<Vec<Poly>>, Poly) {
+pub fn adjugate(m: &[Vec<Poly>]) -> (Vec<Vec<Poly>>, Poly) {
     let n = m.len();
     let minor = |skip_row: usize, skip_column: usize| -> Poly {
         let rows: Vec<Vec<Poly>> = (0..n)

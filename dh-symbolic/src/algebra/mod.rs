@@ -30,7 +30,8 @@ mod text;
 mod vector;
 
 pub use angle::Angle;
-pub(crate) use determinant::{adjugate, determinant};
+pub use determinant::adjugate;
+pub(crate) use determinant::determinant;
 pub use evaluate::Point;
 pub use field::{Element, FieldPoint};
 pub use matrix::{Transform, Vector};

@@ -74,6 +74,12 @@ impl Formula {
         plain::formula(&self.arm.chain.ring, &self.arm.order, &self.value)
     }
 
+    /// What the formula is, for crates of this workspace.
+    #[doc(hidden)]
+    pub fn polynomial(&self) -> &Poly {
+        &self.value
+    }
+
     pub(super) fn math(&self) -> Math {
         self.arm.notation.typeset(&self.arm.order.group(&self.value))
     }

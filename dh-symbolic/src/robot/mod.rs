@@ -27,6 +27,8 @@ use crate::chain::table::{self, Parsed};
 use crate::diagnostic::{Errors, lex};
 use crate::kinematics::{self, Kinematics};
 use crate::pipeline;
+use crate::planner::Refusal;
+use crate::program::{Forward, Inverse};
 use crate::render::code::javascript;
 use crate::render::document::{Document, InversePlan, Options, notes, page};
 use crate::verify::{self, Claims, check, report};
@@ -294,10 +296,33 @@ impl Robot {
     /// Why there is no inverse in closed form, at the cells that break the structure.
     pub fn plan(&self) -> Result<InversePlan, TableError> {
         let chain = &self.arm.chain;
-        InversePlan::new(chain).map_err(|refusal| match self.source.parse() {
-            Ok(parsed) => self.source.error(&pipeline::refused(chain, &refusal, &parsed)),
-            Err(error) => error,
-        })
+        InversePlan::new(chain).map_err(|refusal| self.refused(&refusal))
+    }
+
+    /// What the robot is, for crates of this workspace.
+    #[doc(hidden)]
+    pub fn chain(&self) -> &Chain {
+        &self.arm.chain
+    }
+
+    /// The proven programs of pose, frames and Jacobian, for crates of this workspace.
+    ///
+    /// # Errors
+    /// As [`Robot::page`].
+    #[doc(hidden)]
+    pub fn forward_programs(&self) -> Result<Forward, TableError> {
+        Forward::derive(&self.arm.chain).map_err(|difference| self.defect(&difference))
+    }
+
+    /// The program of the inverse, for crates of this workspace; `None` where the table asks for none.
+    ///
+    /// # Errors
+    /// Why there is no inverse in closed form, as [`Robot::plan`] says it.
+    #[doc(hidden)]
+    pub fn inverse_program(&self) -> Result<Option<Inverse>, TableError> {
+        let chain = &self.arm.chain;
+        let inverse = chain.settings.ik.then(|| Inverse::of(chain)).transpose();
+        inverse.map_err(|refusal| self.refused(&refusal))
     }
 
     /// Does the macro accept the table? All that it would refuse, but for wrong lines of `prove { }` blocks:
@@ -360,6 +385,13 @@ impl Robot {
             return Err(self.source.error(&errors));
         }
         crate::render::code::rust::pretty(items).map_err(|e| TableError::defect(&e.to_string()))
+    }
+
+    fn refused(&self, refusal: &Refusal) -> TableError {
+        match self.source.parse() {
+            Ok(parsed) => self.source.error(&pipeline::refused(&self.arm.chain, refusal, &parsed)),
+            Err(error) => error,
+        }
     }
 
     fn defect(&self, difference: &crate::program::Disproof) -> TableError {

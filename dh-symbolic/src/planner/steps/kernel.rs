@@ -161,7 +161,12 @@ impl Call<f64> {
     /// Runs the kernel; `free` is what the unknowns take where they are free.
     pub fn run(&self, free: &[Unknown], tolerance: f64) -> KernelRoots {
         let numbers: Vec<f64> = self.numbers().into_iter().copied().collect();
-        let mut found = (self.kernel.run)(&numbers, &self.arguments, free, tolerance);
+        self.run_with(&numbers, free, tolerance)
+    }
+
+    /// The same with other numbers in the place of its own.
+    pub fn run_with(&self, numbers: &[f64], free: &[Unknown], tolerance: f64) -> KernelRoots {
+        let mut found = (self.kernel.run)(numbers, &self.arguments, free, tolerance);
         if found.outcome == Outcome::Free && found.roots.is_empty() {
             match self.kernel.free {
                 Representative::Chosen => found.roots.push(free.to_vec()),
