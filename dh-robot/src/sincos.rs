@@ -94,15 +94,15 @@ pub(crate) fn is_beyond(x: f64) -> u64 {
 }
 
 /// `3 * 2^51`: numbers up to 2^50 added to it are rounded to whole numbers, which are its lowest bits.
-const ROUND: f64 = 6_755_399_441_055_744.0;
+pub(crate) const ROUND: f64 = 6_755_399_441_055_744.0;
 
 // pi/2 in three parts of 37, 35 and 53 bits.
-const PI_2_FIRST: f64 = 1.570_796_326_792_333_3;
-const PI_2_SECOND: f64 = 2.563_344_151_583_955_8e-12;
-const PI_2_THIRD: f64 = 1.056_299_906_698_742_8e-23;
+pub(crate) const PI_2_FIRST: f64 = 1.570_796_326_792_333_3;
+pub(crate) const PI_2_SECOND: f64 = 2.563_344_151_583_955_8e-12;
+pub(crate) const PI_2_THIRD: f64 = 1.056_299_906_698_742_8e-23;
 
 // (sin r / r - 1) / r^2 and (cos r - 1 + r^2/2) / r^4 as polynomials in r^2 on [0, (pi/4)^2], by the Remez exchange.
-const SIN: [f64; 6] = [
+pub(crate) const SIN: [f64; 6] = [
     -0.166_666_666_666_666_3,
     0.008_333_333_333_322_108,
     -0.000_198_412_698_295_805_75,
@@ -110,7 +110,7 @@ const SIN: [f64; 6] = [
     -2.505_074_723_690_122e-8,
     1.589_619_864_913_022_8e-10,
 ];
-const COS: [f64; 6] = [
+pub(crate) const COS: [f64; 6] = [
     0.041_666_666_666_666_595,
     -0.001_388_888_888_887_304,
     2.480_158_728_884_170_5e-5,

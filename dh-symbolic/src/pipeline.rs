@@ -9,7 +9,7 @@ use crate::kinematics::Kinematics;
 use crate::planner::Refusal;
 use crate::program::{Disproof, Forward, Inverse};
 use crate::render::Language;
-use crate::render::code::rust::{self, Head, Items};
+use crate::render::code::rust::{self, Batches, Head, Items};
 use crate::render::refusal::{Subject, remarks};
 use crate::render::rustdoc;
 use crate::verify::report::complaints;
@@ -19,7 +19,8 @@ use proc_macro2::{Ident, Span, TokenStream};
 /// Expands the body of `dh_robot!`: items, or errors beside a stub of the type.
 pub fn expand(input: TokenStream) -> TokenStream {
     let (input, watch, mut errors) = with_file(input);
-    let (items, more) = compile(input);
+    let batches = if cfg!(feature = "simd") { Batches::Packed } else { Batches::OneByOne };
+    let (items, more) = compile_table(&parse(input), batches);
     // Without its file a robot has no table, which is no second error.
     if errors.is_empty() {
         errors.extend(more);
@@ -48,12 +49,12 @@ fn with_file(input: TokenStream) -> (TokenStream, TokenStream, Errors) {
 
 /// The items of a table, and what is wrong with it: then the items are a stub of the type.
 pub fn compile(input: TokenStream) -> (Items, Errors) {
-    compile_table(&parse(input))
+    compile_table(&parse(input), Batches::OneByOne)
 }
 
 /// The same for a table that has been read.
-pub fn compile_table(parsed: &Parsed) -> (Items, Errors) {
-    let head = head(parsed);
+pub fn compile_table(parsed: &Parsed, batches: Batches) -> (Items, Errors) {
+    let head = head(parsed, batches);
     match derive(parsed) {
         Ok((chain, programs)) => (items(&head, &chain, &programs), Errors::new()),
         Err(errors) => (Items::of_tokens(stub(&head, &parsed.sketch)), errors),
@@ -143,13 +144,14 @@ fn items(head: &Head, chain: &Chain, programs: &Programs) -> Items {
     rust::robot(head, chain, forward, &inverse, &rustdoc(chain, &Kinematics::new(chain)))
 }
 
-fn head(parsed: &Parsed) -> Head {
+fn head(parsed: &Parsed, batches: Batches) -> Head {
     Head {
         attributes: parsed.head.attributes.clone(),
         visibility: parsed.head.visibility.clone(),
         ident: parsed.head.name.clone().unwrap_or_else(|| Ident::new("Robot", Span::call_site())),
         table: parsed.sketch.table.clone(),
         motions: parsed.sketch.motions.clone(),
+        batches,
         field_docs: parsed.sketch.fields.iter().map(|f| (f.name.to_string(), f.docs.clone())).collect(),
     }
 }

@@ -1,6 +1,7 @@
 //! Runtime support for generated code only: not a stable interface, it changes with the macro from version to version.
 
 pub mod batched;
+pub mod packed;
 mod slices;
 
 pub use slices::{HasJoints, Joints, OverSlices};

@@ -30,6 +30,7 @@ use crate::pipeline;
 use crate::planner::Refusal;
 use crate::program::{Forward, Inverse};
 use crate::render::code::javascript;
+use crate::render::code::rust::Batches;
 use crate::render::document::{Document, InversePlan, Options, notes, page};
 use crate::verify::{self, Claims, check, report};
 use names::Names;
@@ -380,7 +381,7 @@ impl Robot {
     /// Those of the macro: wrong lines of `prove { }` blocks, and why there is no inverse.
     #[cfg(feature = "cli")]
     pub fn expand(&self) -> Result<String, TableError> {
-        let (items, errors) = pipeline::compile_table(&self.source.parse()?);
+        let (items, errors) = pipeline::compile_table(&self.source.parse()?, Batches::OneByOne);
         if !errors.is_empty() {
             return Err(self.source.error(&errors));
         }

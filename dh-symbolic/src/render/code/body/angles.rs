@@ -88,7 +88,7 @@ impl Body<'_> {
             let angle_sum = &self.graph.angle_sums()[*w as usize];
             let tail = subscript(&self.chain.ring, angle_sum);
             let (s, c) = (self.names.take(&format!("s{tail}")), self.names.take(&format!("c{tail}")));
-            angles.push(self.angle(angle_sum).text());
+            angles.push(self.result(self.angle(angle_sum).text()));
             for (i, node) in self.graph.nodes().iter().enumerate() {
                 match node {
                     Node::Cos(x) if x == w => self.code[i] = Some(Code::trigonometric(c.clone())),
@@ -113,10 +113,7 @@ impl Body<'_> {
             return;
         }
         self.lines.push(format!("let angles = [{}];", angles.join(", ")));
-        self.lines.push(format!(
-            "let ([{}], [{}]) = ::dh_robot::runtime::sincos_batch(&angles);",
-            sines.join(", "),
-            cosines.join(", ")
-        ));
+        let batch = if self.packed { "sines.of" } else { "::dh_robot::runtime::sincos_batch" };
+        self.lines.push(format!("let ([{}], [{}]) = {batch}(&angles);", sines.join(", "), cosines.join(", ")));
     }
 }

@@ -27,6 +27,8 @@ pub(in crate::render) enum Dialect {
 /// Writes the statements of a graph and the expressions of its outputs.
 pub(in crate::render) struct Body<'a> {
     dialect: Dialect,
+    /// Whether a variable is a number for each of several poses. Fields and constants are plain numbers even so.
+    packed: bool,
     chain: &'a Chain,
     graph: &'a Graph,
     outputs: Vec<Value>,
@@ -51,6 +53,12 @@ impl<'a> Body<'a> {
         Body::whole(Dialect::Rust, chain, program, scalar)
     }
 
+    /// The same in Rust for the numbers of several poses.
+    pub(super) fn packed(chain: &'a Chain, program: &'a Program) -> Body<'a> {
+        let body = Body { packed: true, ..Body::empty(Dialect::Rust, chain, &program.graph, Scalar::F64) };
+        body.filled(program)
+    }
+
     /// The same in any language.
     pub(in crate::render) fn whole(
         dialect: Dialect,
@@ -58,13 +66,16 @@ impl<'a> Body<'a> {
         program: &'a Program,
         scalar: Scalar,
     ) -> Body<'a> {
-        let outputs = program.outputs.clone();
-        let mut body = Body::empty(dialect, chain, &program.graph, scalar);
-        body.outputs = outputs;
-        body.trigonometry();
+        Body::empty(dialect, chain, &program.graph, scalar).filled(program)
+    }
+
+    /// With all statements of the program.
+    fn filled(mut self, program: &Program) -> Body<'a> {
+        self.outputs.clone_from(&program.outputs);
+        self.trigonometry();
         let depths = vec![0; program.graph.nodes().len()];
-        body.statements(&depths, 0);
-        body
+        self.statements(&depths, 0);
+        self
     }
 
     /// The values of an inverse, whose statements are asked for depth by depth, see [`Body::statements`]; lengths over the length scale.
@@ -89,7 +100,7 @@ impl<'a> Body<'a> {
         let names = CodeNames::new(&["q", "s", "c", "self", "t", "angles"]);
         let (code, is_name) = (vec![None; graph.nodes().len()], vec![false; graph.nodes().len()]);
         let (outputs, inputs, lines) = (Vec::new(), Vec::new(), Vec::new());
-        Body { dialect, chain, graph, outputs, names, scalar, scale: 1.0, inputs, code, is_name, lines }
+        Body { dialect, packed: false, chain, graph, outputs, names, scalar, scale: 1.0, inputs, code, is_name, lines }
     }
 
     fn number(&self, x: f64) -> Code {
@@ -246,7 +257,12 @@ impl<'a> Body<'a> {
 
     /// The expression of output `i`.
     pub(in crate::render) fn output(&self, i: usize) -> String {
-        self.outputs.get(i).map_or_else(|| self.number(0.0), |v| self.signed(*v)).text()
+        self.result(self.outputs.get(i).map_or_else(|| self.number(0.0), |v| self.signed(*v)).text())
+    }
+
+    /// An expression that goes into an array: packed, where the others are.
+    fn result(&self, text: String) -> String {
+        if self.packed { format!("q[0].of({text})") } else { text }
     }
 
     /// The expression of a value.

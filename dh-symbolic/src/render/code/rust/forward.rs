@@ -1,5 +1,6 @@
 //! Generates `forward`, `frames` and `jacobian`.
 
+use super::structure::Batches;
 use crate::chain::Chain;
 use crate::program::{Cost, Forward, Program};
 use crate::render::code::body::Body;
@@ -24,12 +25,24 @@ fn pose(body: &Body<'_>, from: usize) -> String {
     )
 }
 
+/// The Jacobian without the pose.
+pub(super) fn jacobian(forward: &Forward) -> Program {
+    Program { graph: forward.jacobian.graph.clone(), outputs: forward.jacobian.outputs[12..].to_vec() }
+}
+
+/// The columns of a Jacobian whose entries start at this output.
+pub(super) fn columns(body: &Body<'_>, from: usize, n: usize) -> String {
+    let entry = |j: usize, r: usize| body.output(from + 6 * j + r);
+    let column = |j: usize| format!("[{}]", (0..6).map(|r| entry(j, r)).collect::<Vec<_>>().join(", "));
+    (0..n).map(column).collect::<Vec<_>>().join(",\n")
+}
+
 fn cost(p: &Program) -> Cost {
     Cost::of(&p.graph, &p.outputs)
 }
 
 /// The inherent functions.
-pub(super) fn functions(chain: &Chain, forward: &Forward) -> String {
+pub(super) fn functions(chain: &Chain, forward: &Forward, batches: Batches) -> String {
     let (n, f) = (chain.dof(), scalar_name(chain.settings.scalar));
     let unit = chain.settings.unit.name;
     let mut out = String::new();
@@ -55,11 +68,8 @@ pub(super) fn functions(chain: &Chain, forward: &Forward) -> String {
         body.lines.join("\n"),
         poses.join(",\n")
     ));
-    let jacobian = Program { graph: forward.jacobian.graph.clone(), outputs: forward.jacobian.outputs[12..].to_vec() };
+    let jacobian = jacobian(forward);
     let body = Body::new(chain, &jacobian, chain.settings.scalar);
-    let columns: Vec<String> = (0..n)
-        .map(|j| format!("[{}]", (0..6).map(|r| body.output(6 * j + r)).collect::<Vec<_>>().join(", ")))
-        .collect();
     out.push_str(&format!(
         "/// Geometric Jacobian: rows 0..3 linear ({unit} per radian, or 1 for a sliding joint), rows 3..6 angular; base axes, at the\n\
          /// origin of the last frame (or tool); equation ({next}) of the robot's notes.\n///\n/// Cost: {}.\n#[inline]\n#[must_use]\n\
@@ -67,12 +77,9 @@ pub(super) fn functions(chain: &Chain, forward: &Forward) -> String {
          ::dh_robot::nalgebra::SMatrix::from_data(::dh_robot::nalgebra::ArrayStorage([{}]))\n}}\n",
         cost(&jacobian),
         body.lines.join("\n"),
-        columns.join(",\n")
+        columns(&body, 0, n)
     ));
     let body = Body::new(chain, &forward.jacobian, chain.settings.scalar);
-    let columns: Vec<String> = (0..n)
-        .map(|j| format!("[{}]", (0..6).map(|r| body.output(12 + 6 * j + r)).collect::<Vec<_>>().join(", ")))
-        .collect();
     out.push_str(&format!(
         "/// [`forward`](Self::forward) and [`jacobian`](Self::jacobian) together, for little more than one of them.\n///\n/// Cost: {}.\n\
          #[inline]\n#[must_use]\npub fn forward_and_jacobian(&self, q: &[{f}; {n}]) -> \
@@ -81,15 +88,15 @@ pub(super) fn functions(chain: &Chain, forward: &Forward) -> String {
         cost(&forward.jacobian),
         body.lines.join("\n"),
         pose(&body, 0),
-        columns.join(",\n")
+        columns(&body, 12, n)
     ));
-    out.push_str(&super::batch::forward(chain));
+    out.push_str(&super::batch::forward(chain, batches));
     out.push_str(&super::velocity::functions(chain));
     out
 }
 
 /// The trait implementations that go with them.
-pub(super) fn traits(chain: &Chain, name: &str) -> String {
+pub(super) fn traits(chain: &Chain, forward: &Forward, name: &str, batches: Batches) -> String {
     let (n, f) = (chain.dof(), scalar_name(chain.settings.scalar));
     let iso = format!("::dh_robot::nalgebra::IsometryMatrix3<{f}>");
     format!(
@@ -101,6 +108,7 @@ pub(super) fn traits(chain: &Chain, name: &str) -> String {
          impl ::dh_robot::Jacobian<{n}, {f}> for {name} {{\n\
          #[inline]\nfn jacobian(&self, q: &[{f}; {n}]) -> ::dh_robot::nalgebra::SMatrix<{f}, 6, {n}> {{ {name}::jacobian(self, q) }}\n\
          #[inline]\nfn forward_and_jacobian(&self, q: &[{f}; {n}]) -> ({iso}, ::dh_robot::nalgebra::SMatrix<{f}, 6, {n}>) \
-         {{ {name}::forward_and_jacobian(self, q) }}\n}}\n"
+         {{ {name}::forward_and_jacobian(self, q) }}\n}}\n{}",
+        super::batch::packed(chain, name, forward, batches)
     )
 }

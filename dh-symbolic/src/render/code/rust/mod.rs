@@ -20,5 +20,5 @@ mod verify;
 pub use inverse::inverse;
 #[cfg(feature = "cli")]
 pub use pretty::pretty;
-pub use structure::{Head, Items, robot};
+pub use structure::{Batches, Head, Items, robot};
 pub use stub::stub;

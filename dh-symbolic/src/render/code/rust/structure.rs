@@ -22,6 +22,17 @@ pub struct Head {
     pub table: Vec<Vec<String>>,
     /// `base` and `tool` as written.
     pub motions: Vec<(String, String)>,
+    /// How batches of forward kinematics are computed.
+    pub batches: Batches,
+}
+
+/// How batches of forward kinematics are computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Batches {
+    /// By single calls.
+    OneByOne,
+    /// In vector registers, by the formulas stated once more for packed numbers (feature `simd` of `dh-robot`).
+    Packed,
 }
 
 /// Lexes generated text. Were it ever not to lex, a compile error says so.
@@ -65,8 +76,8 @@ pub fn robot(head: &Head, chain: &Chain, programs: &Forward, inverse: &str, extr
         "#[allow(unused, clippy::all, clippy::pedantic)]\nimpl {name} {{\n/// Number of joints.\npub const DOF: usize = {n};\n\
          /// Kind, range and name of every joint.\npub const JOINTS: [::dh_robot::Joint<{f}>; {n}] = [{}];\n{}}}\n{}{inverse}",
         joints.join(", "),
-        forward::functions(chain, programs),
-        forward::traits(chain, &name),
+        forward::functions(chain, programs, head.batches),
+        forward::traits(chain, programs, &name, head.batches),
     );
     Items { declaration, text }
 }
