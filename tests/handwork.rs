@@ -4,7 +4,7 @@
 //! steps in order: known poses are products of the printed matrices, letters and roots come from the printed formulas. What comes out
 //! must be what the note prints, each equation must hold, and the joint values must give the pose through the printed link transforms.
 
-mod formula;
+pub(crate) mod formula;
 mod notebook;
 pub(crate) mod tables;
 

@@ -6,6 +6,7 @@ mod arms;
 mod batch;
 mod batched;
 mod browser;
+mod chapter;
 mod choice;
 mod claims;
 mod closure;

@@ -73,6 +73,8 @@ pub struct Robot {
     arm: Arc<Names>,
     kinematics: Arc<Kinematics>,
     source: Arc<Source>,
+    /// The first line of the table's doc comment.
+    about: Option<Arc<str>>,
 }
 
 /// The text of a table, and what it is called in messages.
@@ -126,7 +128,8 @@ impl Robot {
         };
         let chain = Chain::new(spec);
         let kinematics = Arc::new(Kinematics::new(&chain));
-        Ok(Robot { arm: Arc::new(Names::new(chain)), kinematics, source: Arc::new(source) })
+        let about = parsed.head.docs.first().map(|line| Arc::from(line.trim().trim_end_matches('.')));
+        Ok(Robot { about, arm: Arc::new(Names::new(chain)), kinematics, source: Arc::new(source) })
     }
 
     /// The name of the type in the table.
@@ -336,7 +339,7 @@ impl Robot {
         pipeline::programs(&self.arm.chain, &parsed).map(|_| ()).map_err(|errors| self.source.error(&errors))
     }
 
-    /// Lecture notes: table, link transforms, products, Jacobian, singularities, inverse, a worked example, as the options say.
+    /// Lecture notes, with the first line of the table's doc comment below the title: table, link transforms, products, Jacobian, singularities, inverse, a worked example, as the options say.
     ///
     /// ```
     /// use dh_symbolic::{Format, NotesOptions};
@@ -348,7 +351,12 @@ impl Robot {
     ///
     /// Values in the options that do not fit the robot are passed over: [`Robot::check_options`] finds them.
     pub fn notes(&self, options: &Options) -> Document {
-        notes(&self.arm.chain, options)
+        match (&options.subtitle, &self.about) {
+            (None, Some(about)) => {
+                notes(&self.arm.chain, &Options { subtitle: Some(about.to_string()), ..options.clone() })
+            }
+            _ => notes(&self.arm.chain, options),
+        }
     }
 
     /// Do joint names, values, motions and frames of these options fit the robot?

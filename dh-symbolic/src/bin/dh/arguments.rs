@@ -89,6 +89,11 @@ impl Request {
             if name != "--to" && name != "--out" && !NotesOptions::NAMES.contains(&name.as_str()) {
                 return Err(Answer::usage(&format!("no option `{name}`")));
             }
+            if NotesOptions::FLAGS.contains(&name.as_str()) {
+                request.options.set(&name, "").map_err(|e| Answer::usage(&e))?;
+                of_notes = Some(name);
+                continue;
+            }
             let value = parser.value().and_then(ValueExt::string);
             let value = value.map_err(|_| Answer::usage(&format!("`{name}` needs a value")))?;
             match name.as_str() {

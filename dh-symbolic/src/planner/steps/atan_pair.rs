@@ -88,7 +88,10 @@ impl Kind for AtanPair {
 
     fn words(&self, _: bool) -> Words {
         let equation = "two equations a cos + b sin = c, one value";
-        Words::new("sine and cosine", "同时得到正弦和余弦", equation)
+        Words::new("sine and cosine", "同时得到正弦和余弦", equation).because(
+            "Why: both equations are linear in the cosine and the sine of the unknown. Cramer's rule gives both, and atan2 the angle; a common positive factor of its arguments does not matter.",
+            "理由：两式对未知角的余弦和正弦都是线性的，由克拉默法则求出二者，再由 atan2 得角；两个自变量的公共正因子可略去。",
+        )
     }
 }
 

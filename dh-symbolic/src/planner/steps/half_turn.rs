@@ -67,7 +67,10 @@ impl Kind for HalfTurn {
 
     fn words(&self, _: bool) -> Words {
         let equation = "a cos + b sin = 0, two values half a turn apart";
-        Words::new("a ratio of sine and cosine", "正弦与余弦之比", equation)
+        Words::new("a ratio of sine and cosine", "正弦与余弦之比", equation).because(
+            "Why: the equation fixes the ratio of sine and cosine, and with it the angle up to half a turn.",
+            "理由：该方程确定正弦与余弦之比，从而确定角，只差半周。",
+        )
     }
 }
 

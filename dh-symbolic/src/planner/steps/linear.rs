@@ -35,5 +35,6 @@ impl Kind for Linear {
 
     fn words(&self, _: bool) -> Words {
         Words::new("a linear equation", "线性方程", "a d + b = 0, one value")
+            .because("Why: the unknown occurs once and is not in a sine.", "理由：未知量只出现一次，且不在正弦之中。")
     }
 }

@@ -38,5 +38,6 @@ impl Kind for Quadratic {
 
     fn words(&self, _: bool) -> Words {
         Words::new("a quadratic equation", "二次方程", "a d^2 + b d + c = 0, two values")
+            .because("Why: the formula for quadratic equations.", "理由：二次方程求根公式。")
     }
 }

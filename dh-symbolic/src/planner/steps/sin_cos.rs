@@ -57,11 +57,15 @@ impl Kind for SinCos {
 
     fn words(&self, is_distance: bool) -> Words {
         let equation = "a cos + b sin = c, two values";
-        if is_distance {
+        let words = if is_distance {
             Words::new("the law of cosines", "余弦定理", equation)
         } else {
             Words::new("an equation in sine and cosine", "正弦余弦方程", equation)
-        }
+        };
+        words.because(
+            "Why: in polar form the two terms with the unknown are one cosine of the unknown less a known angle. The cosine gives this difference up to its sign. (Where the sine or the cosine occurs alone, it is known at once, and the other one up to its sign.)",
+            "理由：把含未知角的两项写成极坐标形式，合为“未知角减去一已知角”的余弦；由余弦得该差，正负两值。（若只出现正弦或余弦，则它直接可得，另一个相差正负号。）",
+        )
     }
 }
 

@@ -33,12 +33,19 @@ pub struct Words {
     pub equation: &'static str,
     /// How it is solved, where that is no formula; `{}` takes the slots in turn.
     pub sentence: Option<(Wording, &'static [Slot])>,
+    /// Why the formulas follow from the equations, for readers who ask.
+    pub why: Option<Wording>,
 }
 
 impl Words {
     /// A step that formulas solve.
     pub(super) const fn new(english: &'static str, chinese: &'static str, equation: &'static str) -> Words {
-        Words { name: Wording { english, chinese }, equation, sentence: None }
+        Words { name: Wording { english, chinese }, equation, sentence: None, why: None }
+    }
+
+    /// The same with a reason.
+    pub(super) const fn because(self, english: &'static str, chinese: &'static str) -> Words {
+        Words { why: Some(Wording { english, chinese }), ..self }
     }
 
     /// The same with a sentence in the place of formulas.

@@ -9,6 +9,10 @@ use std::fmt;
 pub struct Document {
     /// What it is called.
     pub title: String,
+    /// A line below the title.
+    pub subtitle: Option<String>,
+    /// Whether it is to be a piece of another document (LaTeX, Typst): without preamble and title.
+    pub fragment: bool,
     /// Language tag: `en`, `zh`.
     pub language: &'static str,
     /// What it says, in order.

@@ -5,7 +5,7 @@ use super::{Block, Document, Span, Text};
 
 /// The note as Markdown.
 pub fn document(d: &Document) -> String {
-    let mut out = format!("# {}\n", d.title);
+    let mut out = head(d);
     for b in &d.blocks {
         out.push('\n');
         out.push_str(&block(b));
@@ -15,7 +15,7 @@ pub fn document(d: &Document) -> String {
 
 /// The note with links to its figures, which are files beside it.
 pub(super) fn linked(d: &Document, stem: &str) -> (String, Vec<(String, String)>) {
-    let mut out = format!("# {}\n", d.title);
+    let mut out = head(d);
     let mut files = Vec::new();
     for b in &d.blocks {
         out.push('\n');
@@ -30,6 +30,12 @@ pub(super) fn linked(d: &Document, stem: &str) -> (String, Vec<(String, String)>
         }
     }
     (out, files)
+}
+
+/// Title and subtitle.
+fn head(d: &Document) -> String {
+    let subtitle = d.subtitle.as_ref().map_or(String::new(), |s| format!("\n*{}*\n", escape(s)));
+    format!("# {}\n{subtitle}", d.title)
 }
 
 fn block(b: &Block) -> String {

@@ -73,7 +73,7 @@ impl InversePlan {
         let mut blocks = structure(&self.chain, language);
         blocks.extend(steps(&explanation, language));
         blocks.push(Block::Code("mermaid", chart(&explanation, language)));
-        Document { title, language: language.tag(), blocks }
+        Document { title, subtitle: None, fragment: false, language: language.tag(), blocks }
     }
 
     /// The flow chart alone, as Mermaid reads it.

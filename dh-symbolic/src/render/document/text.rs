@@ -7,6 +7,9 @@ use crate::render::formula::text::{columns, math, width};
 /// The note as plain text.
 pub fn document(d: &Document) -> String {
     let mut out = format!("{}\n{}\n", d.title, "═".repeat(width(&d.title)));
+    if let Some(subtitle) = &d.subtitle {
+        out.push_str(&format!("\n{}\n", wrap(subtitle, 100, "")));
+    }
     for block in &d.blocks {
         out.push('\n');
         out.push_str(&self::block(block));

@@ -23,6 +23,8 @@ pub enum Math {
     Fraction(Box<Math>, Box<Math>),
     /// A square root.
     Root(Box<Math>),
+    /// A rate of change: a dot above.
+    Dot(Box<Math>),
     /// A matrix, by rows.
     Matrix(Vec<Vec<Math>>),
 }
@@ -130,6 +132,18 @@ impl Math {
         }))
     }
 
+    /// Its rate of change: a dot above, indices stay outside.
+    #[must_use]
+    pub fn dotted(self) -> Math {
+        match self {
+            Math::Script(mut s) => {
+                s.base = Math::Dot(Box::new(s.base));
+                Math::Script(s)
+            }
+            base => Math::Dot(Box::new(base)),
+        }
+    }
+
     /// Inside round brackets.
     #[must_use]
     pub fn in_brackets(self) -> Math {
@@ -179,6 +193,7 @@ impl Math {
             }
             Math::Fraction(n, d) => n.glyphs() + d.glyphs() + 1,
             Math::Root(x) => x.glyphs() + 1,
+            Math::Dot(x) => x.glyphs(),
             Math::Matrix(rows) => 2 + rows.iter().flatten().map(Math::glyphs).sum::<usize>(),
         }
     }

@@ -13,12 +13,23 @@ use crate::chain::{AngleCell, Chain, Convention, Coordinate, Elementary, Handle,
 ///   of theta1 = q1 + 30 degrees, the table's angle, and no formula is full of square roots.
 /// * A number of the table that stands there with a minus sign is the cell with its sign: a2 = -0.425, where the code has -a2.
 pub(in crate::render) fn named_offsets(chain: &Chain) -> Option<Chain> {
+    with_names(chain, false)
+}
+
+/// The same with a name for every joint angle that is not its variable: all angles are those of the table.
+#[cfg(feature = "documents")]
+pub(in crate::render) fn named_table_angles(chain: &Chain) -> Option<Chain> {
+    with_names(chain, true)
+}
+
+fn with_names(chain: &Chain, all: bool) -> Option<Chain> {
     let odd = |k: usize, joint: &crate::chain::Joint| {
         let link = chain.links.get(joint.row)?;
         let quarter = link.theta.constant.steps_of_15_degrees().is_some_and(|n| n % 6 == 0);
         let line = chain.drive.get(k)?;
         let direct = line.iter().enumerate().all(|(j, p)| if j == k { p.is_one() } else { p.is_zero() });
-        (!quarter || !direct && !link.theta.constant.is_zero()).then(|| link.theta.constant.clone())
+        let named = !quarter || (all || !direct) && !link.theta.constant.is_zero();
+        named.then(|| link.theta.constant.clone())
     };
     let mut out: Option<Chain> = None;
     for (k, joint) in chain.joints.iter().enumerate() {

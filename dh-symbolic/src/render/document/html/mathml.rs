@@ -42,6 +42,7 @@ pub fn math(m: &Math) -> String {
             format!("<mfrac displaystyle=\"{large}\">{}{}</mfrac>", math(n), math(d))
         }
         Math::Root(x) => format!("<msqrt>{}</msqrt>", math(x)),
+        Math::Dot(x) => format!("<mover accent=\"true\">{}<mo>&#x2D9;</mo></mover>", math(x)),
         Math::Matrix(rows) => {
             let rows: String = rows
                 .iter()

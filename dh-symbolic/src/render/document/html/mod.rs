@@ -10,8 +10,9 @@ use crate::render::document::{Block, Document, Equation, Figure, Span, Text};
 
 /// The note as a page.
 pub fn document(d: &Document) -> String {
+    let subtitle = d.subtitle.as_ref().map_or(String::new(), |s| format!("<p>{}</p>\n", escape(s)));
     let mut out = format!(
-        "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<h1>{}</h1>\n",
+        "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<h1>{}</h1>\n{subtitle}",
         d.language,
         escape(&d.title),
         escape(&d.title)

@@ -124,6 +124,10 @@ fn flatten(m: &Math, low: bool, out: &mut Vec<Run>) {
             out.push(Run { text: "√".into(), low, italic: false });
             flatten(x, low, out);
         }
+        Math::Dot(x) => {
+            flatten(x, low, out);
+            out.push(Run { text: "\u{307}".into(), low, italic: false });
+        }
         Math::Matrix(_) => {}
     }
 }

@@ -87,6 +87,7 @@ fn write(m: &Math, out: &mut String) {
             push(out, &format!("\\{}frac{{{}}}{{{}}}", if small { "t" } else { "d" }, math(n), math(d)));
         }
         Math::Root(x) => push(out, &format!("\\sqrt{{{}}}", math(x))),
+        Math::Dot(x) => push(out, &format!("\\dot{{{}}}", math(x))),
         Math::Matrix(rows) => {
             let rows: Vec<String> = rows.iter().map(|r| r.iter().map(math).collect::<Vec<_>>().join(" & ")).collect();
             push(out, &format!("\\begin{{bmatrix}} {} \\end{{bmatrix}}", rows.join(" \\\\ ")));

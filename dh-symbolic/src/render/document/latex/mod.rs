@@ -6,19 +6,26 @@ pub mod tikz;
 use formula::escape;
 pub use formula::math;
 
-use crate::render::document::{Block, Document, Equation, Span, Text};
+use crate::render::document::{Block, Document, Equation, Figure, Span, Text};
 
 /// The note as a document.
 pub fn document(d: &Document) -> String {
     let chinese = d.language == "zh";
     let class = if chinese { "ctexart" } else { "article" };
     let figures = if d.blocks.iter().any(|b| matches!(b, Block::Figure(_))) { "\\usepackage{tikz}\n" } else { "" };
-    let mut out = format!(
-        "\\documentclass[a4paper,11pt]{{{class}}}\n\\usepackage{{amsmath}}\n{figures}\\usepackage[margin=25mm]{{geometry}}\n\
+    let subtitle = d.subtitle.as_ref().map_or(String::new(), |s| format!("\\\\[1ex] \\large {}", escape(s)));
+    let mut out = if d.fragment {
+        let packages = if figures.is_empty() { "amsmath" } else { "amsmath and tikz" };
+        format!("% Needs {packages}.\n\\setcounter{{MaxMatrixCols}}{{20}}\n")
+    } else {
+        format!(
+            "\\documentclass[a4paper,11pt]{{{class}}}\n\\usepackage{{amsmath}}\n{figures}\\usepackage[margin=25mm]{{geometry}}\n\
          \\setcounter{{MaxMatrixCols}}{{20}}\n\\allowdisplaybreaks\n\\setlength{{\\parindent}}{{0pt}}\n\
-         \\setlength{{\\parskip}}{{0.5em}}\n\\title{{{}}}\n\\author{{}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n",
-        escape(&d.title)
-    );
+         \\setlength{{\\parskip}}{{0.5em}}\n\\title{{{}{subtitle}}}\n\\author{{}}\n\\date{{}}\n\\begin{{document}}\n\\maketitle\n",
+            escape(&d.title)
+        )
+    };
+    let mut drawn = 0;
     let mut before: Option<&Block> = None;
     for b in &d.blocks {
         // an empty line before a display would end its paragraph, with too much room above
@@ -26,10 +33,17 @@ pub fn document(d: &Document) -> String {
         if !(display && matches!(before, Some(Block::Paragraph(_)))) {
             out.push('\n');
         }
-        out.push_str(&block(b));
+        if let Block::Figure(f) = b {
+            drawn += 1;
+            out.push_str(&figure(f, &format!("fig:{}-{drawn}", slug(&d.title))));
+        } else {
+            out.push_str(&block(b));
+        }
         before = Some(b);
     }
-    out.push_str("\n\\end{document}\n");
+    if !d.fragment {
+        out.push_str("\n\\end{document}\n");
+    }
     out
 }
 
@@ -54,13 +68,24 @@ fn block(b: &Block) -> String {
             let items: String = items.iter().map(|t| format!("\\item {}\n", text(t))).collect();
             format!("\\begin{{itemize}}\n{items}\\end{{itemize}}\n")
         }
-        Block::Figure(f) => format!(
-            "\\begin{{center}}\n{}\\par\\smallskip\n{{\\small {}}}\n\\end{{center}}\n",
-            tikz::picture(&f.drawing),
-            text(&f.caption)
-        ),
+        Block::Figure(f) => figure(f, "fig:figure"),
         Block::Code(_, code) => format!("\\begin{{verbatim}}\n{}\n\\end{{verbatim}}\n", code.trim_end()),
     }
+}
+
+/// A float with its caption and a label.
+fn figure(f: &Figure, label: &str) -> String {
+    format!(
+        "\\begin{{figure}}[htbp]\n\\centering\n{}\\caption{{{}}}\n\\label{{{label}}}\n\\end{{figure}}\n",
+        tikz::picture(&f.drawing),
+        text(&f.caption)
+    )
+}
+
+/// The last word of a title, fit for a label.
+fn slug(title: &str) -> String {
+    let word = |t: &str| t.chars().filter(char::is_ascii_alphanumeric).collect::<String>().to_lowercase();
+    title.split_whitespace().map(word).rfind(|w| !w.is_empty() && w != "of").unwrap_or_else(|| "arm".into())
 }
 
 /// Rows of an `aligned` or `align*` environment.

@@ -116,7 +116,7 @@ impl Arm {
     }
 
     /// A formula at joint coordinates.
-    fn evaluate(&self, p: &Poly, x: &[f64]) -> f64 {
+    pub(super) fn evaluate(&self, p: &Poly, x: &[f64]) -> f64 {
         self.evaluate_with(p, x, &|_| None)
     }
 
@@ -267,11 +267,13 @@ impl Arm {
 
     /// Sum of squared differences, whole turns taken off.
     pub(super) fn distance(&self, a: &[f64], b: &[f64]) -> f64 {
-        let one = |(k, (a, b)): (usize, (&f64, &f64))| {
-            let d = a - b;
-            if self.wraps(k) { d.sin().atan2(d.cos()).powi(2) } else { d * d }
-        };
-        a.iter().zip(b).enumerate().map(one).sum()
+        a.iter().zip(b).enumerate().map(|(k, (a, b))| self.distance_of(k, *a, *b).powi(2)).sum()
+    }
+
+    /// How far variable `k` moves between two values, whole turns taken off.
+    pub(super) fn distance_of(&self, k: usize, a: f64, b: f64) -> f64 {
+        let d = a - b;
+        if self.wraps(k) { d.sin().atan2(d.cos()) } else { d }
     }
 }
 

@@ -7,8 +7,10 @@ use super::{Block, Math, NotesWriter, Phrase, Sign, Span, Text};
 use crate::algebra::Transform;
 use crate::chain::{Chain, Handle, MotionSpec, Role, Task};
 use crate::kinematics::Kinematics;
+use crate::program::Inverse;
 use crate::render::document::frames::{Frame, decimal};
 use dh_kernels::pose::{self, Pose};
+use std::rc::Rc;
 
 /// What the example starts from.
 #[derive(Clone, Debug)]
@@ -44,14 +46,25 @@ impl Start {
     }
 }
 
-impl NotesWriter<'_> {
-    /// Appends the example; nothing where the arm has no inverse or no solution to show.
-    pub(super) fn example(&mut self, start: &Start) {
-        if !self.chain.settings.ik || self.chain.dof() == 0 {
-            return;
-        }
-        let Ok(inverse) = &*self.solved() else { return };
-        let arm = Arm::new(self.chain, inverse.clone());
+/// A pose of the arm, its solutions, and the one whose way is followed in numbers.
+pub(super) struct Sample {
+    pub(super) arm: Arm,
+    /// Joint values that the pose is made of, or that are given with it.
+    pub(super) q: Vec<f64>,
+    /// Where the arm is.
+    pub(super) near: Vec<f64>,
+    pub(super) goal: Pose,
+    pub(super) found: Vec<Found>,
+    worst: f64,
+    missed: Missed,
+    /// Index of the solution that is followed.
+    pub(super) chosen: usize,
+}
+
+impl Sample {
+    /// Solves the arm at the pose that the options of a note ask for.
+    pub(super) fn new(chain: &Chain, inverse: Rc<Inverse>, start: &Start) -> Sample {
+        let arm = Arm::new(chain, inverse);
         let fill = |given: &[Option<f64>], other: Vec<f64>| -> Vec<f64> {
             other.into_iter().enumerate().map(|(k, x)| given.get(k).copied().flatten().unwrap_or(x)).collect()
         };
@@ -62,6 +75,41 @@ impl NotesWriter<'_> {
             None => arm.forward(&q),
         };
         let (found, worst, missed) = arm.solve(&goal, &q);
+        let close = if start.pose.is_some() { &near } else { &q };
+        let distance = |f: &Found| arm.distance(&f.q, close);
+        let chosen = (0..found.len()).min_by(|a, b| distance(&found[*a]).total_cmp(&distance(&found[*b])));
+        let chosen = chosen.unwrap_or(0);
+        Sample { arm, q, near, goal, found, worst, missed, chosen }
+    }
+
+    /// The same with other names for the arm's joint angles.
+    pub(super) fn seen_as(self, arm: Arm) -> Sample {
+        Sample { arm, ..self }
+    }
+
+    /// The pose between the first and the last frame of the table.
+    pub(super) fn inner(&self) -> Pose {
+        inner(&self.arm, &self.goal)
+    }
+}
+
+/// A pose without base and tool.
+fn inner(arm: &Arm, goal: &Pose) -> Pose {
+    let k = Kinematics::new(&arm.chain);
+    let constant = |t: &Transform| arm.numbers(t, &[]);
+    let inner = pose::compose(&pose::inverse(&constant(k.base())), goal);
+    pose::compose(&inner, &pose::inverse(&constant(k.tool())))
+}
+
+impl NotesWriter<'_> {
+    /// Appends the example; nothing where the arm has no inverse or no solution to show.
+    pub(super) fn example(&mut self, start: &Start) {
+        if !self.chain.settings.ik || self.chain.dof() == 0 {
+            return;
+        }
+        let Ok(inverse) = &*self.solved() else { return };
+        let Sample { arm, q, near, goal, found, worst, missed, chosen } =
+            Sample::new(self.chain, inverse.clone(), start);
         if found.is_empty() && start.pose.is_none() {
             return;
         }
@@ -88,10 +136,6 @@ impl NotesWriter<'_> {
         let list: Vec<Vec<f64>> = found.iter().map(|f| arm.coordinates(&f.q)).collect();
         self.postures(&Kinematics::new(self.chain), &list);
         self.tree(&arm, &found);
-        let goal = if start.pose.is_some() { &near } else { &q };
-        let distance = |f: &Found| arm.distance(&f.q, goal);
-        let chosen = (0..found.len()).min_by(|a, b| distance(&found[*a]).total_cmp(&distance(&found[*b])));
-        let chosen = chosen.unwrap_or(0);
         let apart = found.get(chosen).map_or(0.0, |f| if start.pose.is_some() { 1.0 } else { arm.distance(&f.q, &q) });
         self.in_numbers(&arm, &found, (chosen, apart));
         self.choice(&arm, &found, &near);
@@ -219,10 +263,7 @@ impl NotesWriter<'_> {
         if self.chain.settings.task != Task::Pose || (self.chain.base.is_empty() && self.chain.tool.is_empty()) {
             return;
         }
-        let k = Kinematics::new(&arm.chain);
-        let constant = |t: &Transform| arm.numbers(t, &[]);
-        let inner = pose::compose(&pose::inverse(&constant(k.base())), goal);
-        let inner = pose::compose(&inner, &pose::inverse(&constant(k.tool())));
+        let inner = inner(arm, goal);
         self.say(Phrase::WithoutBaseAndTool, vec![]);
         let matrix = self.numbers(&inner, self.places(arm));
         let n = self.chain.links.len();

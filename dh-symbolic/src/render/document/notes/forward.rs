@@ -29,7 +29,7 @@ impl NotesWriter<'_> {
     }
 
     /// The transform of any row, from the convention itself.
-    fn general(&mut self) {
+    pub(super) fn general(&mut self) {
         let mut ring = Ring::new();
         let (alpha, theta) = (ring.angle("alpha"), ring.angle("theta"));
         let (a, d) = (ring.symbol("a"), ring.symbol("d"));

@@ -108,7 +108,7 @@ impl NotesWriter<'_> {
     }
 
     /// R_z(theta1), D_x(a2).
-    fn motion(&self, notation: &crate::render::formula::notation::Notation, motion: &Elementary) -> Math {
+    pub(super) fn motion(&self, notation: &crate::render::formula::notation::Notation, motion: &Elementary) -> Math {
         let (letter, axis, argument) = match motion {
             Elementary::Translate(axis, length) => ('D', axis, notation.typeset(&self.group(length))),
             Elementary::Rotate(axis, angle) => {
@@ -187,7 +187,12 @@ impl NotesWriter<'_> {
             };
             let elements: Vec<String> = list.iter().map(|(i, j)| format!("({i}, {j})")).collect();
             let pieces = vec![Span::Plain(elements.join(", ")), Span::Math(of.clone())];
-            self.blocks.push(Block::Paragraph(Text::fill(self.words(phrase), pieces)));
+            let mut text = Text::fill(self.words(phrase), pieces);
+            if let Some(n) = self.number_of_equation(of) {
+                let place = text.0.iter().position(|s| *s == Span::Math(of.clone())).map_or(text.0.len(), |i| i + 1);
+                text.0.insert(place, Span::Plain(format!(" ({n})")));
+            }
+            self.blocks.push(Block::Paragraph(text));
         }
     }
 
@@ -223,6 +228,10 @@ impl NotesWriter<'_> {
                 };
                 let solved = s.formulas.iter().all(|f| step.equations.iter().any(|e| same(e, f)));
                 if !solved {
+                    if let Some(why) = step.words.why.filter(|_| self.options.why) {
+                        let why = self.options.language.of(why).into();
+                        self.blocks.push(Block::Paragraph(why));
+                    }
                     self.say(Phrase::Hence, vec![]);
                     let all = s.abbreviations.iter().chain(&s.formulas);
                     let list = all.map(|(l, r)| self.equation(l.clone(), r.clone())).collect();

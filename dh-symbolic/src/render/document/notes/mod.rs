@@ -4,6 +4,7 @@
 //! [`Order`] and [`Notation`]; nothing here knows a robot.
 
 mod arm;
+mod chapter;
 mod degenerate;
 mod example;
 mod figures;
@@ -61,6 +62,16 @@ pub fn notes(chain: &Chain, options: &Options) -> Document {
                 w.workspace_figure(&kinematics, start.as_ref().ok());
             }
             Part::Inverse => w.inverse(),
+            Part::Frames => w.construction(),
+            Part::Elementary => w.elementary(),
+            Part::Conventions => w.conventions(),
+            Part::Directions => w.directions(start.as_ref().ok()),
+            Part::Spaces => w.spaces(),
+            Part::Solutions => w.solutions_part(start.as_ref().ok()),
+            Part::Accuracy => w.accuracy(),
+            Part::Methods => w.methods(),
+            Part::Planar => w.planar_arm(start.as_ref().ok()),
+            Part::Pieper => w.pieper(start.as_ref().ok()),
             Part::Example => {
                 if let Ok(start) = &start {
                     w.example(start);
@@ -70,7 +81,8 @@ pub fn notes(chain: &Chain, options: &Options) -> Document {
     }
     let named = || Phrase::Title.in_language(options.language).replace("{}", &chain.name);
     let title = options.title.clone().unwrap_or_else(named);
-    Document { title, language: options.language.tag(), blocks: w.blocks }
+    let (subtitle, fragment) = (options.subtitle.clone(), options.fragment);
+    Document { title, subtitle, fragment, language: options.language.tag(), blocks: w.blocks }
 }
 
 /// Table, link transforms and their products: the formulas that stand beside numbers.
@@ -118,6 +130,10 @@ struct NotesWriter<'a> {
     named: Vec<(Poly, Math)>,
     /// Number of the last numbered equation.
     number: usize,
+    /// Left sides of numbered equations with their numbers.
+    numbered: Vec<(Math, usize)>,
+    /// Whether the wrist of a planar arm is another point than the one whose x and y are given.
+    wrist_apart: bool,
     /// The inverse or why there is none, once a part has asked for it.
     solved: Option<Solved>,
 }
@@ -136,6 +152,8 @@ impl<'a> NotesWriter<'a> {
             introduced: Vec::new(),
             named: Vec::new(),
             number: 0,
+            numbered: Vec::new(),
+            wrist_apart: false,
             solved: None,
         }
     }
@@ -177,9 +195,15 @@ impl<'a> NotesWriter<'a> {
         Equation { left, right: loosened(right, room).lines(room), number: None }
     }
 
+    /// The number of the last equation with this left side.
+    fn number_of_equation(&self, left: &Math) -> Option<usize> {
+        self.numbered.iter().rev().find(|e| e.0 == *left).map(|e| e.1)
+    }
+
     /// A displayed equation with a number.
     fn display(&mut self, left: Math, right: Math) {
         self.number += 1;
+        self.numbered.push((left.clone(), self.number));
         self.blocks.push(Block::Equations(vec![Equation { left, right: vec![right], number: Some(self.number) }]));
     }
 
@@ -198,6 +222,7 @@ impl<'a> NotesWriter<'a> {
             None => vec![matrix],
         };
         self.number += 1;
+        self.numbered.push((left.clone(), self.number));
         self.blocks.push(Block::Equations(vec![Equation { left, right, number: Some(self.number) }]));
     }
 

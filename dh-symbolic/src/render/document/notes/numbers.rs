@@ -182,7 +182,7 @@ pub(super) fn seen(explanation: &Explanation<'_>, arm: &Arm, frame: Frame, x: &[
 }
 
 /// A number with so many digits that count.
-fn significant(x: f64, digits: usize) -> Math {
+pub(super) fn significant(x: f64, digits: usize) -> Math {
     if x.abs() < 1e-12 {
         return Math::number(0);
     }

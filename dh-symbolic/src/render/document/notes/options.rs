@@ -24,11 +24,31 @@ pub enum Part {
     Inverse,
     /// A pose and all its joint vectors.
     Example,
+    /// How the frames are found on the arm: axes, common normals, choices.
+    Frames,
+    /// The link transform from four elementary motions.
+    Elementary,
+    /// The same arm in the other convention, and what joins the frames of both.
+    Conventions,
+    /// Direction cosines and homogeneous coordinates.
+    Directions,
+    /// Actuator, joint and Cartesian space, and the velocities between them.
+    Spaces,
+    /// The planar arm by geometry and by algebra.
+    Planar,
+    /// Pieper's method, for arms whose last three axes meet, and Z-Y-Z Euler angles.
+    Pieper,
+    /// How many solutions, how they belong together, which one is taken.
+    Solutions,
+    /// Repeatability and accuracy.
+    Accuracy,
+    /// The methods that solve equations in sines and cosines, each once.
+    Methods,
 }
 
 impl Part {
-    /// All parts with their names on the command line, in the order of a note.
-    pub const ALL: [(&'static str, Part); 9] = [
+    /// All parts with their names on the command line.
+    pub const ALL: [(&'static str, Part); 19] = [
         ("table", Part::Table),
         ("figure", Part::Figure),
         ("links", Part::Links),
@@ -38,6 +58,52 @@ impl Part {
         ("workspace", Part::Workspace),
         ("inverse", Part::Inverse),
         ("example", Part::Example),
+        ("frames", Part::Frames),
+        ("elementary", Part::Elementary),
+        ("conventions", Part::Conventions),
+        ("directions", Part::Directions),
+        ("spaces", Part::Spaces),
+        ("planar", Part::Planar),
+        ("pieper", Part::Pieper),
+        ("solutions", Part::Solutions),
+        ("accuracy", Part::Accuracy),
+        ("methods", Part::Methods),
+    ];
+
+    /// The chapter as it is taught, in its order: `--parts chapter`. Parts that do not fit an arm are empty.
+    pub const CHAPTER: [Part; 19] = [
+        Part::Directions,
+        Part::Frames,
+        Part::Table,
+        Part::Figure,
+        Part::Elementary,
+        Part::Links,
+        Part::Forward,
+        Part::Conventions,
+        Part::Spaces,
+        Part::Jacobian,
+        Part::Singular,
+        Part::Workspace,
+        Part::Inverse,
+        Part::Example,
+        Part::Planar,
+        Part::Pieper,
+        Part::Solutions,
+        Part::Accuracy,
+        Part::Methods,
+    ];
+
+    /// The parts of a note that names none, in their order.
+    pub const NOTE: [Part; 9] = [
+        Part::Table,
+        Part::Figure,
+        Part::Links,
+        Part::Forward,
+        Part::Jacobian,
+        Part::Singular,
+        Part::Workspace,
+        Part::Inverse,
+        Part::Example,
     ];
 }
 
@@ -50,6 +116,12 @@ pub struct Options {
     pub width: usize,
     /// The title instead of "Kinematics of ...".
     pub title: Option<String>,
+    /// The line below the title, the first of the table's doc comment at `Robot::notes`.
+    pub subtitle: Option<String>,
+    /// Whether the note is a piece of another LaTeX or Typst document: without preamble and title.
+    pub fragment: bool,
+    /// Whether each step of the inverse says why its formulas follow.
+    pub why: bool,
     /// Digits of the numbers of an example.
     pub digits: usize,
     /// Products with more terms than this, written out, are left as products.
@@ -75,9 +147,12 @@ impl Default for Options {
             language: Language::English,
             width: 64,
             title: None,
+            subtitle: None,
+            fragment: false,
+            why: false,
             digits: 4,
             terms: 1500,
-            parts: Part::ALL.iter().map(|p| p.1).collect(),
+            parts: Part::NOTE.to_vec(),
             style: Style::default(),
             products: Vec::new(),
             at: None,
@@ -102,7 +177,7 @@ fn is_name(text: &str) -> bool {
 
 impl Options {
     /// Names of the options that [`Options::set`] takes.
-    pub const NAMES: [&'static str; 14] = [
+    pub const NAMES: [&'static str; 16] = [
         "--lang",
         "--parts",
         "--products",
@@ -117,10 +192,17 @@ impl Options {
         "--width",
         "--digits",
         "--title",
+        "--why",
+        "--fragment",
     ];
+
+    /// Those of them that take no value.
+    pub const FLAGS: [&'static str; 2] = ["--why", "--fragment"];
 
     /// What the command line of `dh notes` may say, for its help text.
     pub const HELP: &'static str = "  --parts table,links,forward,...    parts in this order: table figure links forward jacobian singular workspace inverse example
+                                     (`note`), frames elementary conventions directions spaces planar pieper solutions
+                                     accuracy methods (`chapter`: all, as they are taught)
   --products 0-3,3-6,0-6             which products T(i, j) to form, in this order
   --sines short|long                 c23 or cos(theta2 + theta3)
   --transforms leading|trailing|products   indices before T, behind T, or A1 A2
@@ -133,6 +215,8 @@ impl Options {
   --width 64                         glyphs on a line
   --digits 4                         digits of the numbers of the worked example
   --title \"Exercise 3\"             the title instead of the robot's name
+  --why                              why the formulas of each step of the inverse follow from its equations
+  --fragment                         LaTeX for \\input, Typst for #include: without preamble and title
 ";
 
     /// Takes an option of the command line; false where this is none of the notes'.
@@ -145,7 +229,14 @@ impl Options {
             "--lang" => {
                 self.language = choose(name, value, &[("en", Language::English), ("zh", Language::Chinese)])?;
             }
-            "--parts" => self.parts = list().map(|t| choose(name, t, &Part::ALL)).collect::<Result<_, _>>()?,
+            "--parts" => {
+                let part = |t: &str| match t {
+                    "chapter" => Ok(Part::CHAPTER.to_vec()),
+                    "note" => Ok(Part::NOTE.to_vec()),
+                    t => choose(name, t, &Part::ALL).map(|p| vec![p]),
+                };
+                self.parts = list().map(part).collect::<Result<Vec<_>, _>>()?.concat();
+            }
             "--products" => {
                 let product = |t: &str| {
                     let ends = t.split_once('-').and_then(|(i, j)| Some((i.parse().ok()?, j.parse().ok()?)));
@@ -187,6 +278,8 @@ impl Options {
                 let width = value.parse().ok().filter(|w| (20..=400).contains(w));
                 self.width = width.ok_or_else(|| format!("`{name}` takes a number from 20 to 400, not `{value}`"))?;
             }
+            "--why" => self.why = true,
+            "--fragment" => self.fragment = true,
             "--title" => self.title = Some(value.to_string()),
             "--digits" => {
                 let digits = value.parse().ok().filter(|n| (3..=14).contains(n));

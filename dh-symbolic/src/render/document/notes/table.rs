@@ -15,7 +15,7 @@ impl NotesWriter<'_> {
         let after = Math::Row(vec![i(), Math::Sign(Sign::Plus), Math::number(1)]);
         let mut header: Vec<Math> = match self.chain.convention {
             Convention::Modified => {
-                self.say(Phrase::Modified, vec![i(), i(), i(), before()]);
+                self.say(Phrase::Modified, vec![i(), i(), i(), before(), of('α', before()), of('a', before())]);
                 vec![of('α', before()), of('a', before()), of('d', i()), of('θ', i())]
             }
             Convention::Standard => {
@@ -58,7 +58,7 @@ impl NotesWriter<'_> {
     }
 
     /// theta2 - 90 degrees.
-    fn angle(&self, angle: &LinearAngle) -> Math {
+    pub(super) fn angle(&self, angle: &LinearAngle) -> Math {
         let mut row = vec![self.notation.combination(&angle.terms)];
         if !angle.constant.is_zero() {
             let (negative, value) = self.notation.exact_angle(angle.constant.factor());
@@ -82,14 +82,18 @@ impl NotesWriter<'_> {
             return self.words(Phrase::Fixed).into();
         };
         let Some((low, high)) = &joint.range else { return Text::default() };
-        Math::Row(vec![
+        let range = Math::Row(vec![
             Math::Open('['),
             bound(&self.notation, low),
             Math::Sign(Sign::Comma),
             bound(&self.notation, high),
             Math::Close(']'),
-        ])
-        .into()
+        ]);
+        let mut text = Text::from(range);
+        if matches!((low, high), (Bound::Length(_), _) | (_, Bound::Length(_))) {
+            text.0.push(Span::Plain(format!(" {}", self.chain.settings.unit.name)));
+        }
+        text
     }
 
     /// Nominal values, by kind.

@@ -25,8 +25,8 @@ macro_rules! phrases {
 phrases! {
     Title: "Kinematics of {}", "{} 的运动学";
     Parameters: "Denavit-Hartenberg parameters", "DH 参数";
-    Modified: "Modified convention (Craig): frame {} sits on the axis of joint {}; row {} lists α and a of link {}.",
-        "改进型约定（Craig）：坐标系 {} 位于关节 {} 的轴上；第 {} 行给出连杆 {} 的扭转角 α 与长度 a。";
+    Modified: "Modified convention (Craig): frame {} sits on the axis of joint {}; row {} lists the twist and the length of link {}, {} and {}.",
+        "改进型约定（Craig）：坐标系 {} 位于关节 {} 的轴上；第 {} 行给出连杆 {} 的扭转角 {} 与长度 {}。";
     Standard: "Standard convention: frame {} sits at the far end of link {}, on the axis of joint {}.",
         "标准型约定：坐标系 {} 位于杆件 {} 的末端，即关节 {} 的轴上。";
     Lengths: "Lengths in {}: ", "长度（单位：{}）：";

@@ -43,6 +43,7 @@ pub fn math(m: &Math) -> String {
             format!("{}(frac({}, {}))", if small { "inline" } else { "display" }, math(n), math(d))
         }
         Math::Root(x) => format!("sqrt({})", math(x)),
+        Math::Dot(x) => format!("dot({})", math(x)),
         Math::Matrix(rows) => {
             let rows: Vec<String> = rows.iter().map(|r| r.iter().map(math).collect::<Vec<_>>().join(", ")).collect();
             format!("mat({})", rows.join("; "))

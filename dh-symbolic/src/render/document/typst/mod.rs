@@ -9,13 +9,19 @@ use crate::render::document::{Block, Document, Equation, Span, Text};
 
 /// The note as a document.
 pub fn document(d: &Document) -> String {
-    let mut out = format!(
-        "#set document(title: {})\n#set page(paper: \"a4\", margin: 25mm)\n#set text(lang: \"{}\")\n\
-         #set math.mat(delim: \"[\", row-gap: 0.5em, column-gap: 1em)\n#show math.equation: set block(breakable: true)\n\n#align(center, text(17pt)[{}])\n",
-        string(&d.title),
-        d.language,
-        escape(&d.title)
-    );
+    let setup = "#set math.mat(delim: \"[\", row-gap: 0.5em, column-gap: 1em)\n#show math.equation: set block(breakable: true)\n";
+    let subtitle = d.subtitle.as_ref().map_or(String::new(), |s| format!("#align(center)[{}]\n", escape(s)));
+    let mut out = if d.fragment {
+        setup.to_string()
+    } else {
+        format!(
+            "#set document(title: {})\n#set page(paper: \"a4\", margin: 25mm)\n#set text(lang: \"{}\")\n\
+         {setup}\n#align(center, text(17pt)[{}])\n{subtitle}",
+            string(&d.title),
+            d.language,
+            escape(&d.title)
+        )
+    };
     for b in &d.blocks {
         out.push('\n');
         out.push_str(&block(b));

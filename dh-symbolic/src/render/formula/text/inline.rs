@@ -41,6 +41,7 @@ fn piece(m: &Math) -> Piece {
             Math::Number(_) | Math::Letter(_) => plain(format!("√{}", math(x))),
             _ => plain(format!("√({})", math(x))),
         },
+        Math::Dot(x) => plain(format!("{}\u{307}", math(x))),
         Math::Matrix(rows) => {
             let lines: Vec<String> = rows.iter().map(|r| r.iter().map(math).collect::<Vec<_>>().join(", ")).collect();
             plain(format!("[{}]", lines.join("; ")))
@@ -71,7 +72,13 @@ fn sign(s: Sign) -> &'static str {
 fn is_factor(m: &Math) -> bool {
     matches!(
         m,
-        Math::Letter(_) | Math::Word(_) | Math::Number(_) | Math::Script(_) | Math::Root(_) | Math::Fraction(..)
+        Math::Letter(_)
+            | Math::Word(_)
+            | Math::Number(_)
+            | Math::Script(_)
+            | Math::Root(_)
+            | Math::Dot(_)
+            | Math::Fraction(..)
     )
 }
 
