@@ -57,8 +57,13 @@ fn block(b: &Block) -> String {
         }
         Block::Table(header, rows) => {
             let line = |r: &[Text]| format!("{} \\\\\n", r.iter().map(text).collect::<Vec<_>>().join(" & "));
+            let size = match table_width(header, rows) {
+                0..72 => "",
+                72..86 => "\\small\\setlength{\\tabcolsep}{4pt}\n",
+                _ => "\\footnotesize\\setlength{\\tabcolsep}{3pt}\n",
+            };
             format!(
-                "\\begin{{center}}\n\\begin{{tabular}}{{{}}}\n\\hline\n{}\\hline\n{}\\hline\n\\end{{tabular}}\n\\end{{center}}\n",
+                "\\begin{{center}}\n{size}\\begin{{tabular}}{{{}}}\n\\hline\n{}\\hline\n{}\\hline\n\\end{{tabular}}\n\\end{{center}}\n",
                 "c".repeat(header.len()),
                 line(header),
                 rows.iter().map(|r| line(r)).collect::<String>()
@@ -71,6 +76,13 @@ fn block(b: &Block) -> String {
         Block::Figure(f) => figure(f, "fig:figure"),
         Block::Code(_, code) => format!("\\begin{{verbatim}}\n{}\n\\end{{verbatim}}\n", code.trim_end()),
     }
+}
+
+/// Letters of a line of the table, with some room between its columns.
+fn table_width(header: &[Text], rows: &[Vec<Text>]) -> usize {
+    let width = |r: &[Text], j: usize| r.get(j).map_or(0, |t| super::text::text(t).chars().count());
+    let column = |j: usize| rows.iter().map(|r| width(r, j)).chain([width(header, j)]).max().unwrap_or(0) + 2;
+    (0..header.len()).map(column).sum()
 }
 
 /// A float with its caption and a label.

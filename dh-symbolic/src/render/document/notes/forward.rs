@@ -15,7 +15,9 @@ use crate::render::formula::style::Transforms;
 impl NotesWriter<'_> {
     pub(super) fn links(&mut self, kinematics: &Kinematics) {
         self.heading(1, Phrase::Links);
-        self.general();
+        if self.number_of_equation(&self.notation.transform(Frame::Before, Frame::General)).is_none() {
+            self.general();
+        }
         let mut all = Vec::new();
         let mut blocks = Vec::new();
         for i in 1..=kinematics.len() {

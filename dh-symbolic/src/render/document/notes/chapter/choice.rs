@@ -197,7 +197,11 @@ impl NotesWriter<'_> {
         self.blocks.push(Block::Table(header.to_vec(), rows));
         let best = |by: &dyn Fn(&(f64, f64, bool)) -> f64| {
             let fit = all.iter().enumerate().filter(|(_, a)| a.2);
-            fit.min_by(|a, b| by(a.1).total_cmp(&by(b.1))).map(|(i, _)| Math::number(i + 1))
+            // equal ones but for rounding: the nearer
+            let key = |a: &(f64, f64, bool)| (by(a) * 1e7).round();
+            let order =
+                |a: &(f64, f64, bool), b: &(f64, f64, bool)| key(a).total_cmp(&key(b)).then(a.0.total_cmp(&b.0));
+            fit.min_by(|a, b| order(a.1, b.1)).map(|(i, _)| Math::number(i + 1))
         };
         match (best(&|a| a.0), best(&|a| a.1)) {
             (Some(near), Some(least)) if near == least => self.tell_both(
