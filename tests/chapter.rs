@@ -14,6 +14,9 @@ use dh_symbolic::render::{Format, Options, notes};
 use generated_examples::source;
 use sheet::Sheet;
 
+/// Options of a note, by name.
+type Settings = Vec<(String, String)>;
+
 /// The note of a part, with all digits.
 fn written(table: &str, part: Part, own: &[(String, String)]) -> String {
     let parsed = parse(table.parse().expect("words"));
@@ -42,7 +45,7 @@ fn holds(name: &str, table: &str, part: Part, own: &[(String, String)]) -> usize
 }
 
 /// All tables: examples with the options of their notes, tables with offsets, tools and bases, random ones.
-fn all() -> Vec<(String, String, Vec<(String, String)>)> {
+fn all() -> Vec<(String, String, Settings)> {
     let examples = source::all().unwrap().into_iter().map(|s| {
         let options = s.options.iter().map(|(n, v)| (n.to_string(), v.to_string())).collect();
         (s.module, s.body, options)
