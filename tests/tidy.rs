@@ -129,6 +129,7 @@ fn every_file_says_what_it_is() {
         "dh-robot/kernels/src",
         "dh-robot/src",
         "dh-symbolic/dynamic/src",
+        "dh-symbolic/python/src",
         "dh-symbolic/src",
         "generated-examples/src",
         "tests",

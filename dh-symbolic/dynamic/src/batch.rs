@@ -52,8 +52,12 @@ impl Part<'_> {
 
 /// How many threads are used: all cores if not said, never more than there is work for.
 fn threads(asked: Option<usize>, poses: usize) -> usize {
-    let cores = || thread::available_parallelism().map_or(1, usize::from);
-    asked.unwrap_or_else(cores).min(poses.div_ceil(PER_THREAD)).max(1)
+    let useful = poses.div_ceil(PER_THREAD);
+    if useful <= 1 {
+        // Asking for the number of cores takes longer than a pose.
+        return 1;
+    }
+    asked.unwrap_or_else(|| thread::available_parallelism().map_or(1, usize::from)).clamp(1, useful)
 }
 
 impl DynamicArm {
