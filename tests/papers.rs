@@ -8,7 +8,8 @@ use dh_symbolic::verify::check::{Report, Verdict};
 use dh_symbolic::verify::document::DocumentClaims;
 use dh_symbolic::verify::judge;
 use dh_symbolic::verify::language::Statement;
-use dh_symbolic::verify::report::{document_text, verdict_word};
+use dh_symbolic::verify::listing::document_text;
+use dh_symbolic::verify::report::verdict_word;
 use generated_examples::{corpus, source};
 use std::path::Path;
 

@@ -77,6 +77,16 @@ impl Place {
         (at.line, at.column)
     }
 
+    /// What is to be underlined of a text: line from 1, column from 0, number of characters; of a place over several lines the first.
+    /// `None` where the place is none of the text's.
+    pub fn on_first_line(self, source: &str) -> Option<(usize, usize, usize)> {
+        let ((line, column), (last_line, last_column)) = (self.start(), self.end());
+        let length = source.lines().nth(line.checked_sub(1)?)?.chars().count();
+        let column = column.min(length);
+        let end = if last_line == line { last_column.min(length) } else { length };
+        Some((line, column, end.saturating_sub(column).max(1)))
+    }
+
     /// The span of the first token.
     pub fn first_span(self) -> Span {
         self.first
@@ -258,20 +268,17 @@ impl Errors {
 
 /// The line of a place with the place underlined; of a place over several lines the first.
 fn picture(out: &mut String, source: &str, file: &str, place: Place, mark: char) {
-    let ((line, column), (last_line, last_column)) = (place.start(), place.end());
-    let Some(text) = line.checked_sub(1).and_then(|i| source.lines().nth(i)) else {
+    let Some((line, column, length)) = place.on_first_line(source) else {
         let _ = writeln!(out, " --> {file}");
         return;
     };
-    let length = text.chars().count();
-    let column = column.min(length);
-    let end = if last_line == line { last_column.min(length) } else { length };
+    let text = source.lines().nth(line - 1).unwrap_or_default();
     let number = line.to_string();
     let margin = " ".repeat(number.len());
     // Tabs stay tabs, so that the carets stand below what they mean.
     let indent: String = text.chars().take(column).map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
-    let marks = mark.to_string().repeat(end.saturating_sub(column).max(1));
-    let more = if last_line > line { "..." } else { "" };
+    let marks = mark.to_string().repeat(length);
+    let more = if place.last_line() > line { "..." } else { "" };
     let _ = writeln!(out, "{margin}--> {file}:{line}:{}", column + 1);
     let _ = writeln!(out, "{margin} |\n{number} | {text}\n{margin} | {indent}{marks}{more}");
 }

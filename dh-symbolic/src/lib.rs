@@ -79,4 +79,6 @@ pub use render::document::{Document, Format, InversePlan, Options as NotesOption
 #[cfg(feature = "documents")]
 pub use render::{Language, Style, Transforms};
 #[cfg(feature = "documents")]
-pub use robot::{Checked, Comparison, EvalError, ExportOptions, Formula, Matrix, Mistake, Robot, TableError};
+pub use robot::{
+    Checked, CheckedLine, Comparison, EvalError, ExportOptions, Finding, Formula, Matrix, Mistake, Robot, TableError,
+};

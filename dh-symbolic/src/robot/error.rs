@@ -17,6 +17,8 @@ pub struct Mistake {
     pub line: usize,
     /// Column of its first letter, from 1; 0 where the text as a whole is meant.
     pub column: usize,
+    /// Letters to underline, all on that line; 0 where the text as a whole is meant.
+    pub length: usize,
     /// What is wrong, in one sentence.
     pub message: String,
     /// What to write instead.
@@ -26,9 +28,9 @@ pub struct Mistake {
 impl TableError {
     pub(super) fn new(errors: &Errors, text: &str, name: &str) -> TableError {
         let mistakes = errors.in_order().into_iter().map(|e| {
-            let (line, column) = e.place.start();
+            let (line, column, length) = e.place.on_first_line(text).unwrap_or_default();
             let column = if line > 0 { column + 1 } else { 0 };
-            Mistake { line, column, message: e.message.clone(), help: e.help.clone() }
+            Mistake { line, column, length, message: e.message.clone(), help: e.help.clone() }
         });
         TableError { mistakes: mistakes.collect(), drawing: errors.draw(text, name) }
     }
@@ -37,7 +39,7 @@ impl TableError {
     pub(super) fn defect(what: &str) -> TableError {
         let message = format!("{what}; this is a defect of dh-symbolic");
         let drawing = format!("error: {message}\n");
-        TableError { mistakes: vec![Mistake { line: 0, column: 0, message, help: None }], drawing }
+        TableError { mistakes: vec![Mistake { line: 0, column: 0, length: 0, message, help: None }], drawing }
     }
 
     /// The mistakes in the order of the text.

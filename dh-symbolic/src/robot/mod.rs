@@ -15,6 +15,7 @@ mod formula;
 mod matrix;
 mod names;
 
+pub use crate::verify::listing::{CheckedLine, Finding};
 pub use compare::Comparison;
 pub use error::{EvalError, Mistake, TableError};
 pub use export::ExportOptions;
@@ -32,7 +33,7 @@ use crate::program::{Forward, Inverse};
 use crate::render::code::javascript;
 use crate::render::code::rust::Batches;
 use crate::render::document::{Document, InversePlan, Options, notes, page};
-use crate::verify::{self, Claims, check, report};
+use crate::verify::{self, Claims, check, listing};
 use names::Names;
 use std::fmt;
 use std::sync::Arc;
@@ -267,7 +268,8 @@ impl Robot {
         let checked = Checked {
             fine: verdicts.is_fine(),
             wrong: verdicts.wrong() > 0,
-            text: report::check_text(&verdicts, &claims),
+            lines: listing::claim_lines(&verdicts, &claims),
+            text: listing::check_text(&verdicts, &claims),
         };
         (!lines.is_empty()).then_some(checked)
     }
@@ -282,8 +284,12 @@ impl Robot {
     /// ```
     pub fn check_document(&self, text: &str) -> Checked {
         let (paper, verdicts) = verify::judge(&self.arm.chain, text);
-        let text = report::document_text(&verdicts, &paper);
-        Checked { fine: verdicts.is_fine(), wrong: verdicts.wrong() > 0, text }
+        Checked {
+            fine: verdicts.is_fine(),
+            wrong: verdicts.wrong() > 0,
+            lines: listing::document_lines(&verdicts, &paper),
+            text: listing::document_text(&verdicts, &paper),
+        }
     }
 
     /// How the arm is inverted, step by step.
@@ -424,10 +430,16 @@ impl fmt::Debug for Robot {
 pub struct Checked {
     fine: bool,
     wrong: bool,
+    lines: Vec<CheckedLine>,
     text: String,
 }
 
 impl Checked {
+    /// The lines in the order of the text, those of prose left out.
+    pub fn lines(&self) -> &[CheckedLine] {
+        &self.lines
+    }
+
     /// Is a line wrong? (One that is not understood is not.)
     pub fn has_wrong(&self) -> bool {
         self.wrong

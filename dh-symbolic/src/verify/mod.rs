@@ -4,8 +4,8 @@
 //! wording.
 //!
 //! [`language`] says how a line is written and reads it; `prove_block` takes the lines from the macro's tokens, `document` from LaTeX,
-//! Markdown or plain text (feature `documents`); [`check`](mod@check) decides; [`report`] words the verdicts, `errata` makes a page of
-//! them.
+//! Markdown or plain text (feature `documents`); [`check`](mod@check) decides; [`report`] words the verdicts, [`listing`] puts them in
+//! the order of the text, `errata` makes a page of them.
 
 pub mod check;
 #[cfg(feature = "documents")]
@@ -13,6 +13,7 @@ pub mod document;
 #[cfg(feature = "documents")]
 pub mod errata;
 pub mod language;
+pub mod listing;
 mod prove_block;
 pub mod report;
 

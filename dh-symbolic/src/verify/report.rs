@@ -5,11 +5,8 @@ use crate::program::Indicator;
 use crate::render::formula::expression::Expression;
 use crate::render::formula::grouping::Order;
 use crate::render::formula::plain;
-use crate::verify::Claims;
 use crate::verify::check::{Condition, Edit, Example, Fault, FaultKind, Pair, Ratio, Repair, Report, Verdict};
-#[cfg(feature = "documents")]
-use crate::verify::document::DocumentClaims;
-use crate::verify::language::{Derivation, Line, Place, Statement, Token, TokenKind, line_text};
+use crate::verify::language::{Derivation, Line, Place, Token, TokenKind, line_text};
 use std::fmt::Write;
 
 /// Longer formulas are cut.
@@ -273,45 +270,48 @@ fn marks(v: &Verdict, k: usize, r: &Remark) -> Vec<Place> {
 
 /// One line with its verdict, as plain text; what is wrong is underlined.
 pub fn line_report(report: &Report, d: &Derivation, line: &Line, verdict: &Verdict) -> String {
-    line_report_as(report, d, line, verdict, verdict_word(verdict))
+    let (text, details) = line_details(report, d, line, verdict);
+    let mut out = format!("{:<7} {text}\n", verdict_word(verdict));
+    for detail in details {
+        let _ = writeln!(out, "        {detail}");
+    }
+    out
 }
 
-fn line_report_as(report: &Report, d: &Derivation, line: &Line, verdict: &Verdict, word: &str) -> String {
+/// The text of a line, and what is to be said about it, one line of text each; carets under what is wrong stand as if the text began in
+/// their first column.
+pub(super) fn line_details(report: &Report, d: &Derivation, line: &Line, verdict: &Verdict) -> (String, Vec<String>) {
     let tokens = d.tokens.get(line.place.clone()).unwrap_or_default();
     let (text, columns) = line_text(tokens);
-    let mut out = format!("{word:<7} {text}\n");
+    let mut out = Vec::new();
     if let Verdict::Proven(w) = verdict
         && !w.is_everywhere()
     {
         let all: Vec<String> = w.conditions.iter().map(|c| condition_text(report, c)).collect();
         let condition = all.join(" and ");
-        let _ = match configuration_text(&w.configuration) {
-            Some(words) => writeln!(out, "        where {words}: {condition}"),
-            None => writeln!(out, "        where {condition}"),
-        };
+        out.push(match configuration_text(&w.configuration) {
+            Some(words) => format!("where {words}: {condition}"),
+            None => format!("where {condition}"),
+        });
         if let Some(e) = w.example.as_ref().filter(|e| !e.joints.is_empty()) {
-            let _ = writeln!(out, "        for example {}", example_text(e));
+            out.push(format!("for example {}", example_text(e)));
         }
     }
     let mut shown: Option<Place> = None;
-    for (k, r) in remarks(report, d, verdict).iter().enumerate() {
+    for (k, r) in remarks(report, d, verdict).into_iter().enumerate() {
         // a line that could not be read is one word
         let whole = matches!(tokens, [only] if only.kind == TokenKind::Other);
         if shown.as_ref() != Some(&r.place) && !whole {
-            let carets = carets(&marks(verdict, k, r), line.place.start, tokens, &columns, text.chars().count());
-            let _ = writeln!(out, "        {carets}");
+            out.push(carets(&marks(verdict, k, &r), line.place.start, tokens, &columns, text.chars().count()));
             shown = Some(r.place.clone());
         }
-        let _ = writeln!(out, "        {}", r.headline);
-        if let Some(m) = &r.repair {
-            let _ = writeln!(out, "        {m}");
-        } else {
-            for d in &r.details {
-                let _ = writeln!(out, "        {d}");
-            }
+        out.push(r.headline);
+        match r.repair {
+            Some(repair) => out.push(repair),
+            None => out.extend(r.details),
         }
     }
-    out
+    (text, out)
 }
 
 /// `^^` under the words of some places.
@@ -330,113 +330,6 @@ fn carets(places: &[Place], from: usize, tokens: &[Token], columns: &[usize], wi
         }
     }
     carets
-}
-
-/// What `dh check` prints: every claim with its verdict behind the number of its line in the file, then how many there are of
-/// each kind.
-pub fn check_text(report: &Report, claims: &Claims) -> String {
-    let line = |place: &Place| claims.place(place).map_or(0, crate::diagnostic::Place::line);
-    let mut out = String::new();
-    let counts = verdicts_text(report, &claims.derivation, line, &mut out);
-    let _ = writeln!(out, "{counts}");
-    out
-}
-
-/// The same for a document: every line that says something about the robot, as it was understood.
-#[cfg(feature = "documents")]
-pub fn document_text(report: &Report, document: &DocumentClaims) -> String {
-    let mut out = String::new();
-    match document.theta_is_variable {
-        Some(true) => out.push_str("      theta_i is read as the variable q_i: so more lines of this document hold\n"),
-        Some(false) => out.push_str("      theta_i is read as the angle of the table, offset included\n"),
-        None => {}
-    }
-    if report.jacobian_rows != [1, 2, 3, 4, 5, 6] {
-        let rows: Vec<String> = report.jacobian_rows.iter().map(ToString::to_string).collect();
-        let _ = writeln!(
-            out,
-            "      J stands for the rows {} of the Jacobian (1 to 3 linear, 4 to 6 angular)",
-            rows.join(", ")
-        );
-    }
-    let counts = verdicts_text(report, &document.derivation, |place| document.line(place), &mut out);
-    let lines = if document.prose == 1 { "line" } else { "lines" };
-    let _ = writeln!(out, "{counts}; {} {lines} of prose", document.prose);
-    out
-}
-
-/// How many lines there are of each kind.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-struct Counts {
-    proven: usize,
-    conditional: usize,
-    agreeing: usize,
-    wrong: usize,
-    unclear: usize,
-    definitions: usize,
-}
-
-impl std::fmt::Display for Counts {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let all = self.proven + self.conditional + self.agreeing + self.wrong + self.unclear + self.definitions;
-        write!(f, "{all} formula{}, {} proven", if all == 1 { "" } else { "s" }, self.proven)?;
-        if self.conditional > 0 {
-            write!(f, ", {} proven under a condition", self.conditional)?;
-        }
-        if self.agreeing > 0 {
-            write!(f, ", {} proven for given values", self.agreeing)?;
-        }
-        write!(f, ", {} wrong, {} unclear", self.wrong, self.unclear)?;
-        match self.definitions {
-            0 => Ok(()),
-            1 => write!(f, ", 1 definition"),
-            n => write!(f, ", {n} definitions"),
-        }
-    }
-}
-
-/// Writes the verdicts; gives how many there are of each kind.
-fn verdicts_text(report: &Report, d: &Derivation, number: impl Fn(&Place) -> usize, out: &mut String) -> Counts {
-    let mut counts = Counts::default();
-    let mut sorted: Vec<(usize, &Line, &Verdict)> =
-        d.lines.iter().zip(&report.verdicts).map(|(line, v)| (number(&line.place), line, v)).collect();
-    // a document may use a name before it says what it means
-    sorted.sort_by_key(|t| t.0);
-    for (number, line, v) in sorted {
-        let word = match v {
-            Verdict::Noted => "definition",
-            Verdict::Agrees => "proven",
-            v => verdict_word(v),
-        };
-        // a name that the reader of documents made up
-        if matches!(line.statement, Statement::Free(..)) {
-            continue;
-        }
-        *match v {
-            Verdict::Noted => &mut counts.definitions,
-            Verdict::Proven(w) if w.is_everywhere() => &mut counts.proven,
-            Verdict::Proven(_) => &mut counts.conditional,
-            Verdict::Agrees => &mut counts.agreeing,
-            Verdict::Wrong(_) => &mut counts.wrong,
-            Verdict::NotUnderstood(..) => &mut counts.unclear,
-        } += 1;
-        let mut text = match &line.statement {
-            // an `at` line repeats the values before it
-            Statement::At(settings) => {
-                let new = settings.last().map_or(line.place.clone(), |s| s.place.start..line.place.end);
-                format!("{word:<7} {}\n", d.text(&new))
-            }
-            _ => line_report_as(report, d, line, v, word),
-        };
-        if matches!(v, Verdict::Agrees) {
-            text.push_str("        for the given values, to the printed digits\n");
-        }
-        for (k, text) in text.lines().enumerate() {
-            let _ =
-                if k == 0 && number > 0 { writeln!(out, "{number:>4}  {text}") } else { writeln!(out, "      {text}") };
-        }
-    }
-    counts
 }
 
 /// All lines with their verdicts, as plain text.

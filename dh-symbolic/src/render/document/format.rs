@@ -40,6 +40,17 @@ impl Document {
         }
     }
 
+    /// Its blocks in a format, to be put into a document of one's own: without title, without what a document begins and ends with.
+    pub fn print_body(&self, format: Format) -> String {
+        match format {
+            Format::Text => super::text::body(self),
+            Format::Latex => super::latex::body(self),
+            Format::Markdown => super::markdown::body(self),
+            Format::Typst => super::typst::body(self),
+            Format::Html => super::html::body(self),
+        }
+    }
+
     /// The note as Markdown with its figures in files of their own, `stem-1.svg` and so on: the text, and names and texts of these
     /// files. (Markdown from [`print`](Self::print) carries them inside, where not every reader shows them.)
     pub fn linked_markdown(&self, stem: &str) -> (String, Vec<(String, String)>) {

@@ -6,11 +6,13 @@ use super::{Block, Document, Span, Text};
 /// The note as Markdown.
 pub fn document(d: &Document) -> String {
     let mut out = head(d);
-    for b in &d.blocks {
-        out.push('\n');
-        out.push_str(&block(b));
-    }
+    out.push_str(&body(d));
     out
+}
+
+/// The blocks without what a document has before them.
+pub(super) fn body(d: &Document) -> String {
+    d.blocks.iter().map(|b| format!("\n{}", block(b))).collect()
 }
 
 /// The note with links to its figures, which are files beside it.

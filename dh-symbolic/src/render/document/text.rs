@@ -10,11 +10,13 @@ pub fn document(d: &Document) -> String {
     if let Some(subtitle) = &d.subtitle {
         out.push_str(&format!("\n{}\n", wrap(subtitle, 100, "")));
     }
-    for block in &d.blocks {
-        out.push('\n');
-        out.push_str(&self::block(block));
-    }
+    out.push_str(&body(d));
     out
+}
+
+/// The blocks without what a document has before them.
+pub(super) fn body(d: &Document) -> String {
+    d.blocks.iter().map(|b| format!("\n{}", block(b))).collect()
 }
 
 fn block(b: &Block) -> String {

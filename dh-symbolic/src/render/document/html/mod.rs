@@ -17,7 +17,7 @@ pub fn document(d: &Document) -> String {
         escape(&d.title),
         escape(&d.title)
     );
-    d.blocks.iter().for_each(|b| out.push_str(&block(b)));
+    out.push_str(&body(d));
     out.push_str("</body>\n</html>\n");
     out
 }
@@ -33,6 +33,11 @@ figure { margin: 1.5rem 0; text-align: center; }\nfigure svg { max-width: 100%; 
 const LEFT: &str = "text-align: right; padding-inline: 0.12em";
 const RIGHT: &str = "text-align: left; padding-inline: 0.12em";
 const NUMBER: &str = "padding-inline-start: 3em";
+
+/// The blocks without the page around them.
+pub(super) fn body(d: &Document) -> String {
+    d.blocks.iter().map(block).collect()
+}
 
 /// A block as HTML.
 pub(super) fn block(b: &Block) -> String {

@@ -25,6 +25,16 @@ pub fn document(d: &Document) -> String {
             escape(&d.title)
         )
     };
+    out.push_str(&body(d));
+    if !d.fragment {
+        out.push_str("\n\\end{document}\n");
+    }
+    out
+}
+
+/// The blocks without what a document has before and after them.
+pub(super) fn body(d: &Document) -> String {
+    let mut out = String::new();
     let mut drawn = 0;
     let mut before: Option<&Block> = None;
     for b in &d.blocks {
@@ -40,9 +50,6 @@ pub fn document(d: &Document) -> String {
             out.push_str(&block(b));
         }
         before = Some(b);
-    }
-    if !d.fragment {
-        out.push_str("\n\\end{document}\n");
     }
     out
 }

@@ -22,11 +22,13 @@ pub fn document(d: &Document) -> String {
             escape(&d.title)
         )
     };
-    for b in &d.blocks {
-        out.push('\n');
-        out.push_str(&block(b));
-    }
+    out.push_str(&body(d));
     out
+}
+
+/// The blocks without what a document has before them.
+pub(super) fn body(d: &Document) -> String {
+    d.blocks.iter().map(|b| format!("\n{}", block(b))).collect()
 }
 
 fn block(b: &Block) -> String {
