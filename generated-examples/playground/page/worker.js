@@ -1,13 +1,14 @@
 // The worker: the compiler in WebAssembly, one question after the other. Questions and answers are text; what they say is not its business.
 "use strict";
-let compiler = null;
+let ready = null;
 
 onmessage = async ({ data }) => {
   try {
     if (data.module) {
-      compiler = (await WebAssembly.instantiate(data.module, {})).exports;
+      ready = WebAssembly.instantiate(data.module, {});
       return;
     }
+    const compiler = (await ready).exports;
     const question = new TextEncoder().encode(data.question);
     const at = compiler.dh_question(question.length);
     new Uint8Array(compiler.memory.buffer, at, question.length).set(question);
