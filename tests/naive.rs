@@ -170,6 +170,7 @@ impl Arm {
             let one = |m: &MotionSpec| match m {
                 MotionSpec::Translate(axis, cell) => Motion::Shift(*axis, length(cell)),
                 MotionSpec::Rotate(axis, cell) => Motion::Turn(*axis, angle(cell)),
+                MotionSpec::Pose(_) => Motion::Turn(2, 0.0),
             };
             list.iter().map(one).collect()
         };

@@ -103,6 +103,24 @@
 //! division by numbers: `-d4`, `a2 + 10mm`, `2*(l1 + l2)`, `l1/2`. A declared angle takes whole factors only: `2*tilt`. Symbols stay symbols in the formulas: the
 //! solution is found, and proven, for every value they may have.
 //!
+//! ## Poses that change: `let gripper: pose`
+//!
+//! `let gripper: pose;` is a public field of type `IsometryMatrix3`, `let gripper: pose = tz(120mm) * ry(90deg);` one with a nominal value. It is a
+//! factor of `base` and `tool`, nothing else:
+//!
+//! ```text
+//! let rail: pose;
+//! let gripper: pose = tz(120mm);
+//! base = rail * tz(0.3);
+//! tool = tz(50mm) * gripper;
+//! ```
+//!
+//! Poses, Jacobian and velocities are those at the gripper, the inverse takes its pose; it costs a product in each. Link frames have `base` in
+//! them, not `tool`. Formulas, claims (`T(0,6)`, the plain `px` of a `prove` block) and plans are those of the arm between the nearest such poses.
+//! With `task = position` the tool's point becomes three parameters of the plan. With `task = planar` a pose in `base` must keep the plane,
+//! with `task = axis` a pose in `tool` must keep the last z axis. One that does not, or a value that is no rigid motion, is an answer:
+//! [`Why::UnfitPose`]. Exported C takes the nominal values.
+//!
 //! ## Joint variables
 //!
 //! `q1`, `q2`, ... stand where the joint moves: in `theta` the joint turns, in `d` it slides. An offset is written where the
@@ -131,7 +149,7 @@
 //! |---------|---------|
 //! | `convention = standard;` or `modified` | see [columns](#columns); must be given |
 //! | `unit = m;` (default), `mm`, `cm`, `in`, `ft` | the unit of bare numbers, and of every length in the program |
-//! | `base = tz(373mm);` | a constant transform before the chain: a product of `tx ty tz rx ry rz` |
+//! | `base = tz(373mm);` | a constant transform before the chain: a product of `tx ty tz rx ry rz`, and of [poses](#poses-that-change-let-gripper-pose) |
 //! | `tool = tz(206mm) * ry(90deg);` | the same after the chain |
 //! | `task = pose;` (default) | what the inverse is given; see below |
 //! | `redundant = q3;` | the joint whose value the caller chooses, on arms with one joint too many; `redundant = q1, q8;` several |

@@ -64,6 +64,13 @@ pub enum Why<T = f64> {
         /// The smallest miss (position over the sum of the link lengths, or radians).
         error: T,
     },
+    /// A pose that the program sets (a field of the robot) is no rigid motion, or not one that the arm's task allows.
+    UnfitPose {
+        /// The field; `base` or `tool` where it is the product.
+        of: &'static str,
+        /// What is wrong with it, as the rest of a sentence.
+        what: &'static str,
+    },
     /// There are solutions, but each leaves the range of some joint.
     OutOfRange {
         /// How many solutions there were.
@@ -145,6 +152,7 @@ impl<T: Real> fmt::Display for Why<T> {
             Self::NotVerified { error } => {
                 write!(f, "no joint values reach the target: the best candidate misses it by {error:.1e}")
             }
+            Self::UnfitPose { of, what } => write!(f, "`{of}` {what}"),
             Self::OutOfRange { solutions: 1 } => f.write_str("the only solution leaves a joint's range"),
             Self::OutOfRange { solutions } => write!(f, "each of the {solutions} solutions leaves a joint's range"),
         }
@@ -182,6 +190,7 @@ mod tests {
                 Why::NotVerified { error: 1e-3 },
                 "no joint values reach the target: the best candidate misses it by 1.0e-3",
             ),
+            (Why::UnfitPose { of: "gripper", what: "is not a rotation" }, "`gripper` is not a rotation"),
             (Why::OutOfRange { solutions: 1 }, "the only solution leaves a joint's range"),
             (Why::OutOfRange { solutions: 8 }, "each of the 8 solutions leaves a joint's range"),
         ] {

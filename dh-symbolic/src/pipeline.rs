@@ -1,6 +1,6 @@
 //! The whole way, from tokens to output, in one screen.
 
-use crate::chain::table::{Parsed, Sketch, parse};
+use crate::chain::table::{Field, Parsed, Sketch, parse};
 use crate::chain::{Chain, Scalar, Task};
 use crate::diagnostic::{Error, Errors, Place};
 #[cfg(feature = "import")]
@@ -140,8 +140,10 @@ pub fn refused(chain: &Chain, refusal: &Refusal, parsed: &Parsed) -> Errors {
 fn items(head: &Head, chain: &Chain, programs: &Programs) -> Items {
     let forward = &programs.forward;
     let inverse = programs.inverse.as_ref();
-    let inverse = inverse.map_or_else(String::new, |i| rust::inverse(chain, &head.ident.to_string(), forward, i));
-    rust::robot(head, chain, forward, &inverse, &rustdoc(chain, &Kinematics::new(chain)))
+    let own = rust::implementing(chain, &head.ident.to_string());
+    let text = inverse.map(|i| rust::inverse(chain, &own, forward, i));
+    let inverse = inverse.zip(text.as_deref());
+    rust::robot(head, chain, forward, inverse, &rustdoc(chain, &Kinematics::new(chain)))
 }
 
 fn head(parsed: &Parsed, batches: Batches) -> Head {
@@ -169,7 +171,9 @@ fn stub(head: &Head, sketch: &Sketch) -> TokenStream {
             format!("(::dh_robot::nalgebra::Point3<{scalar}>, ::dh_robot::nalgebra::UnitVector3<{scalar}>)")
         }
     };
-    let fields: Vec<String> = sketch.fields.iter().map(|f| f.name.to_string()).collect();
+    let pose = format!("::dh_robot::nalgebra::IsometryMatrix3<{scalar}>");
+    let kind = |f: &Field| if f.quantity.is_some() { scalar.to_string() } else { pose.clone() };
+    let fields: Vec<(String, String)> = sketch.fields.iter().map(|f| (f.name.to_string(), kind(f))).collect();
     rust::stub(head, sketch.joints, &fields, scalar, &target, sketch.settings.redundant.len())
 }
 

@@ -1,9 +1,11 @@
 //! Runtime support for generated code only: not a stable interface, it changes with the macro from version to version.
 
+mod around;
 pub mod batched;
 pub mod packed;
 mod slices;
 
+pub use around::{Around, rigid, rotation, translation};
 pub use slices::{HasJoints, Joints, OverSlices};
 
 pub use crate::inverse::{

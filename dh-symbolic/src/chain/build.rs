@@ -10,7 +10,13 @@ pub(super) fn build(spec: ChainSpec) -> Chain {
             Quantity::Length => Handle::Length(b.ring.symbol(&p.name)),
             Quantity::Angle => Handle::Angle(b.ring.angle(&p.name)),
         };
-        b.parameters.push(Parameter { name: p.name.clone(), handle, role: p.role.clone(), declared: true });
+        b.parameters.push(Parameter {
+            name: p.name.clone(),
+            handle,
+            role: p.role.clone(),
+            declared: true,
+            of_point: false,
+        });
     }
     let modified = spec.convention == Convention::Modified;
     let (mut links, mut joints, mut drives) = (Vec::new(), Vec::<Joint>::new(), Vec::new());
@@ -97,8 +103,24 @@ pub(super) fn build(spec: ChainSpec) -> Chain {
             line
         })
         .collect();
-    let base = b.motions(&spec.base, "b");
-    let tool = b.motions(&spec.tool, "t");
+    let (before, base) = around::split_base(&spec.base);
+    let (tool, after) = around::split_tool(&spec.tool);
+    let (base, mut tool) = (b.motions(base, "b"), b.motions(tool, "t"));
+    if spec.settings.task == Task::Position && !after.is_empty() {
+        for (axis, name) in around::POINT.into_iter().enumerate() {
+            let name = b.free_name(name);
+            let s = b.ring.symbol(&name);
+            let (handle, role) = (Handle::Length(s), Role::Field(None));
+            b.parameters.push(Parameter { name, handle, role, declared: false, of_point: true });
+            tool.push(Elementary::Translate(axis, Poly::symbol(s)));
+        }
+    }
+    let (before, after) = (b.factors(before, "b"), b.factors(after, "t"));
+    let of_pose = |b: &mut Builder, p: &PoseSpec| PoseField {
+        name: p.name.clone(),
+        nominal: p.nominal.as_ref().map(|list| b.motions(list, &format!("{}_", p.name))),
+    };
+    let poses = spec.poses.iter().map(|p| of_pose(&mut b, p)).collect();
     Chain {
         name: spec.name,
         convention: spec.convention,
@@ -110,6 +132,9 @@ pub(super) fn build(spec: ChainSpec) -> Chain {
         drive,
         base,
         tool,
+        poses,
+        before,
+        after,
     }
 }
 
@@ -158,7 +183,7 @@ impl Builder {
         }
         let name = self.free_name(name);
         let s = self.ring.symbol(&name);
-        self.parameters.push(Parameter { name, handle: Handle::Length(s), role, declared: false });
+        self.parameters.push(Parameter { name, handle: Handle::Length(s), role, declared: false, of_point: false });
         s
     }
 
@@ -188,7 +213,13 @@ impl Builder {
             _ => {
                 let name = self.free_name(name);
                 let v = self.ring.angle(&name);
-                self.parameters.push(Parameter { name, handle: Handle::Angle(v), role, declared: false });
+                self.parameters.push(Parameter {
+                    name,
+                    handle: Handle::Angle(v),
+                    role,
+                    declared: false,
+                    of_point: false,
+                });
                 v
             }
         };
@@ -197,15 +228,26 @@ impl Builder {
     }
 
     fn motions(&mut self, list: &[MotionSpec], prefix: &str) -> Vec<Elementary> {
+        let constant = |f: Factor| match f {
+            Factor::Motion(m) => Some(m),
+            Factor::Pose(_) => None,
+        };
+        self.factors(list, prefix).into_iter().filter_map(constant).collect()
+    }
+
+    fn factors(&mut self, list: &[MotionSpec], prefix: &str) -> Vec<Factor> {
         let axis_name = ["x", "y", "z"];
         list.iter()
             .map(|m| match m {
                 MotionSpec::Translate(axis, cell) => {
-                    Elementary::Translate(*axis, self.length(cell, &format!("{prefix}{}", axis_name[*axis % 3])))
+                    let length = self.length(cell, &format!("{prefix}{}", axis_name[*axis % 3]));
+                    Factor::Motion(Elementary::Translate(*axis, length))
                 }
                 MotionSpec::Rotate(axis, cell) => {
-                    Elementary::Rotate(*axis, self.constant_angle(cell, &format!("{prefix}r{}", axis_name[*axis % 3])))
+                    let angle = self.constant_angle(cell, &format!("{prefix}r{}", axis_name[*axis % 3]));
+                    Factor::Motion(Elementary::Rotate(*axis, angle))
                 }
+                MotionSpec::Pose(i) => Factor::Pose(*i),
             })
             .collect()
     }

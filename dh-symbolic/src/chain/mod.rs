@@ -4,6 +4,7 @@
 //!
 //! **Never here:** tokens (only `table/` reads them), formulas of products (that is `kinematics`), floats.
 
+mod around;
 mod build;
 mod convention;
 #[cfg(test)]
@@ -13,6 +14,7 @@ pub mod table;
 #[cfg(test)]
 pub(crate) mod tests;
 
+pub use around::{Factor, PoseField};
 pub use convention::{Convention, Elementary};
 pub use spec::*;
 
@@ -38,10 +40,16 @@ pub struct Chain {
     /// Coupling: the joint coordinate x_i (angle theta_i or the moving part of d_i) is sum_j `drive[i][j]` q_j + shift_i.
     /// The identity matrix for ordinary arms.
     pub drive: Vec<Vec<Poly>>,
-    /// Constant transform before the first row.
+    /// Constant transform before the first row: what stands in `base` behind the last pose that the program sets.
     pub base: Vec<Elementary>,
-    /// Constant transform after the last row.
+    /// Constant transform after the last row: what stands in `tool` before the first pose that the program sets.
     pub tool: Vec<Elementary>,
+    /// Poses that the program sets.
+    pub poses: Vec<PoseField>,
+    /// What stands in `base` up to the last pose that the program sets; formulas are without it.
+    pub before: Vec<Factor>,
+    /// What stands in `tool` from the first pose on that the program sets; formulas are without it.
+    pub after: Vec<Factor>,
 }
 
 /// One row of the table, in the symbols of the ring. What the four columns mean depends on the convention.
@@ -97,6 +105,8 @@ pub struct Parameter {
     pub role: Role,
     /// False for the ones that numeric cells gave rise to.
     pub declared: bool,
+    /// Whether it is a coordinate of the tool's point, which the poses that the program sets determine.
+    pub of_point: bool,
 }
 
 /// Where a parameter stands in the ring.

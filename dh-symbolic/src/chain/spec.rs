@@ -20,6 +20,8 @@ pub struct ChainSpec {
     pub base: Vec<MotionSpec>,
     /// Constant transform after the last row.
     pub tool: Vec<MotionSpec>,
+    /// Poses that the program sets: factors of `base` and `tool` refer to them by index.
+    pub poses: Vec<PoseSpec>,
 }
 
 /// What a table sets for the robot as a whole, beside its convention, which has no default. One field for each setting.
@@ -35,6 +37,8 @@ pub struct Settings {
     pub redundant: Vec<usize>,
     /// Whether inverse kinematics is wanted.
     pub ik: bool,
+    /// Whether the robot has a field with the deviations of its rows.
+    pub calibrated: bool,
 }
 
 /// What holds where a table is silent.
@@ -46,6 +50,7 @@ impl Default for Settings {
             task: Task::Pose,
             redundant: Vec::new(),
             ik: true,
+            calibrated: false,
         }
     }
 }
@@ -139,6 +144,17 @@ pub enum MotionSpec {
     Translate(usize, LengthCell),
     /// Rotation about axis 0, 1, 2.
     Rotate(usize, AngleCell),
+    /// A pose that the program sets: its index in `poses`.
+    Pose(usize),
+}
+
+/// `let gripper: pose = tz(120mm);`: a rigid motion that the program sets.
+#[derive(Clone, Debug)]
+pub struct PoseSpec {
+    /// The name.
+    pub name: String,
+    /// Its nominal value, constant motions.
+    pub nominal: Option<Vec<MotionSpec>>,
 }
 
 /// A `let` line.

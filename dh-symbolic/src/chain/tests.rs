@@ -36,6 +36,7 @@ pub(crate) fn mixed_chain(convention: Convention, kinds: &str, rows: &[(i64, &st
         rows,
         base: vec![],
         tool: vec![],
+        poses: vec![],
     })
 }
 

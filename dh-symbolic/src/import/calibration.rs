@@ -175,6 +175,8 @@ fn product(spec: &ChainSpec, motions: &[MotionSpec]) -> Result<Pose, Problem> {
         Ok(pose.times(&match m {
             MotionSpec::Translate(axis, x) => Pose::shifted(*axis, length(spec, x)?),
             MotionSpec::Rotate(axis, x) => Pose::turned(*axis, angle(spec, x)?),
+            // What the program sets stays out of the table.
+            MotionSpec::Pose(_) => Pose::IDENTITY,
         }))
     })
 }

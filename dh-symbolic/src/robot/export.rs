@@ -33,6 +33,12 @@ impl Robot {
     pub fn export_c(&self, options: &ExportOptions) -> Result<Vec<(String, String)>, TableError> {
         let parsed = self.source.parse()?;
         let (chain, programs) = pipeline::derive(&parsed).map_err(|errors| self.source.error(&errors))?;
+        if let Some(pose) = chain.poses.iter().find(|p| p.nominal.is_none()) {
+            let error =
+                Error::new(parsed.origins.name, format!("`{}` has no nominal value, which is what C gets", pose.name));
+            let error = error.help(format!("write `let {}: pose = VALUE;`", pose.name));
+            return Err(self.source.error(&Errors::from(error)));
+        }
         let name = options.name.clone().unwrap_or_else(|| c::default_name(&chain.name));
         c::fit(&name).map_err(|message| {
             let error = Error::new(parsed.origins.name, message).help("`--name` gives the library another name");

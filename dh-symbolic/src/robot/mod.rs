@@ -25,7 +25,7 @@ pub use matrix::Matrix;
 use crate::algebra::{Poly, Transform};
 use crate::chain::Chain;
 use crate::chain::table::{self, Parsed};
-use crate::diagnostic::{Errors, lex};
+use crate::diagnostic::{Error, Errors, Place, lex};
 use crate::kinematics::{self, Kinematics};
 use crate::pipeline;
 use crate::planner::Refusal;
@@ -321,6 +321,10 @@ impl Robot {
     /// As [`Robot::page`].
     #[doc(hidden)]
     pub fn forward_programs(&self) -> Result<Forward, TableError> {
+        if self.arm.chain.is_part() {
+            let text = "poses that the program sets, and calibrations, are for `dh_robot!` and `dh export --to c`";
+            return Err(self.source.error(&Errors::from(Error::new(Place::call_site(), text))));
+        }
         Forward::derive(&self.arm.chain).map_err(|difference| self.defect(&difference))
     }
 

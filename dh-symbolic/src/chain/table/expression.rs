@@ -271,6 +271,10 @@ impl<'a> Reader<'a> {
             return Ok(Sum::of(term));
         }
         let Some((index, declared)) = self.scope.find(&text).and_then(|i| Some((i, self.scope.names.get(i)?))) else {
+            if self.scope.pose(&text).is_some() {
+                let error = Error::new(place, format!("`{text}` is a pose, not a number"));
+                return Err(error.help("a pose is a factor of `base` or `tool`"));
+            }
             return Err(self.unknown(&text, place));
         };
         match (declared.kind, &declared.value) {

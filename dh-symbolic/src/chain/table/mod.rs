@@ -66,6 +66,8 @@ pub struct Parsed {
 pub struct Sketch {
     /// Number of rows with a joint variable.
     pub joints: usize,
+    /// Number of rows.
+    pub rows: usize,
     /// Fields of the struct.
     pub fields: Vec<Field>,
     /// What is set for the robot as a whole.
@@ -83,8 +85,8 @@ pub struct Field {
     pub name: Ident,
     /// Its doc comment, line by line.
     pub docs: Vec<String>,
-    /// What it measures.
-    pub quantity: Quantity,
+    /// What it measures; `None` for a pose.
+    pub quantity: Option<Quantity>,
     /// Whether it has a nominal value.
     pub nominal: bool,
 }
@@ -106,7 +108,7 @@ pub fn parse(input: TokenStream) -> Parsed {
     let mut settings = lines.settings;
     let head_place = written.head.name.as_ref().map_or_else(Place::call_site, |n| Place::at(n.span()));
 
-    let mut scope = Scope { names: Vec::new(), unit: settings.unit.clone() };
+    let mut scope = Scope { names: Vec::new(), poses: Vec::new(), unit: settings.unit.clone() };
     for line in &written.lets {
         parameters::declare(line, &mut scope, &mut errors);
     }
@@ -134,6 +136,9 @@ pub fn parse(input: TokenStream) -> Parsed {
             check::Checked::default()
         }
     };
+    if let (true, Some(place)) = (settings.calibrated, scope.place("calibration")) {
+        errors.push(Error::new(place, "`calibrated` makes a field `calibration`: choose another name"));
+    }
     let joints = checked.joints.len();
     let fine = errors.is_empty();
     let known = written.grid.is_some() && joints > 0;
@@ -156,6 +161,7 @@ pub fn parse(input: TokenStream) -> Parsed {
     }
     let sketch = Sketch {
         joints,
+        rows: checked.rows.len(),
         fields,
         settings: settings.clone(),
         table: written.grid.as_ref().map_or_else(Vec::new, table_text),
@@ -178,6 +184,7 @@ pub fn parse(input: TokenStream) -> Parsed {
             rows: checked.rows,
             base,
             tool,
+            poses: parameters::poses(&scope),
         }),
         _ => None,
     };
@@ -193,7 +200,7 @@ pub fn motions(text: &str, unit: &LengthUnit) -> Result<Vec<MotionSpec>, Errors>
     let place = Place::of_all(&value).unwrap_or_else(Place::call_site);
     let line = SettingLine { name: Ident::new("base", Span::call_site()), value, place };
     let mut errors = Errors::new();
-    let list = motion::read(&line, &Scope { names: Vec::new(), unit: unit.clone() }, &mut errors);
+    let list = motion::read(&line, &Scope { names: Vec::new(), poses: Vec::new(), unit: unit.clone() }, &mut errors);
     if errors.is_empty() { Ok(list) } else { Err(errors) }
 }
 
@@ -233,7 +240,7 @@ fn moves_alone(actuator: usize, place: Place, rows: &[super::RowSpec]) -> Result
 fn check_angles(scope: &Scope, rows: &[super::RowSpec], base: &[MotionSpec], tool: &[MotionSpec], errors: &mut Errors) {
     let motions = base.iter().chain(tool).filter_map(|m| match m {
         MotionSpec::Rotate(_, cell) => Some(cell),
-        MotionSpec::Translate(..) => None,
+        MotionSpec::Translate(..) | MotionSpec::Pose(_) => None,
     });
     let cells: Vec<&AngleCell> = rows.iter().flat_map(|r| [&r.alpha, &r.theta]).chain(motions).collect();
     for (i, d) in scope.names.iter().enumerate().filter(|(_, d)| d.kind == Kind::Angle) {
@@ -250,13 +257,18 @@ fn fields(lets: &[statements::Let], scope: &Scope) -> Vec<Field> {
     let mut list: Vec<Field> = Vec::new();
     for line in lets {
         let name = line.name.to_string();
-        let Some(d) = scope.find(&name).and_then(|i| scope.names.get(i)).filter(|d| d.field) else { continue };
+        let number = scope.names.iter().find(|d| d.name == name).filter(|d| d.field);
+        let quantity = match number {
+            Some(d) => Some(if d.kind == Kind::Angle { Quantity::Angle } else { Quantity::Length }),
+            None if scope.pose(&name).is_some() => None,
+            None => continue,
+        };
         // A name that is no field name is an error already, and must not break the struct as well.
         if names::check_parameter(&line.name).is_ok() && !list.iter().any(|f| f.name == name) {
             list.push(Field {
                 name: line.name.clone(),
                 docs: line.docs.clone(),
-                quantity: if d.kind == Kind::Angle { Quantity::Angle } else { Quantity::Length },
+                quantity,
                 nominal: line.value.is_some(),
             });
         }

@@ -2,13 +2,14 @@
 
 use super::cell::{self, Site};
 use super::expression;
+use super::motion;
 use super::names::check_parameter;
-use super::scope::{Declared, Kind, Scope};
+use super::scope::{Declared, DeclaredPose, Kind, Scope};
 use super::spelling::suggestion;
 use super::statements::Let;
 use super::sum::{AngleUnit, Sum, Term};
 use crate::algebra::Rational;
-use crate::chain::{AngleCell, Nominal, ParameterSpec, Quantity, Role};
+use crate::chain::{AngleCell, Nominal, ParameterSpec, PoseSpec, Quantity, Role};
 use crate::diagnostic::{Error, Errors};
 
 /// Most names of one table.
@@ -19,13 +20,17 @@ pub(super) fn declare(line: &Let, scope: &mut Scope, errors: &mut Errors) {
     let name = line.name.to_string();
     let place = crate::diagnostic::Place::at(line.name.span());
     errors.take(check_parameter(&line.name));
-    if let Some(first) = scope.find(&name).and_then(|i| scope.names.get(i)) {
-        errors
-            .push(Error::new(place, format!("`{name}` is declared twice")).related(first.place, "first declared here"));
+    if let Some(first) = scope.place(&name) {
+        errors.push(Error::new(place, format!("`{name}` is declared twice")).related(first, "first declared here"));
         return;
     }
-    if scope.names.len() == MOST {
+    if scope.names.len() + scope.poses.len() == MOST {
         errors.push(Error::new(place, format!("a table has at most {MOST} names")));
+        return;
+    }
+    if line.kind.as_ref().is_some_and(|kind| kind.text == "pose") {
+        let value = line.value.as_ref().map(|tokens| motion::constant(tokens, line.place, scope, errors));
+        scope.poses.push(DeclaredPose { name, value, place });
         return;
     }
     let mut declared =
@@ -73,8 +78,8 @@ fn read_kind(kind: &super::statements::Words) -> Result<Kind, Error> {
         "angle" => Ok(Kind::Angle),
         "number" => Ok(Kind::Number),
         other => {
-            let error = Error::new(kind.place, "a name is a `length`, an `angle` or a `number`");
-            match suggestion(other, ["length", "angle", "number"]) {
+            let error = Error::new(kind.place, "a name is a `length`, an `angle`, a `number` or a `pose`");
+            match suggestion(other, ["length", "angle", "number", "pose"]) {
                 Some(near) => Err(error.help(format!("did you mean `{near}`?"))),
                 None => Err(error),
             }
@@ -125,6 +130,11 @@ fn checked(declared: &Declared, sum: &Sum, scope: &Scope) -> Result<Sum, Error> 
         }
     }
     Ok(sum.clone())
+}
+
+/// The poses for the chain, in order.
+pub(super) fn poses(scope: &Scope) -> Vec<PoseSpec> {
+    scope.poses.iter().map(|p| PoseSpec { name: p.name.clone(), nominal: p.value.clone() }).collect()
 }
 
 /// The lines for the chain, in order.

@@ -2,7 +2,7 @@
 
 use super::sum::Sum;
 use crate::algebra::Rational;
-use crate::chain::LengthUnit;
+use crate::chain::{LengthUnit, MotionSpec};
 use crate::diagnostic::Place;
 
 /// What a declared name measures.
@@ -46,10 +46,23 @@ impl Declared {
     }
 }
 
+/// A pose that `let` declared.
+#[derive(Clone, Debug)]
+pub(super) struct DeclaredPose {
+    /// The name.
+    pub(super) name: String,
+    /// Its nominal value.
+    pub(super) value: Option<Vec<MotionSpec>>,
+    /// The name's place.
+    pub(super) place: Place,
+}
+
 /// The names in scope and the unit of bare lengths.
 pub(super) struct Scope {
     /// `let` lines so far.
     pub(super) names: Vec<Declared>,
+    /// Poses among them, which are no factors of cells.
+    pub(super) poses: Vec<DeclaredPose>,
     /// The table's unit.
     pub(super) unit: LengthUnit,
 }
@@ -58,6 +71,17 @@ impl Scope {
     /// The index of a name.
     pub(super) fn find(&self, name: &str) -> Option<usize> {
         self.names.iter().position(|d| d.name == name)
+    }
+
+    /// The index of a pose.
+    pub(super) fn pose(&self, name: &str) -> Option<usize> {
+        self.poses.iter().position(|p| p.name == name)
+    }
+
+    /// Where a name was declared, if it was.
+    pub(super) fn place(&self, name: &str) -> Option<Place> {
+        let number = self.names.iter().find(|d| d.name == name).map(|d| d.place);
+        number.or_else(|| self.poses.iter().find(|p| p.name == name).map(|p| p.place))
     }
 
     /// Replaces constants among the names of a product by their values: what is left are fields.

@@ -97,6 +97,11 @@ pub(super) fn read(tokens: &[TokenTree], errors: &mut Errors) -> Written {
             let value = value(&mut c, errors);
             let place = Place::of_all(&value).unwrap_or_else(|| Place::at(name.span()));
             written.settings.push(SettingLine { name: name.clone(), value, place });
+        } else if let (TokenTree::Ident(name), true) = (token, c.is_word(0, "calibrated") && c.is_punct(1, ';')) {
+            c.next();
+            c.next();
+            let place = Place::at(name.span());
+            written.settings.push(SettingLine { name: name.clone(), value: Vec::new(), place });
         } else {
             let error = Error::new(Place::of(token), "this belongs to no line of the table");
             errors.push(match token {

@@ -1,6 +1,6 @@
 //! Doc comments of generated types: fields, the table as it was written.
 
-use crate::chain::{Chain, Convention, Handle, Nominal, Parameter, Role};
+use crate::chain::{Chain, Convention, Factor, Handle, Nominal, Parameter, PoseField, Role};
 
 /// Docs of a field.
 pub(super) fn field(chain: &Chain, p: &Parameter) -> String {
@@ -13,6 +13,22 @@ pub(super) fn field(chain: &Chain, p: &Parameter) -> String {
         _ => String::new(),
     };
     format!(" `{}` in {unit}{nominal}.", p.name)
+}
+
+/// Docs of a field with a pose.
+pub(super) fn pose(chain: &Chain, pose: &PoseField) -> String {
+    let stands = |list: &[Factor]| {
+        let is_it =
+            |f: &Factor| matches!(f, Factor::Pose(i) if chain.poses.get(*i).is_some_and(|p| p.name == pose.name));
+        list.iter().any(is_it)
+    };
+    let of = match (stands(&chain.before), stands(&chain.after)) {
+        (true, true) => ", a factor of `base` and `tool`",
+        (true, false) => ", a factor of `base`",
+        (false, true) => ", a factor of `tool`",
+        (false, false) => "",
+    };
+    format!(" `{}`{of}: a rigid motion, lengths in {}.", pose.name, chain.settings.unit.name)
 }
 
 /// What the table below is.
@@ -36,6 +52,14 @@ pub(super) fn table(chain: &Chain, table: &[Vec<String>], motions: &[(String, St
     }
     for (name, value) in motions {
         out.push_str(&format!("\n`{name} = {value};`\n"));
+    }
+    let poses = chain.left_out();
+    if !poses.is_empty() {
+        let names: Vec<String> = poses.iter().map(|p| format!("`{p}`")).collect();
+        out.push_str(&format!(
+            "\nThe formulas end where {} begins; what lies beyond is multiplied at run time.\n",
+            names.join(" or ")
+        ));
     }
     out.push_str(extra);
     out

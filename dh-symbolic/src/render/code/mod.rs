@@ -16,8 +16,8 @@ pub(in crate::render) mod names;
 pub mod rust;
 pub(in crate::render) mod steps;
 
-use crate::algebra::{Point, Poly};
-use crate::chain::{AngleCell, Bound, Chain, Handle, Role, Scalar};
+use crate::algebra::{Point, Poly, Transform};
+use crate::chain::{AngleCell, Bound, Chain, Elementary, Handle, Role, Scalar};
 use body::Code;
 
 pub use closed_form::rustdoc;
@@ -52,6 +52,15 @@ pub(crate) fn scaled_constant(chain: &Chain, p: &Poly, scale: f64) -> f64 {
         symbol: &|s| chain.nominal(Handle::Length(s)) * scale,
         angle: &|v| chain.nominal(Handle::Angle(v)),
     })
+}
+
+/// The value of a constant product as a literal pose.
+fn constant_pose(chain: &Chain, factors: &[Elementary]) -> String {
+    let t = factors.iter().fold(Transform::identity(), |t, f| t.times(&f.transform()));
+    let value = |p: &Poly| literal(scaled_constant(chain, p, 1.0), chain.settings.scalar);
+    let row = |i: usize| format!("[{}]", t.r[i].iter().map(value).collect::<Vec<_>>().join(", "));
+    let place: Vec<String> = t.p.iter().map(value).collect();
+    format!("::dh_robot::pose::from_entries([{}, {}, {}], [{}])", row(0), row(1), row(2), place.join(", "))
 }
 
 /// A field as a number of the code's type.

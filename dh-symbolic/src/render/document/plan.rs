@@ -71,6 +71,18 @@ impl InversePlan {
         let title = Phrase::PlanTitle.in_language(language).replace("{}", &self.chain.name);
         let explanation = self.explanation();
         let mut blocks = structure(&self.chain, language);
+        let poses = self.chain.left_out();
+        if !poses.is_empty() {
+            let names = Text::join(poses.iter().map(|p| Text(vec![Span::Code((*p).to_string())])), ", ");
+            let mut text = Text::default();
+            for (i, part) in Phrase::LeftOutOfPlan.in_language(language).split("{}").enumerate() {
+                if i > 0 {
+                    text.0.extend(names.0.clone());
+                }
+                text.0.push(Span::Plain(part.to_string()));
+            }
+            blocks.push(Block::Paragraph(text));
+        }
         blocks.extend(steps(&explanation, language));
         blocks.push(Block::Code("mermaid", chart(&explanation, language)));
         Document { title, subtitle: None, fragment: false, language: language.tag(), blocks }

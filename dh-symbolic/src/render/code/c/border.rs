@@ -1,7 +1,8 @@
 //! Prints the Rust side of the C interface: the functions that C calls, in one file, the only one with `unsafe`.
 
 use super::interface::{Function, Interface, Kind, Parameter, Solved};
-use crate::chain::Task;
+use crate::chain::{PoseField, Task};
+use crate::render::code::constant_pose;
 
 /// The file. The robot's type stands in the module above it.
 pub(super) fn text(interface: &Interface<'_>) -> String {
@@ -52,12 +53,15 @@ fn params(interface: &Interface<'_>) -> String {
         let each = interface.fields.iter().map(|field| format!("        {},\n", value(&field.name)));
         each.collect()
     };
+    let poses = &interface.chain.poses;
+    let nominal = |p: &PoseField| constant_pose(interface.chain, p.nominal.as_deref().unwrap_or(&[]));
+    let rest: String = poses.iter().map(|p| format!("        {}: {},\n", p.name, nominal(p))).collect();
     let mut out = format!(
         "\n/// The parameters of the table.\n#[repr(C)]\n#[derive(Clone, Copy)]\npub struct Params {{\n{fields}}}\n\n\
          /// The robot with these parameters; `None` if the pointer is null.\n///\n/// # Safety\n/// `params` is null or points to them.\n\
          unsafe fn with(params: *const Params) -> Option<Robot> {{\n    if params.is_null() {{\n        return None;\n    }}\n    \
          let params = unsafe {{ params.read() }};\n    Some(Robot {{\n{}    }})\n}}\n",
-        list(&|name| format!("{name}: params.{name}"))
+        list(&|name| format!("{name}: params.{name}")) + &rest
     );
     if interface.is_nominal() {
         out.push_str(&format!(

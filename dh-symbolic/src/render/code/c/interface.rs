@@ -206,7 +206,7 @@ impl Solved {
 }
 
 fn fields(chain: &Chain, written: &Written<'_>) -> Vec<Field> {
-    let of_fields = |p: &&crate::chain::Parameter| matches!(p.role, Role::Field(_));
+    let of_fields = |p: &&crate::chain::Parameter| matches!(p.role, Role::Field(_)) && !p.of_point;
     let all: Vec<_> = chain.parameters.iter().filter(of_fields).collect();
     let own = names::fields(&all.iter().map(|p| p.name.clone()).collect::<Vec<_>>());
     let one = |(p, own): (&crate::chain::Parameter, String)| {

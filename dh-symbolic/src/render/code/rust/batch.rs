@@ -3,7 +3,7 @@
 use super::structure::Batches;
 use super::target::Target;
 use crate::chain::{Chain, Scalar};
-use crate::program::{Forward, Inverse};
+use crate::program::Forward;
 use crate::render::code::body::Body;
 use crate::render::code::scalar_name;
 
@@ -61,10 +61,9 @@ pub(super) fn packed(chain: &Chain, name: &str, forward: &Forward, batches: Batc
     )
 }
 
-/// Solutions of many targets.
-pub(super) fn inverse(chain: &Chain, inverse: &Inverse) -> String {
+/// Solutions of many targets, at most `m` each.
+pub(super) fn inverse(chain: &Chain, m: usize) -> String {
     let (n, f) = (chain.dof(), scalar_name(chain.settings.scalar));
-    let m = inverse.plan.max_solutions;
     let Target { parameter, kind, .. } = Target::of(chain, &|_| String::new());
     let target = if parameter.starts_with("target: &") { "target" } else { "*target" };
     let (given, chosen, pass, pair) = match chain.settings.redundant.len() {

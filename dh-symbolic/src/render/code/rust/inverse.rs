@@ -11,6 +11,18 @@ use crate::render::code::drive::coordinates;
 use crate::render::code::scalar_name;
 use crate::render::code::steps::{LENGTH_SCALE, combination, length_scale};
 
+pub(super) const NEAR_DOCS: &str = "\
+    /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the\n\
+    /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out\n\
+    /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.\n///\n\
+    /// # Errors\n/// The reason why no joint values reach the target.\n";
+pub(super) const EXHAUSTIVE_DOCS: &str = "\
+    /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at\n\
+    /// neighbouring poses and along self-motions. To compare with.\n";
+pub(super) const SELF_MOTION_DOCS: &str = "\
+    /// The direction in which the arm can move at a solution with free joints while its target stays reached: joint speeds, the largest of\n\
+    /// them 1 (or the arm's size, for a length). `None` at an isolated solution.\n";
+
 /// All functions and traits of the inverse.
 pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) -> String {
     let (n, f) = (chain.dof(), scalar_name(chain.settings.scalar));
@@ -52,19 +64,15 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
         docs(chain, inverse),
     );
     out.push_str(&format!(
-        "/// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the\n\
-         /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out\n\
-         /// of range is given only if none is in range, or if it continues from `q` within 0.2 rad.\n///\n\
-         /// # Errors\n/// The reason why no joint values reach the target.\n\
+        "{NEAR_DOCS}\
          pub fn inverse_near(&self, {target}{given}, q: &[{f}; {n}]) -> ::core::result::Result<::dh_robot::Solution<{f}, {n}>, ::dh_robot::Why<{f}>> {{\n\
          {}}}\n\n\
-         /// The same as [`inverse`](Self::inverse) by a thorough search, at special poses without a bound on its time: from many starts, at\n\
-         /// neighbouring poses and along self-motions. To compare with.\n\
+         {EXHAUSTIVE_DOCS}\
          #[must_use]\npub fn inverse_exhaustive(&self, {target}{given}) -> ::dh_robot::Solutions<{f}, {n}, {m}> {{\n\
          {prepare}::dh_robot::runtime::solve(self, setting, &task, &frame, {run})\n}}\n\n",
         near(chain, inverse, fast.as_ref(), &prepared(&frame_one), &run),
     ));
-    out.push_str(&super::batch::inverse(chain, inverse));
+    out.push_str(&super::batch::inverse(chain, m));
     out.push_str(&tangent(chain, rank_deficient));
     out.push_str(&unknowns(chain, inverse));
     out.push_str(&candidates(chain, inverse));
@@ -146,8 +154,7 @@ fn tangent(chain: &Chain, rank_deficient: bool) -> String {
         Task::Planar => "Planar(t[0][3], t[1][3], ::dh_robot::runtime::atan2(t[1][0], t[0][0]))".into(),
     };
     format!(
-        "/// The direction in which the arm can move at a solution with free joints while its target stays reached: joint speeds, the largest of\n\
-         /// them 1 (or the arm's size, for a length). `None` at an isolated solution.\n#[must_use]\n\
+        "{SELF_MOTION_DOCS}#[must_use]\n\
          pub fn self_motion(&self, solution: &::dh_robot::Solution<{f}, {n}>) -> ::core::option::Option<[{f}; {n}]> {{\n\
          let setting = ::dh_robot::runtime::Setting {{ joints: &Self::JOINTS, length_scale: {LENGTH_SCALE}, rank_deficient: {rank_deficient}, given: {fixed} }};\n\
          ::dh_robot::runtime::self_motion(self, setting, |t| ::dh_robot::runtime::TaskTarget::{task}, solution)\n}}\n\n"
@@ -190,7 +197,7 @@ fn fixed(chain: &Chain) -> String {
 }
 
 /// The trait: with redundant joints its target is a pair, of the target and the values of these joints.
-fn as_trait(chain: &Chain, name: &str, m: usize, kind: &str) -> String {
+pub(super) fn as_trait(chain: &Chain, name: &str, m: usize, kind: &str) -> String {
     let (n, f) = (chain.dof(), scalar_name(chain.settings.scalar));
     let (kind, target, given) = match chain.settings.redundant.len() {
         0 => (kind.to_string(), "target", ""),
@@ -212,7 +219,7 @@ fn as_trait(chain: &Chain, name: &str, m: usize, kind: &str) -> String {
 }
 
 /// The plan in the doc comment.
-fn docs(chain: &Chain, inverse: &Inverse) -> String {
+pub(super) fn docs(chain: &Chain, inverse: &Inverse) -> String {
     let mut out = String::from(
         "/// All solutions for a target, each verified by forward kinematics; empty with a reason where there is none.\n///\n",
     );

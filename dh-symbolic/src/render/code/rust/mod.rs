@@ -4,6 +4,7 @@
 //! much faster than building tokens one by one in an unoptimised macro. The user's own tokens (attributes, visibility, name) keep
 //! their spans.
 
+mod around;
 mod batch;
 mod batched;
 mod candidates;
@@ -17,6 +18,7 @@ mod target;
 mod velocity;
 mod verify;
 
+pub use around::implementing;
 pub use inverse::inverse;
 #[cfg(feature = "cli")]
 pub use pretty::pretty;

@@ -1,9 +1,10 @@
 //! Generates the robot's type with its fields, constants and default, and assembles all items.
 
+use super::around::{self, implementing};
 use super::forward;
 use crate::chain::{Chain, Role};
-use crate::program::Forward;
-use crate::render::code::{bound, docs, literal, scalar_name};
+use crate::program::{Forward, Inverse};
+use crate::render::code::{bound, constant_pose, docs, literal, scalar_name};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
@@ -66,20 +67,36 @@ impl Items {
     }
 }
 
-/// All items of a robot. `inverse` is the text of further functions and traits.
-pub fn robot(head: &Head, chain: &Chain, programs: &Forward, inverse: &str, extra_docs: &str) -> Items {
+/// All items of a robot. `inverse` is the plan, and the text of further functions and traits that it makes.
+pub fn robot(
+    head: &Head,
+    chain: &Chain,
+    programs: &Forward,
+    inverse: Option<(&Inverse, &str)>,
+    extra_docs: &str,
+) -> Items {
     let name = head.ident.to_string();
     let declaration = declaration(head, chain, &docs::table(chain, &head.table, &head.motions, extra_docs));
-    let joints: Vec<String> = chain.joints.iter().enumerate().map(|(i, j)| joint(chain, i, j)).collect();
+    let own = implementing(chain, &name);
+    // What stands around an arm is put around one pose at a time.
+    let batches = if chain.is_part() { Batches::OneByOne } else { head.batches };
     let (n, f) = (chain.dof(), scalar_name(chain.settings.scalar));
     let text = format!(
-        "#[allow(unused, clippy::all, clippy::pedantic)]\nimpl {name} {{\n/// Number of joints.\npub const DOF: usize = {n};\n\
-         /// Kind, range and name of every joint.\npub const JOINTS: [::dh_robot::Joint<{f}>; {n}] = [{}];\n{}}}\n{}{inverse}",
-        joints.join(", "),
-        forward::functions(chain, programs, head.batches),
-        forward::traits(chain, programs, &name, head.batches),
+        "#[allow(unused, clippy::all, clippy::pedantic)]\nimpl {own} {{\n/// Number of joints.\npub const DOF: usize = {n};\n\
+         /// Kind, range and name of every joint.\npub const JOINTS: [::dh_robot::Joint<{f}>; {n}] = [{}];\n{}}}\n{}{}",
+        joints(chain),
+        forward::functions(chain, programs, batches),
+        forward::traits(chain, programs, &own, batches),
+        inverse.map_or("", |i| i.1)
     );
+    let text = if chain.is_part() { around::items(chain, &name, programs, &text, inverse.map(|i| i.0)) } else { text };
     Items { declaration, text }
+}
+
+/// The joints, separated by commas.
+pub(super) fn joints(chain: &Chain) -> String {
+    let joints: Vec<String> = chain.joints.iter().enumerate().map(|(i, j)| joint(chain, i, j)).collect();
+    joints.join(", ")
 }
 
 /// The struct and its default.
@@ -90,6 +107,9 @@ pub(super) fn declaration(head: &Head, chain: &Chain, docs: &str) -> TokenStream
     let mut any = false;
     for p in &chain.parameters {
         let Role::Field(value) = &p.role else { continue };
+        if p.of_point {
+            continue;
+        }
         any = true;
         let name = lex(&p.name);
         let doc = docs::field(chain, p);
@@ -98,6 +118,21 @@ pub(super) fn declaration(head: &Head, chain: &Chain, docs: &str) -> TokenStream
         match (value, &mut defaults) {
             (Some(_), Some(list)) => {
                 let value = lex(&literal(chain.nominal(p.handle), chain.settings.scalar));
+                list.extend(quote! { #name: #value, });
+            }
+            _ => defaults = None,
+        }
+    }
+    for pose in &chain.poses {
+        any = true;
+        let (name, doc) = (lex(&pose.name), docs::pose(chain, pose));
+        let written = head.field_docs.iter().filter(|d| d.0 == pose.name).flat_map(|d| &d.1);
+        fields.extend(
+            quote! { #(#[doc = #written])* #[doc = #doc] pub #name: ::dh_robot::nalgebra::IsometryMatrix3<#f>, },
+        );
+        match (&pose.nominal, &mut defaults) {
+            (Some(value), Some(list)) => {
+                let value = lex(&constant_pose(chain, value));
                 list.extend(quote! { #name: #value, });
             }
             _ => defaults = None,

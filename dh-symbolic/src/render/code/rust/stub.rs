@@ -4,14 +4,20 @@ use super::structure::{Head, lex};
 use proc_macro2::TokenStream;
 use quote::quote;
 
-/// The signatures of a robot with `n` joints; bodies never return.
-pub fn stub(head: &Head, n: usize, fields: &[String], scalar: &str, target: &str, redundant: usize) -> TokenStream {
+/// The signatures of a robot with `n` joints; fields have names and types; bodies never return.
+pub fn stub(
+    head: &Head,
+    n: usize,
+    fields: &[(String, String)],
+    scalar: &str,
+    target: &str,
+    redundant: usize,
+) -> TokenStream {
     let (visibility, ident) = (&head.visibility, &head.ident);
-    let f = lex(scalar);
     let mut list = TokenStream::new();
-    for name in fields {
-        let name = lex(name);
-        list.extend(quote! { pub #name: #f, });
+    for (name, kind) in fields {
+        let (name, kind) = (lex(name), lex(kind));
+        list.extend(quote! { pub #name: #kind, });
     }
     let body = if fields.is_empty() {
         quote! { ; }

@@ -236,6 +236,8 @@ impl NotesWriter<'_> {
     fn motions(&self, list: &[MotionSpec]) -> Math {
         let factor = |m: &MotionSpec| {
             let (letter, axis, value) = match m {
+                // The pose of an example is given by numbers.
+                MotionSpec::Pose(_) => return Math::Row(vec![]),
                 MotionSpec::Translate(axis, x) => {
                     let x = given::length(x);
                     let text = Math::number(x.abs());

@@ -3,11 +3,12 @@
 use super::products::asked;
 use super::{Block, Math, NotesWriter, Phrase, Prefix, Text, side_by_side};
 use crate::algebra::{LinearAngle, Poly, Ring, Transform};
-use crate::chain::{Convention, Elementary, Link};
+use crate::chain::{Convention, Elementary, Factor, Handle, Link, Parameter};
 use crate::kinematics::Kinematics;
 use crate::render::document::frames::Frame;
 use crate::render::formula::expression::Expression;
 use crate::render::formula::grouping::Order;
+use crate::render::formula::math::Sign;
 use crate::render::formula::notation::{Name, Notation};
 use crate::render::formula::products::steps;
 use crate::render::formula::style::Transforms;
@@ -66,8 +67,7 @@ impl NotesWriter<'_> {
                     Elementary::Rotate(axis, angle) => ('R', axis, notation.combination(&angle.terms)),
                     Elementary::Translate(axis, length) => ('D', axis, notation.typeset(&order.group(length))),
                 };
-                let axis = Math::Letter(['x', 'y', 'z'][axis % 3]);
-                Math::Row(vec![Math::Letter(letter).below(axis), argument.in_brackets()])
+                motion(letter, *axis, argument)
             })
             .collect();
         self.say(Phrase::General, vec![]);
@@ -79,6 +79,7 @@ impl NotesWriter<'_> {
         let n = kinematics.len();
         let (base, tool) = (!self.chain.base.is_empty(), !self.chain.tool.is_empty());
         self.heading(1, Phrase::Forward);
+        self.left_out();
         let list = if self.options.products.is_empty() { steps(self.chain) } else { asked(n, &self.options.products) };
         if list.len() > 1 && self.options.products.is_empty() {
             self.say(Phrase::FromTheTip, vec![]);
@@ -124,6 +125,40 @@ impl NotesWriter<'_> {
         self.tell(Phrase::Legend, legend);
     }
 
+    /// The poses that formulas leave out, if any, and the product that has them.
+    fn left_out(&mut self) {
+        let names: Vec<Math> = self.chain.left_out().into_iter().map(pose_name).collect();
+        if names.is_empty() {
+            return;
+        }
+        let factor = |f: &Factor| match f {
+            Factor::Pose(i) => self.chain.poses.get(*i).map_or(Math::Letter('T'), |p| pose_name(&p.name)),
+            Factor::Motion(Elementary::Translate(axis, length)) => {
+                motion('D', *axis, self.notation.typeset(&self.group(length)))
+            }
+            Factor::Motion(Elementary::Rotate(axis, angle)) if angle.terms.is_empty() => {
+                let (negative, value) = self.notation.exact_angle(angle.constant.factor());
+                motion('R', *axis, if negative { Math::Row(vec![Math::Sign(Sign::Negative), value]) } else { value })
+            }
+            Factor::Motion(Elementary::Rotate(axis, angle)) => {
+                motion('R', *axis, self.notation.combination(&angle.terms))
+            }
+        };
+        let before: Vec<Math> = self.chain.before.iter().map(factor).collect();
+        let after: Vec<Math> = self.chain.after.iter().map(factor).collect();
+        let product = before.into_iter().chain([Math::Letter('T')]).chain(after).collect();
+        self.say(Phrase::LeftOut, vec![Math::list(&names), side_by_side(product)]);
+        if let Some(point) = self.chain.point() {
+            let handles = self.chain.parameters.iter().filter(|p| point.contains(&p.name));
+            let symbol = |p: &Parameter| match p.handle {
+                Handle::Length(s) => Some(self.notation.symbol(s)),
+                Handle::Angle(_) => None,
+            };
+            let list: Vec<Math> = handles.filter_map(symbol).collect();
+            self.say(Phrase::ToolPoint, vec![Math::list(&list)]);
+        }
+    }
+
     /// A product of transforms, written out if it is not too long.
     fn product(&mut self, left: Math, product: Math, t: &Transform, prefix: Prefix) -> Vec<Expression> {
         let terms = terms(t);
@@ -138,6 +173,17 @@ impl NotesWriter<'_> {
         self.tell_new(Phrase::With, &entries);
         entries
     }
+}
+
+/// The name of a pose that the program sets: T with its name as index.
+fn pose_name(name: &str) -> Math {
+    Math::Letter('T').below(Math::word(name))
+}
+
+/// A motion along or about an axis.
+fn motion(letter: char, axis: usize, value: Math) -> Math {
+    let axis = Math::Letter(['x', 'y', 'z'][axis % 3]);
+    Math::Row(vec![Math::Letter(letter).below(axis), value.in_brackets()])
 }
 
 /// Number of terms of all entries.

@@ -52,6 +52,7 @@ pub(super) fn matrix(motion: &MotionSpec) -> [[f64; 4]; 3] {
     match motion {
         MotionSpec::Translate(axis, x) => t[axis % 3][3] = length(x),
         MotionSpec::Rotate(axis, angle) => t = turn(*axis, angle.radians()),
+        MotionSpec::Pose(_) => {}
     }
     t
 }

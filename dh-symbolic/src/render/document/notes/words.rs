@@ -51,6 +51,13 @@ phrases! {
     Paul: "{} is the transform of row {}; products from the base are called T: {}.", "{} 是第 {} 行的变换；从基座起的乘积记为 T：{}。";
     With: "with {}", "其中 {}";
     BaseAndTool: "With the constant transforms of base and tool", "加上基座和工具的常量变换";
+    /// Poses that are fields; then the tool's pose as a product.
+    LeftOut: "The program sets {} while it runs. All formulas are those of the arm between these poses; the pose of the tool is {}.",
+        "{} 由程序在运行时给定。所有公式都针对这些位姿之间的机械臂；工具位姿为 {}。";
+    /// The same beside a plan.
+    LeftOutOfPlan: "The program sets {} while it runs; the plan is that of the arm between these poses, whose target follows from the tool's.",
+        "{} 由程序在运行时给定；此方案针对这些位姿之间的机械臂，其目标由工具的目标得出。";
+    ToolPoint: "The tool's point in the last frame, {}, follows from these poses.", "工具点在末坐标系中的坐标 {} 由这些位姿确定。";
     /// Between the equations of a legend.
     Between: ", ", "，";
     /// Between a list and the next equation of a legend.
