@@ -283,12 +283,13 @@ impl Robot {
     }
 
     fn __setattr__(&self, name: &str, value: &Bound<'_, PyAny>) -> PyResult<()> {
-        let mut arm = self.arm.lock().unwrap_or_else(PoisonError::into_inner);
-        if !arm.parameters().any(|p| p.name == name) {
+        if !self.now().parameters().any(|p| p.name == name) {
             return Err(PyAttributeError::new_err(format!("the table declares no parameter `{name}`")));
         }
         let wrong = |_| PyTypeError::new_err(format!("{name}: expected a number, got {}", value.get_type()));
         let value: f64 = value.extract().map_err(wrong)?;
+        // Only now, since a number of Python's may run code that uses the robot.
+        let mut arm = self.arm.lock().unwrap_or_else(PoisonError::into_inner);
         *arm = Arc::new(Robot::changed(&arm, &[(name.to_string(), value)])?);
         Ok(())
     }

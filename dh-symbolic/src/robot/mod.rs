@@ -31,6 +31,7 @@ use crate::pipeline;
 use crate::planner::Refusal;
 use crate::program::{Forward, Inverse};
 use crate::render::code::javascript;
+#[cfg(feature = "cli")]
 use crate::render::code::rust::Batches;
 use crate::render::document::{Document, InversePlan, Options, notes, page};
 use crate::verify::{self, Claims, check, listing};
