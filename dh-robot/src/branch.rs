@@ -48,6 +48,7 @@ pub enum Wrist {
 /// assert!(!branch.agrees_with(Branch::ANY.with_elbow(Elbow::Down)));
 /// ```
 // Eight fields of five bits (0: not said, k + 1: alternative k), then three fields of two bits (0: not said, 1, 2).
+#[repr(transparent)]
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Branch(u64);
 

@@ -14,6 +14,7 @@ use core::fmt;
 /// assert_eq!(wrist.to_string(), "q4, q6");
 /// assert_eq!(wrist.iter().collect::<Vec<_>>(), [3, 5]);
 /// ```
+#[repr(transparent)]
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct FreeJoints(u32);
 

@@ -45,6 +45,7 @@
 //! - [What you get](#what-you-get): the generated type, solutions, [targets that lost digits](#targets-that-lost-digits), empty answers,
 //!   [batches](#batches), [velocities](#velocities)
 //! - [Programs that are generic over robots](#programs-that-are-generic-over-robots)
+//! - [C and C++](#c-and-c)
 //! - [Without the standard library](#without-the-standard-library)
 //!
 //! # The table
@@ -288,6 +289,26 @@
 //!     (robot.forward(q).translation.vector - point.coords).norm()
 //! }
 //! ```
+//!
+//! # C and C++
+//!
+//! `dh export arm.dh --to c --out DIR` (the command of the crate `dh-symbolic`; the file holds what stands between the braces of the macro)
+//! writes a folder that stands alone: a small crate with the table, `NAME.h` (C99), `NAME.hpp` (C++17), `CMakeLists.txt` that builds a static
+//! and a shared library and installs a CMake package, example programs, and a README with the commands. `--dh-robot PATH` builds with a
+//! clone in place of the registry's crate.
+//!
+//! ```c
+//! double pose[16];                                          /* a homogeneous matrix, row after row */
+//! puma560_solution solutions[PUMA560_MAX_SOLUTIONS];
+//! puma560_why why;
+//! puma560_forward(q, pose);
+//! int count = puma560_inverse(pose, solutions, &why);       /* or why not: puma560_why_text */
+//! ```
+//!
+//! The functions are those of this page (`forward`, `frames`, `jacobian`, `inverse`, `inverse_near` and batches, for every task), give the
+//! same bits, allocate nothing, and answer a null pointer with an error code. Those with the ending `_with` take the `let` parameters of the
+//! table as a struct first; those without are the nominal arm's. The header holds the table, the formulas and what each function promises.
+//! `src/c.rs` is the border between the languages, and the only file with `unsafe`: a crate that calls the macro already may take it over.
 //!
 //! # Without the standard library
 //!

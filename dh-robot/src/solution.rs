@@ -5,6 +5,9 @@ use core::fmt;
 use crate::{Branch, FreeJoints, Real};
 
 /// Joint values that reach the target.
+///
+/// Its memory is that of C's `struct { T q[N]; uint64_t branch; uint32_t free_joints; }`: exported libraries hand it out as it is.
+#[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solution<T, const N: usize> {
     /// The joint values: radians, or the table's unit of length for sliding joints. Angles are in `(-pi, pi]`, shifted by

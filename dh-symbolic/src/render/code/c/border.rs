@@ -91,7 +91,7 @@ fn target(task: &Task) -> String {
         ),
     };
     format!(
-        "\n/// The target as Rust takes it, which checks it.\nfn target_of(t: &[F; {length}]) -> Result<{kind}, Why<F>> {{\n    {value}\n}}\n"
+        "\n/// The target as Rust takes it, which checks it.\n#[inline]\nfn target_of(t: &[F; {length}]) -> Result<{kind}, Why<F>> {{\n    {value}\n}}\n"
     )
 }
 
