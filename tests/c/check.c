@@ -38,14 +38,14 @@ static TYPE(params) params;
 #define TARGET CONSTANT(TARGET)
 #define GIVEN CONSTANT(GIVEN)
 #define MOST CONSTANT(MAX_SOLUTIONS)
-#if CONSTANT(GIVEN) == 0
+#if GIVEN == 0
 #define PASS(given)
-#elif CONSTANT(GIVEN) == 1
+#elif GIVEN == 1
 #define PASS(given) (given)[0],
 #else
 #define PASS(given) (given),
 #endif
-#if CONSTANT(GIVEN) == 0
+#if GIVEN == 0
 #define PASS_ALL(given)
 #else
 #define PASS_ALL(given) (given),
@@ -214,7 +214,7 @@ static void null_inverse(void) {
     require(CALL(inverse_batch)(SELF targets, PASS_ALL(given) 1, NULL, found, &why) == NULL_POINTER, "inverse_batch");
     require(CALL(inverse_batch)(SELF targets, PASS_ALL(given) 1, some, NULL, &why) == NULL_POINTER, "inverse_batch");
     require(CALL(inverse_batch)(SELF NULL, PASS_ALL(NULL) 0, NULL, NULL, NULL) == 0, "no target");
-#if CONSTANT(GIVEN) > 0
+#if GIVEN > 0
     require(CALL(inverse_batch)(SELF targets, NULL, 1, some, found, &why) == NULL_POINTER, "inverse_batch");
 #endif
     require(some[0].q[0] == 7, "nothing was written");
