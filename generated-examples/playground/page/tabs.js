@@ -124,7 +124,8 @@ function frame(html) {
   policy.httpEquiv = "Content-Security-Policy";
   policy.content = document.querySelector("meta[http-equiv]").content;
   page.head.prepend(policy);
-  page.documentElement.style.colorScheme = document.documentElement.style.colorScheme || "light dark";
+  // The page knows light colours only.
+  page.documentElement.style.colorScheme = "light";
   const node = make("iframe", { sandbox: "allow-scripts", title: word("arm"), srcdoc: `<!DOCTYPE html>${page.documentElement.outerHTML}` });
   node.addEventListener("load", () => node.contentWindow.postMessage(text, "*"), { once: true });
   return node;

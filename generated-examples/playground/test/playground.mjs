@@ -158,8 +158,9 @@ const tests = {
       for (const table of [PUMA.replace("Puma560", attack), PUMA.replace("pub struct", `/// ${attack}\npub struct`), PUMA.replace("let a2", `/// ${attack}\nlet a2`),
         PUMA.replace("431.8mm", attack), `// ${attack}\n${PUMA}`, PUMA + `\nprove {\n/// ${attack}\nT(1,3).px = a2*s2; }`, PUMA.replace("convention = modified", `convention = ${attack}`)]) {
         await reader.table(table);
-        if (!(await reader.page.value("document.querySelector('#mistakes li.wrong') !== null"))) for (const tab of TABS) await reader.tab(tab);
+        if (!(await reader.page.value("document.querySelector('#mistakes li.wrong') !== null"))) for (const tab of ["arm", "notes", "code"]) await reader.tab(tab);
       }
+      await reader.table(PUMA);
       await reader.tab("derivation");
       const document = `Here ${attack} is $p_x = ${attack}$ and\n$$ \\text{${attack}} {}^1p_x = a_2 c_2 $$\n`;
       await reader.page.value(`{ const a = document.getElementById("derivation"); a.value = ${text(document)}; a.dispatchEvent(new Event("input")); }`);
@@ -207,16 +208,9 @@ const tests = {
     const rows = [1, 2, 3, 4, 5, 6].map((k) => `| al${k} | a${k} | d${k} | q${k} |`).join("\n");
     const names = [1, 2, 3, 4, 5, 6].map((k) => `let al${k}: angle; let a${k}: length; let d${k}: length;`).join("\n");
     await reader.page.value(`{ const t = document.getElementById("table"); t.value = ${text(`pub struct General;\nconvention = standard;\n${names}\n| alpha | a | d | theta |\n${rows}\n`)}; t.dispatchEvent(new Event("input")); }`);
-    await reader.page.until("!document.getElementById('busy').hidden || document.body.dataset.done === document.body.dataset.turn");
-    if (await reader.page.value("!document.getElementById('busy').hidden")) {
-      // The page itself answers meanwhile.
-      const since = Date.now();
-      await reader.page.value("1 + 1");
-      assert.ok(Date.now() - since < 5_000);
-      await reader.picture("busy");
-      await reader.page.value("document.getElementById('stop').click()");
-      await reader.page.until("document.querySelector('.stopped') !== null");
-    }
+    // As soon as the button is there it is pressed; the page itself answers meanwhile. (A quick machine may be done before.)
+    await reader.page.until("(() => { const stop = !document.getElementById('busy').hidden; if (stop) document.getElementById('stop').click(); return stop; })() || document.body.dataset.done === document.body.dataset.turn");
+    await reader.page.until("document.body.dataset.done === document.body.dataset.turn");
     await reader.table(PUMA);
     assert.match(await reader.summary(), /6 joints/);
     assert.match(await reader.shown(), /Puma560/);
