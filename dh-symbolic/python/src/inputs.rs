@@ -56,10 +56,10 @@ impl Targets {
 
     pub(crate) fn get(&self, arm: &DynamicArm, i: usize) -> Target {
         let x = &self.numbers.list[i * self.size..(i + 1) * self.size];
-        match x {
-            &[a, b, c] if arm.task() == "planar" => Target::Planar(a, b, c),
-            &[a, b, c] => Target::Position([a, b, c]),
-            &[a, b, c, u, v, w] => Target::Axis([a, b, c], [u, v, w]),
+        match *x {
+            [a, b, c] if arm.task() == "planar" => Target::Planar(a, b, c),
+            [a, b, c] => Target::Position([a, b, c]),
+            [a, b, c, u, v, w] => Target::Axis([a, b, c], [u, v, w]),
             _ => {
                 let entry = |i: usize, j: usize| x[4 * i + j];
                 let rows = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
