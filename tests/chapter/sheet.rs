@@ -184,6 +184,8 @@ impl Sheet {
                 let number = inline.first().copied().unwrap_or_default();
                 let row = solution.iter().find(|s| s.0 == number).map(|s| s.1.clone());
                 self.followed.extend(row.unwrap_or_default());
+            } else if line.starts_with("With") && line.contains("of the worked example") {
+                self.followed.extend(numbers);
             } else if !line.starts_with("- ") && !line.contains("is a root") && !line.contains("with the arm at") {
                 self.given.extend(numbers);
             }
@@ -461,10 +463,14 @@ impl World<'_> {
             let sum: Option<f64> = index.chars().map(angle).try_fold(0.0, |sum, x| Some(sum + x?));
             return sum.map(|x| Value::Scalar(if letter == "c" { x.cos() } else { x.sin() }));
         }
-        if let Some((i, j)) = name.strip_prefix("t_").and_then(|t| t.split_at_checked(1)) {
+        if let Some((i, j)) = name.strip_prefix("t_").or(name.strip_prefix("r_")).and_then(|t| t.split_at_checked(1)) {
             // elements of the given pose
             let (i, j): (usize, usize) = (i.parse().ok()?, j.parse().ok()?);
             return Some(Value::Scalar(*self.matrices.get("G")?.get(i - 1)?.get(j - 1)?));
+        }
+        let axis = name.strip_prefix("p_").and_then(|a| "xyz".find(a));
+        if let Some(i) = axis.filter(|_| !self.numbers.contains_key(name)) {
+            return Some(Value::Scalar(*self.matrices.get("G")?.get(i)?.get(3)?));
         }
         let rigid = name.starts_with("T[") || name.starts_with("R[");
         if rigid && let Some(m) = self.way(name) {

@@ -30,6 +30,7 @@ use crate::kinematics::{self, Kinematics};
 use crate::pipeline;
 use crate::planner::Refusal;
 use crate::program::{Forward, Inverse};
+use crate::render::Language;
 use crate::render::code::javascript;
 #[cfg(feature = "cli")]
 use crate::render::code::rust::Batches;
@@ -363,7 +364,8 @@ impl Robot {
     /// Values in the options that do not fit the robot are passed over: [`Robot::check_options`] finds them.
     pub fn notes(&self, options: &Options) -> Document {
         match (&options.subtitle, &self.about) {
-            (None, Some(about)) => {
+            // a line in Latin letters only is no subtitle of a Chinese note
+            (None, Some(about)) if options.language == Language::English || !about.is_ascii() => {
                 notes(&self.arm.chain, &Options { subtitle: Some(about.to_string()), ..options.clone() })
             }
             _ => notes(&self.arm.chain, options),

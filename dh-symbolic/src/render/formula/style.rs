@@ -13,6 +13,8 @@ pub struct Style {
     pub joints: Option<String>,
     /// Names of frames: the number of a row, `b` for the base or `e` for the tool, and what to call it.
     pub frames: Vec<(String, String)>,
+    /// Letters that mean something else in the same note.
+    pub taken: Vec<char>,
 }
 
 /// How the transform from frame i to frame j is called.

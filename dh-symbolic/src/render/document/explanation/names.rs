@@ -201,7 +201,9 @@ impl Explanation<'_> {
 
     /// Gives letters to the known poses that steps use, in order of first use.
     pub(super) fn name_poses(&mut self, chain: &Chain, written: &[(usize, Frame, Frame)]) {
-        let mut letters = LETTERS.iter().filter(|l| is_free(chain, l)).copied();
+        let taken = self.notation.style.taken.clone();
+        let free = |l: &&&str| is_free(chain, l) && !l.chars().all(|c| taken.contains(&c));
+        let mut letters = LETTERS.iter().filter(free).copied();
         for (index, left, right) in written {
             let Some(pose) = self.plan.knowledge.poses.get(*index).cloned() else { continue };
             let whole = [*left, *right] == self.ends;

@@ -48,6 +48,12 @@ pub fn notes(chain: &Chain, options: &Options) -> Document {
     let named = named_offsets(chain);
     let chain = named.as_ref().unwrap_or(chain);
     let kinematics = Kinematics::new(chain);
+    let mut options = options.clone();
+    if options.parts.iter().any(|p| matches!(p, Part::Planar | Part::Pieper)) {
+        // their letters are those of the textbook
+        options.style.taken = vec!['u', 'f', 'g', 'h', 'k'];
+    }
+    let options = &options;
     let mut w = NotesWriter::new(chain, options.clone());
     for part in &options.parts {
         match part {
@@ -58,7 +64,10 @@ pub fn notes(chain: &Chain, options: &Options) -> Document {
             Part::Jacobian => w.jacobian(&kinematics),
             Part::Singular => w.singular(&kinematics),
             Part::Workspace => {
+                // its form of the pose is not the one that later parts refer to
+                let cited = w.numbered.len();
                 w.workspace(&kinematics);
+                w.numbered.truncate(cited);
                 w.workspace_figure(&kinematics, start.as_ref().ok());
             }
             Part::Inverse => w.inverse(),
@@ -132,7 +141,7 @@ struct NotesWriter<'a> {
     number: usize,
     /// Left sides of numbered equations with their numbers.
     numbered: Vec<(Math, usize)>,
-    /// Whether the wrist of a planar arm is another point than the one whose x and y are given.
+    /// Whether the wrist is another point than the origin of the pose that is given.
     wrist_apart: bool,
     /// The inverse or why there is none, once a part has asked for it.
     solved: Option<Solved>,

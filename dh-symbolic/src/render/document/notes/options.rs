@@ -314,6 +314,8 @@ mod tests {
         assert_eq!((o.products, o.style.frames.len()), (vec![(0, 3), (3, 6)], 2));
         assert!(o.style.long_sines && o.style.radians);
         let mut o = Options::default();
+        assert_eq!(o.set("--parts", "chapter"), Ok(true));
+        assert!(Part::ALL.iter().all(|p| o.parts.contains(&p.1)));
         assert_eq!(o.set("--to", "html"), Ok(false));
         assert!(Options::NAMES.iter().all(|n| o.set(n, "") != Ok(false)));
         for (name, value) in [

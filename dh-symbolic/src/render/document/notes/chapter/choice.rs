@@ -7,8 +7,13 @@ use crate::chain::Chain;
 use crate::kinematics::Kinematics;
 
 /// Rows of the table of bounds: what vanishes, in formulas, and the bound.
-const BOUNDS: [(&str, usize); 5] =
-    [("@any", 16), ("a_3 = 0", 16), ("a_3 = a_5 = 0", 16), ("a_1 = a_3 = a_5 = 0", 16), ("a_4 = a_5 = d_5 = 0", 8)];
+const BOUNDS: [(&str, usize); 5] = [
+    ("@any", 16),
+    ("a_3", 16),
+    ("a_3,\\thin a_5", 16),
+    ("a_1,\\thin a_3,\\thin a_5", 16),
+    ("a_4,\\thin a_5,\\thin d_5", 8),
+];
 
 /// Which rows of that table hold for an arm.
 fn rows_of(chain: &Chain, w: &NotesWriter<'_>) -> [bool; 5] {
@@ -78,11 +83,11 @@ impl NotesWriter<'_> {
         );
         let fits = rows_of(self.chain, self);
         let last = fits.iter().rposition(|f| *f).unwrap_or(0);
-        let header =
-            [("lengths", "参数"), ("at most", "最多"), ("this arm", "本臂")].map(|(e, c)| self.both(e, c).into());
+        let header = [("lengths that vanish", "为零的参数"), ("at most", "最多"), ("this arm", "本臂")]
+            .map(|(e, c)| self.both(e, c).into());
         let rows = BOUNDS.iter().enumerate().map(|(i, (what, n))| {
             let condition = match *what {
-                "@any" => Text::from(self.both("any", "任意")),
+                "@any" => Text::from(self.both("none", "无")),
                 what => Text::from(self.formula(what, &[])),
             };
             let mark = if i == last { self.both("this arm", "本臂") } else { "" };
@@ -91,8 +96,8 @@ impl NotesWriter<'_> {
         let rows = rows.collect();
         self.blocks.push(Block::Table(header.to_vec(), rows));
         self.tell_both(
-            "In the last row the axes of joints 4, 5 and 6 meet: four positions of the first three joints, two of the wrist. Older books and slides give 8 for $a_3 = a_5 = 0$ and 4 for $a_1 = a_3 = a_5 = 0$. These are no bounds: with $a_1 = a_3 = a_5 = 0$ the FANUC CRX-10iA has poses with 16 solutions.",
-            "最后一行是关节 4、5、6 轴线交于一点的情形：前三个关节四组，手腕两组。一些教材和课件对 $a_3 = a_5 = 0$ 给出 8，对 $a_1 = a_3 = a_5 = 0$ 给出 4，这并不是上界：FANUC CRX-10iA 满足 $a_1 = a_3 = a_5 = 0$，却有 16 个解的位姿。",
+            "In the last row the axes of joints 4, 5 and 6 meet: four positions of the first three joints, two of the wrist. Older books and slides give 8 in the third row and 4 in the fourth. These are no bounds: the FANUC CRX-10iA belongs to the fourth row, and it has poses with 16 solutions.",
+            "最后一行是关节 4、5、6 轴线交于一点的情形：前三个关节四组，手腕两组。一些教材和课件在第三行给出 8，第四行给出 4，这并不是上界：FANUC CRX-10iA 属于第四行，却有 16 个解的位姿。",
             &[],
         );
     }

@@ -254,8 +254,8 @@ impl NotesWriter<'_> {
         );
         self.show(
             &[
-                "A_i = R_z(\\theta_i)\\thin D_z(d_i)\\thin D_x(a_i)\\thin R_x(\\alpha_i)",
-                "B_i = R_x(\\alpha_{i - 1})\\thin D_x(a_{i - 1})\\thin R_z(\\theta_i)\\thin D_z(d_i)",
+                "S_i = R_z(\\theta_i)\\thin D_z(d_i)\\thin D_x(a_i)\\thin R_x(\\alpha_i)",
+                "Q_i = R_x(\\alpha_{i - 1})\\thin D_x(a_{i - 1})\\thin R_z(\\theta_i)\\thin D_z(d_i)",
             ],
             &[],
         );
@@ -266,8 +266,8 @@ impl NotesWriter<'_> {
         );
         let factor = |letter: char, i: usize| Math::Letter(letter).below(Math::number(i));
         let row = |letter: char| (1..=n).map(move |i| factor(letter, i));
-        let left = std::iter::once(factor('N', 0)).chain(row('A')).collect();
-        let right = row('B').chain([factor('N', n)]).collect();
+        let left = std::iter::once(factor('N', 0)).chain(row('S')).collect();
+        let right = row('Q').chain([factor('N', n)]).collect();
         let sides = [left, right].map(super::super::side_by_side);
         self.show_numbered("#0 = #1", &sides);
         if modified {

@@ -124,6 +124,21 @@ impl NotesWriter<'_> {
         Math::number(self.number).in_brackets()
     }
 
+    /// The joint values of the solution that the numbers which follow belong to.
+    fn at_solution(&mut self, sample: &Sample) {
+        let Some(solution) = sample.found.get(sample.chosen) else { return };
+        let arm = &sample.arm;
+        let list: Vec<Math> = solution.q.iter().enumerate().map(|(k, x)| self.value_of(arm, k, *x, 0)).collect();
+        let mut text = Text::from(self.both("With ", "取 "));
+        text.0.extend(super::inverse::listed(&list));
+        let number = sample.chosen + 1;
+        text.0.push(Span::Plain(match self.options.language {
+            Language::English => format!(", solution {number} of the worked example:"),
+            Language::Chinese => format!("，即算例第 {number} 组解："),
+        }));
+        self.blocks.push(Block::Paragraph(text));
+    }
+
     fn real(&self, x: f64) -> Math {
         significant(x, self.options.digits + 1)
     }
@@ -140,7 +155,7 @@ impl NotesWriter<'_> {
     }
 
     /// `c2`, `s2`: cosine and sine of a joint angle; `q2`: that angle or length; `a1`, `A1`, `d1`: length, twist and offset of the table;
-    /// `T03`, `R03`: a transform of the table and its rotation; `x`, `y`: the wrist of a planar arm.
+    /// `T03`, `R03`: a transform of the table and its rotation; `x`, `y`: `z`: the wrist.
     fn name_of(&self, word: &str) -> Option<Math> {
         let (kind, index) = (word.get(..1)?, word.get(1..)?);
         let digits: Vec<usize> = index.chars().filter_map(|c| Some(c.to_digit(10)? as usize)).collect();
@@ -163,7 +178,7 @@ impl NotesWriter<'_> {
                 }
                 other => Some(other),
             },
-            ("x" | "y", []) => {
+            ("x" | "y" | "z", []) => {
                 let letter = Math::Letter(kind.chars().next()?);
                 Some(if self.wrist_apart { letter.below(Math::Letter('w')) } else { letter })
             }

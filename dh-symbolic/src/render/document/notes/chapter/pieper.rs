@@ -42,6 +42,10 @@ impl NotesWriter<'_> {
                 &[],
             );
             w.table_angles();
+            w.wrist_apart = !p.head.is_empty()
+                || p.from_tip.iter().any(|x| !x.is_zero())
+                || !w.chain.base.is_empty()
+                || !w.chain.tool.is_empty();
             w.name_letters(&p);
             w.centre_of_wrist(&p);
             w.f_of_third(&p);
@@ -93,7 +97,7 @@ impl NotesWriter<'_> {
                 &[],
             );
         }
-        self.show_numbered("\\mat{x;y;z;1} = #0", &[product]);
+        self.show_numbered("\\mat{@x;@y;@z;1} = #0", &[product]);
     }
 
     /// The wrist centre before the third turn.
@@ -145,15 +149,15 @@ impl NotesWriter<'_> {
         self.show_numbered("\\mat{g_1;g_2;g_3;1} = #0", &[super::super::side_by_side(list)]);
         self.components('g', &p.g);
         self.tell_both("and the first turns it about its axis:", "第一个关节再使其绕自身轴线转动：", &[]);
-        self.show(&["x = @c1 g_1 - @s1 g_2", "y = @s1 g_1 + @c1 g_2", "z = g_3"], &[]);
+        self.show(&["@x = @c1 g_1 - @s1 g_2", "@y = @s1 g_1 + @c1 g_2", "@z = g_3"], &[]);
     }
 
     /// What the first turn does not change.
     fn r_and_z(&mut self, p: &Positioning) {
         self.title(2, "r and z: what the first joint does not change", "r 与 z：与第一个角无关的量");
         self.tell_both(
-            "A turn about the first axis changes neither the distance from the origin nor the height, so that $r = x^2 + y^2 + z^2 = g_1^2 + g_2^2 + g_3^2$ and $z = g_3$ are free of $@q1$. With",
-            "绕第一轴的转动既不改变到原点的距离，也不改变高度，因此 $r = x^2 + y^2 + z^2 = g_1^2 + g_2^2 + g_3^2$ 与 $z = g_3$ 不含 $@q1$。令",
+            "A turn about the first axis changes neither the distance from the origin nor the height, so that $r = @x^2 + @y^2 + @z^2 = g_1^2 + g_2^2 + g_3^2$ and $@z = g_3$ are free of $@q1$. With",
+            "绕第一轴的转动既不改变到原点的距离，也不改变高度，因此 $r = @x^2 + @y^2 + @z^2 = g_1^2 + g_2^2 + g_3^2$ 与 $@z = g_3$ 不含 $@q1$。令",
             &[],
         );
         let f: [Poly; 3] = p.letters.map(Poly::symbol);
@@ -178,7 +182,7 @@ impl NotesWriter<'_> {
         self.tell_both("they read", "它们写成", &[]);
         let [r, z] = self.right_sides(p, &k);
         self.show_numbered("r = #0", &[r]);
-        self.show_numbered("z = #0", &[z]);
+        self.show_numbered("@z = #0", &[z]);
     }
 
     /// (k1 c2 + k2 s2) 2 a1 + k3 and (k1 s2 - k2 c2) sin alpha1 + k4, with the numbers of the table.
@@ -218,14 +222,14 @@ impl NotesWriter<'_> {
         let pieces = ["a_1", "\\alpha_1"].map(|t| self.formula(t, &[]));
         self.points(
             &[
-                ("$#0 = 0$: the first equation is $r = k_3$, without $@q2$.", "$#0 = 0$：第一式成为 $r = k_3$，不含 $@q2$。"),
+                ("$#0 = 0$: of the first equation only $r$ and $k_3$ are left, without $@q2$.", "$#0 = 0$：第一式只剩 $r$ 与 $k_3$，不含 $@q2$。"),
                 (
-                    "$\\sin #1 = 0$: the second equation is $z = k_4$, without $@q2$.",
-                    "$\\sin #1 = 0$：第二式成为 $z = k_4$，不含 $@q2$。",
+                    "$\\sin #1 = 0$: of the second equation only $@z$ and $k_4$ are left, without $@q2$.",
+                    "$\\sin #1 = 0$：第二式只剩 $@z$ 与 $k_4$，不含 $@q2$。",
                 ),
                 (
-                    "else: solved for the brackets, squared and added, they are free of $@q2$: $\\frac{(r - k_3)^2}{(2#0)^2} + \\frac{(z - k_4)^2}{(\\sin #1)^2} = k_1^2 + k_2^2$.",
-                    "其余情形：分别解出括号，平方后相加，即不含 $@q2$：$\\frac{(r - k_3)^2}{(2#0)^2} + \\frac{(z - k_4)^2}{(\\sin #1)^2} = k_1^2 + k_2^2$。",
+                    "else: solved for the brackets, squared and added, they are free of $@q2$: $\\frac{(r - k_3)^2}{(2#0)^2} + \\frac{(@z - k_4)^2}{(\\sin #1)^2} = k_1^2 + k_2^2$.",
+                    "其余情形：分别解出括号，平方后相加，即不含 $@q2$：$\\frac{(r - k_3)^2}{(2#0)^2} + \\frac{(@z - k_4)^2}{(\\sin #1)^2} = k_1^2 + k_2^2$。",
                 ),
             ],
             &pieces,
@@ -248,13 +252,13 @@ impl NotesWriter<'_> {
         }
         match case {
             Case::NoLength => self.show_numbered("r = k_3", &[]),
-            Case::NoTwist => self.show_numbered("z = k_4", &[]),
+            Case::NoTwist => self.show_numbered("@z = k_4", &[]),
             Case::General => {
                 let square = |p: &Poly| self.notation.typeset(&self.group(&p.square()));
                 let (length, twist) = (square(&p.first.scale(&Rational::int(2))), &p.twist.1.square());
                 let second = match twist.is_one() {
-                    true => self.formula("(z - k_4)^2", &[]),
-                    false => self.formula("\\frac{(z - k_4)^2}{#0}", &[self.notation.typeset(&self.group(twist))]),
+                    true => self.formula("(@z - k_4)^2", &[]),
+                    false => self.formula("\\frac{(@z - k_4)^2}{#0}", &[self.notation.typeset(&self.group(twist))]),
                 };
                 self.show_numbered("\\frac{(r - k_3)^2}{#0} + #1 = k_1^2 + k_2^2", &[length, second])
             }
@@ -285,9 +289,9 @@ impl NotesWriter<'_> {
         let sine = self.notation.typeset(&self.group(&p.twist.1));
         let along = |w: &Self| w.written("h_1 = \\frac{r - k_3}{#0}", std::slice::from_ref(&two));
         let across = |w: &Self| match signed(&p.twist.1) {
-            (false, v) if v.is_one() => w.written("h_2 = z - k_4", &[]),
-            (true, v) if v.is_one() => w.written("h_2 = k_4 - z", &[]),
-            _ => w.written("h_2 = \\frac{z - k_4}{#0}", std::slice::from_ref(&sine)),
+            (false, v) if v.is_one() => w.written("h_2 = @z - k_4", &[]),
+            (true, v) if v.is_one() => w.written("h_2 = k_4 - @z", &[]),
+            _ => w.written("h_2 = \\frac{@z - k_4}{#0}", std::slice::from_ref(&sine)),
         };
         match Case::of(p) {
             Case::General => {
@@ -325,14 +329,14 @@ impl NotesWriter<'_> {
             }
         }
         self.tell_both(
-            "Now g is known, and $x = @c1 g_1 - @s1 g_2$, $y = @s1 g_1 + @c1 g_2$ give",
-            "此时 g 已知，由 $x = @c1 g_1 - @s1 g_2$ 与 $y = @s1 g_1 + @c1 g_2$ 得",
+            "Now g is known, and $@x = @c1 g_1 - @s1 g_2$, $@y = @s1 g_1 + @c1 g_2$ give",
+            "此时 g 已知，由 $@x = @c1 g_1 - @s1 g_2$ 与 $@y = @s1 g_1 + @c1 g_2$ 得",
             &[],
         );
-        self.show(&["@q1 = \\atan2(y,x) - \\atan2(g_2,g_1)"], &[]);
+        self.show(&["@q1 = \\atan2(@y,@x) - \\atan2(g_2,g_1)"], &[]);
         self.tell_both(
-            "Together at most four positions of the first three joints. On the first axis ($x = y = 0$) $@q1$ is free.",
-            "前三个关节最多有四组解。腕心位于第一轴上（$x = y = 0$）时 $@q1$ 可任取。",
+            "Together at most four positions of the first three joints. Where it lies on the first axis, $@q1$ is free.",
+            "前三个关节最多有四组解。腕心位于第一轴上时 $@q1$ 可任取。",
             &[],
         );
     }

@@ -153,10 +153,11 @@ impl NotesWriter<'_> {
         let case = Case::of(p);
         let rows = wrist.rows(case);
         self.title(2, "The wrist centre in numbers", "腕心的数值");
+        self.at_solution(sample);
         let [x, y, z] = centre.map(|x| self.real(x));
         self.tell_both(
-            "For the pose of the worked example $x = #0$, $y = #1$, $z = #2$, $r = #3$, and the equation for $u$ is",
-            "对算例的位姿，$x = #0$，$y = #1$，$z = #2$，$r = #3$，$u$ 的方程为",
+            "the wrist centre is at $@x = #0$, $@y = #1$, $@z = #2$, $r = #3$, and the equation for $u$ is",
+            "腕心为 $@x = #0$，$@y = #1$，$@z = #2$，$r = #3$，$u$ 的方程为",
             &[x, y, z, self.real(wrist.r)],
         );
         let (list, squares) = wrist.equation(case);

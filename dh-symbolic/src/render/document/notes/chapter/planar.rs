@@ -148,16 +148,16 @@ impl NotesWriter<'_> {
             );
             w.table_angles();
             let numbers = sample.map(|s| w.planar_goal(&arm, s));
-            w.wanted_in_plane(&arm, numbers.as_ref());
+            w.wanted_in_plane(&arm, numbers.as_ref(), sample);
             w.by_triangle(&arm, &pieces, numbers.as_ref());
-            w.by_algebra(&arm, &pieces, numbers.as_ref());
+            w.by_algebra(&arm, &pieces);
             let second = sample.and_then(|s| {
                 let x = s.arm.coordinates(&s.found.get(s.chosen)?.q);
                 x.get(*arm.joints.get(1)?).copied()
             });
             w.by_half_angle(&pieces, numbers.as_ref(), second.map_or(1.0, |x| x.sin().signum()));
             if let (Some(n), Some(sample)) = (&numbers, sample) {
-                w.both_elbows(&arm, n, sample);
+                w.both_elbows(&arm, n, sample, &pieces);
             }
         });
     }
@@ -181,25 +181,33 @@ impl NotesWriter<'_> {
     }
 
     /// x, y, phi from the given pose.
-    fn wanted_in_plane(&mut self, arm: &TwoLinks, numbers: Option<&Numbers>) {
+    fn wanted_in_plane(&mut self, arm: &TwoLinks, numbers: Option<&Numbers>, sample: Option<&Sample>) {
         let n = Frame::Row(self.chain.links.len());
         let end = if arm.tool && !self.chain.tool.is_empty() { Frame::Tool } else { n };
         let pose = self.notation.transform(Frame::Row(0), end);
         let hand = arm.joints.len() > 2;
+        // r and p are those of the given pose
+        let own = self.chain.base.is_empty() && (end == Frame::Tool || self.chain.tool.is_empty());
+        let letters: [Math; 2] = if own { ["r_{ij}", "p"] } else { ["t_{ij}", "t_{i4}"] }.map(|t| self.formula(t, &[]));
+        let [letter, _] = &letters;
         if hand {
             self.tell_both(
-                "The third joint turns the hand. Given are the wrist $(@x,@y)$ and the direction $\\phi$ of the hand, from the elements $t_{ij}$ of $#0$:",
-                "第三个关节转动手部。已知腕点 $(@x,@y)$ 和手部方向 $\\phi$，由 $#0$ 的元素 $t_{ij}$ 得：",
-                &[pose],
+                "The third joint turns the hand. Given are the wrist $(@x,@y)$ and the direction $\\phi$ of the hand, from the elements $#1$ of $#0$:",
+                "第三个关节转动手部。已知腕点 $(@x,@y)$ 和手部方向 $\\phi$，由 $#0$ 的元素 $#1$ 得：",
+                &[pose, letter.clone()],
             );
         } else {
             self.tell_both(
-                "Given is the tip $(@x,@y)$, from the elements $t_{ij}$ of $#0$:",
-                "已知末端 $(@x,@y)$，由 $#0$ 的元素 $t_{ij}$ 得：",
-                &[pose],
+                "Given is the tip $(@x,@y)$, from the fourth column $#1$ of $#0$:",
+                "已知末端 $(@x,@y)$，由 $#0$ 的第四列 $#1$ 得：",
+                &[pose, letters[1].clone()],
             );
         }
-        let entry = |i: usize, j: usize| Math::Letter('t').below(Math::number(format!("{i}{j}")));
+        let entry = |i: usize, j: usize| match (own, j) {
+            (true, 4) => Math::Letter('p').below(Math::Letter(if i == 1 { 'x' } else { 'y' })),
+            (true, _) => Math::Letter('r').below(Math::number(format!("{i}{j}"))),
+            (false, _) => Math::Letter('t').below(Math::number(format!("{i}{j}"))),
+        };
         let place = |w: &Self, i: usize| {
             let mut row = vec![entry(i, 4)];
             for (j, p) in arm.back.iter().enumerate().filter(|(_, p)| !p.is_zero()) {
@@ -220,16 +228,13 @@ impl NotesWriter<'_> {
             list.push(self.written("\\phi = \\atan2(#0,#1)", &[entry(2, 1), entry(1, 1)]));
         }
         self.blocks.push(Block::Equations(list));
-        if let Some(n) = numbers {
+        if let (Some(n), Some(sample)) = (numbers, sample) {
+            self.at_solution(sample);
             let values = [self.real(n.x), self.real(n.y), self.degrees(n.phi)];
             if hand {
-                self.tell_both(
-                    "In the worked example $@x = #0$, $@y = #1$, $\\phi = #2$.",
-                    "算例中 $@x = #0$，$@y = #1$，$\\phi = #2$。",
-                    &values,
-                );
+                self.tell_both("$@x = #0$, $@y = #1$, $\\phi = #2$.", "$@x = #0$，$@y = #1$，$\\phi = #2$。", &values);
             } else {
-                self.tell_both("In the worked example $@x = #0$, $@y = #1$.", "算例中 $@x = #0$，$@y = #1$。", &values);
+                self.tell_both("$@x = #0$, $@y = #1$.", "$@x = #0$，$@y = #1$。", &values);
             }
         }
     }
@@ -277,7 +282,7 @@ impl NotesWriter<'_> {
         );
     }
 
-    fn by_algebra(&mut self, arm: &TwoLinks, pieces: &[Math], numbers: Option<&Numbers>) {
+    fn by_algebra(&mut self, arm: &TwoLinks, pieces: &[Math]) {
         self.title(2, "By algebra", "代数法");
         self.tell_both("The forward kinematics says", "由正运动学", &[]);
         self.show_numbered("@x = #0#4 + #1#8", pieces);
@@ -312,31 +317,19 @@ impl NotesWriter<'_> {
             "可见 $\\gamma$ 就是三角形的角 $\\psi$，符号与 $#11$ 相同：肘换到另一侧，$k_2$ 变号，$#10$ 随之改变。",
             pieces,
         );
-        let Some(n) = numbers else { return };
-        let items = [1.0, -1.0].map(|sign| {
-            let [first, second, third] = n.angles(sign);
-            let (k1, k2) = (n.links[0] + n.links[1] * second.cos(), n.links[1] * second.sin());
-            let mut all = pieces.to_vec();
-            all.extend([second.sin(), k1, k2, k1.hypot(k2)].map(|x| self.real(x)));
-            all.extend([k2.atan2(k1), first, second, third].map(|x| self.degrees(x)));
-            let text = if arm.joints.len() > 2 {
-                "$#7 = #13$, $#11 = #19$, $k_1 = #14$, $k_2 = #15$, $r = #16$, $\\gamma = #17$, $#10 = #18$, $#12 = #20$"
-            } else {
-                "$#7 = #13$, $#11 = #19$, $k_1 = #14$, $k_2 = #15$, $r = #16$, $\\gamma = #17$, $#10 = #18$"
-            };
-            self.text(text, &all)
-        });
-        self.tell_both("In numbers, for both signs of the root:", "根号取两种符号时的数值：", &[]);
-        self.blocks.push(Block::List(items.to_vec()));
     }
 
     fn by_half_angle(&mut self, pieces: &[Math], numbers: Option<&Numbers>, elbow: f64) {
         self.title(2, "By the tangent of the half angle", "半角正切代换");
         self.tell_both(
-            "An equation $a\\cos\\theta + b\\sin\\theta = c$ becomes a polynomial with $u = \\tan\\frac{\\theta}{2}$, $\\cos\\theta = \\frac{1 - u^2}{1 + u^2}$, $\\sin\\theta = \\frac{2u}{1 + u^2}$: multiplied by $1 + u^2$ it reads $(a + c)u^2 - 2bu + (c - a) = 0$. Here $k_1#4 - k_2#5 = @x$ has $a = k_1$, $b = -k_2$, $c = @x$, so that",
-            "方程 $a\\cos\\theta + b\\sin\\theta = c$ 令 $u = \\tan\\frac{\\theta}{2}$，$\\cos\\theta = \\frac{1 - u^2}{1 + u^2}$，$\\sin\\theta = \\frac{2u}{1 + u^2}$，乘以 $1 + u^2$ 后成为多项式 $(a + c)u^2 - 2bu + (c - a) = 0$。这里 $k_1#4 - k_2#5 = @x$，即 $a = k_1$，$b = -k_2$，$c = @x$，故",
+            "An equation in the sine and the cosine of one angle becomes a polynomial with the tangent of half the angle. In $k_1#4 - k_2#5 = @x$",
+            "含一个角的正弦和余弦的方程，用半角的正切代换即成为多项式。对 $k_1#4 - k_2#5 = @x$，令",
             pieces,
         );
+        self.show(&["u = \\tan\\frac{#10}{2}", "#4 = \\frac{1 - u^2}{1 + u^2}", "#5 = \\frac{2u}{1 + u^2}"], pieces);
+        self.tell_both("is put in and multiplied by $1 + u^2$:", "代入并乘以 $1 + u^2$，得", &[]);
+        self.show_numbered("(k_1 + @x)u^2 + 2k_2u + (@x - k_1) = 0", &[]);
+        self.tell_both("so that", "于是", &[]);
         self.show(&["u = \\frac{-k_2 \\pm \\sqrt{k_1^2 + k_2^2 - @x^2}}{k_1 + @x}", "#10 = 2\\atan2(u,1)"], pieces);
         self.tell_both(
             "Of both roots the equation for $@y$ leaves one. If $k_1 + @x = 0$ the equation is linear, and the other root is $#10 = 180\\deg$.",
@@ -364,18 +357,24 @@ impl NotesWriter<'_> {
     }
 
     /// Both solutions, with their numbers in the worked example.
-    fn both_elbows(&mut self, arm: &TwoLinks, n: &Numbers, sample: &Sample) {
+    fn both_elbows(&mut self, arm: &TwoLinks, n: &Numbers, sample: &Sample, pieces: &[Math]) {
         if n.cosine.abs() > 1.0 {
             self.tell_both("This place is out of reach.", "该位置不可达。", &[]);
             return;
         }
-        let mut header: Vec<Text> = arm.joints.iter().map(|j| Text::from(self.coordinate(*j))).collect();
+        let letters = ["#7", "k_1", "k_2", "r", "\\gamma"].map(|t| Text::from(self.formula(t, pieces)));
+        let mut header: Vec<Text> = letters.to_vec();
+        header.extend(arm.joints.iter().map(|j| Text::from(self.coordinate(*j))));
         header.push(self.both("solution", "解").into());
         let rows = [1.0, -1.0].map(|sign| {
             let angles = n.angles(sign);
             let mut all = vec![f64::NAN; self.chain.dof()];
             arm.joints.iter().zip(angles).for_each(|(j, a)| all[*j] = a);
-            let mut row: Vec<Text> = arm.joints.iter().zip(angles).map(|(_, a)| Text::from(self.degrees(a))).collect();
+            let second = angles[1];
+            let (k1, k2) = (n.links[0] + n.links[1] * second.cos(), n.links[1] * second.sin());
+            let mut row: Vec<Text> = [second.sin(), k1, k2, k1.hypot(k2)].map(|x| Text::from(self.real(x))).to_vec();
+            row.push(self.degrees(k2.atan2(k1)).into());
+            row.extend(arm.joints.iter().zip(angles).map(|(_, a)| Text::from(self.degrees(a))));
             row.push(self.solutions_at(sample, &all));
             row
         });
