@@ -4,6 +4,7 @@
 //! numbers or from equations whose right side is known; when all is read, no equation may be left without a value, and all its sides
 //! must agree.
 
+mod matrix;
 mod sheet;
 
 use crate::handwork::tables;
