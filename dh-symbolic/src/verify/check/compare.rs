@@ -36,6 +36,11 @@ impl Evaluator<'_> {
             (Value::Matrix(m), Value::Matrix(n)) => {
                 let (m, n) = (without_translation(m, &n), n);
                 let n = without_translation(n, &m);
+                let (m, n) = match (m, n) {
+                    (m, n) if m.is(3, 1) && n.is(4, 1) => (m.homogeneous(), n),
+                    (m, n) if m.is(4, 1) && n.is(3, 1) => (m, n.homogeneous()),
+                    same => same,
+                };
                 if !m.is(n.rows(), n.columns) {
                     return refuse(place, format!("a {} and a {} matrix cannot be equal", m.shape(), n.shape()));
                 }

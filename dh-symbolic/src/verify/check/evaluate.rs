@@ -120,6 +120,7 @@ impl Evaluator<'_> {
     fn multiply(&mut self, a: Value, b: Value, place: &Place) -> Understood<Value> {
         Ok(match (a, b) {
             (Value::Matrix(m), Value::Matrix(n)) => {
+                let n = if m.is(4, 4) && n.is(3, 1) { n.homogeneous() } else { n };
                 if m.columns != n.rows() {
                     return refuse(
                         place,

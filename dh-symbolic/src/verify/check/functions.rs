@@ -4,7 +4,7 @@ use super::Evaluator;
 use super::ratio::{Ratio, dot};
 use super::refusal::{At, Understood, refuse};
 use super::value::{Matrix, Turn, Value};
-use crate::algebra::Transform;
+use crate::algebra::{Rational, Transform};
 use crate::verify::language::{Expr, ExprKind, Place};
 
 /// An entry, a part, or the transpose of a matrix.
@@ -95,6 +95,14 @@ impl Evaluator<'_> {
                 }
                 match self.cos_sin(&turn).at(place)? {
                     Some((c, s)) => Ok(Value::Scalar(s.over(&c, &mut self.work).at(place)?)),
+                    // tan(t/2) = sin t/(1 + cos t)
+                    None if turn.sides.is_empty()
+                        && let Some(twice) = turn.times(&Rational::int(2))
+                        && let Some((c, s)) = self.cos_sin(&twice).at(place)? =>
+                    {
+                        let below = c.plus(&Ratio::int(1), &mut self.work).at(place)?;
+                        Ok(Value::Scalar(s.over(&below, &mut self.work).at(place)?))
+                    }
                     None => refuse(place, "only whole multiples of an angle have a tangent here"),
                 }
             }

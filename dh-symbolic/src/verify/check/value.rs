@@ -108,6 +108,12 @@ impl Matrix {
         self.columns == columns && self.rows() == rows
     }
 
+    /// A point with a one below.
+    pub(super) fn homogeneous(mut self) -> Matrix {
+        self.entries.push(Ratio::int(1));
+        self
+    }
+
     /// Determinant of a small square matrix: for every set of columns that of the upper rows, row by row.
     pub(super) fn determinant(&self, w: &mut Work) -> Worked<Ratio> {
         let n = self.columns.min(8);

@@ -73,7 +73,7 @@ impl Statement {
     }
 
     /// Lines that waited for a name.
-    fn release(&self, letter: &Letter, names: &mut DocumentNames<'_>, sheet: &mut Sheet) {
+    pub(super) fn release(&self, letter: &Letter, names: &mut DocumentNames<'_>, sheet: &mut Sheet) {
         let own = letter.own();
         let (ready, others): (Vec<_>, Vec<_>) =
             std::mem::take(&mut sheet.waiting).into_iter().partition(|w| w.1.name.as_ref() == Some(&own));
@@ -126,8 +126,30 @@ impl Statement {
         if !self.loose || self.sides.iter().flatten().any(signed) {
             return false;
         }
+        // lengths of the table among themselves
+        let of_table = |w: &Word| {
+            let declared = names.chain.parameters.iter().any(|p| p.declared && p.name == w.token.text);
+            declared || !w.token.text.starts_with(|c: char| c.is_ascii_alphabetic())
+        };
+        if let Ok(sides) = self.words(names)
+            && !is_number(sides.last().map_or(&[][..], Vec::as_slice))
+            && sides.iter().flatten().all(of_table)
+            && sides.first() != sides.get(1)
+        {
+            return true;
+        }
         let number = matches!(right.as_slice(), [Item { kind: ItemKind::Number(_), .. }]);
         if number && matches!(left.as_slice(), [only] if only.is_bare() && matches!(only.name(), Some("x" | "y"))) {
+            return true;
+        }
+        // beta = 0 of an angle that is no joint's
+        let angle = match left.as_slice() {
+            [only] if only.is_bare() => Letter::of(only).filter(|l| names.is_angle(l) && l.index.is_empty()),
+            _ => None,
+        };
+        if angle.is_some_and(|l| names.is_given(&l) || names.meaning(&l).is_err())
+            && formula(right, names).is_ok_and(|w| is_number(&w))
+        {
             return true;
         }
         let zero =
@@ -265,7 +287,9 @@ impl Statement {
             return;
         }
         if super::statements::is_foreign(first, names) {
-            return sheet.remark(&self.raw, self.line);
+            names.aliens.insert(letter.own());
+            sheet.remark(&self.raw, self.line);
+            return self.release(letter, names, sheet);
         }
         declare_general(first, sheet);
         let name = names.give(letter, matrix);

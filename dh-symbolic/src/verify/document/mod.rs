@@ -34,6 +34,7 @@ mod letter;
 mod macros;
 mod meaning;
 mod names;
+mod others;
 mod pieces;
 mod reader;
 mod regions;
@@ -60,6 +61,10 @@ pub struct DocumentClaims {
     pub theta_is_variable: Option<bool>,
     /// Line in the document of every token of the derivation.
     lines: Vec<usize>,
+    /// Quantities that the document leaves free, by their names.
+    free: BTreeSet<String>,
+    /// Is it about other arms too?
+    has_others: bool,
 }
 
 impl DocumentClaims {
@@ -77,7 +82,9 @@ impl DocumentClaims {
             sheet.refuse("the document", 1, format!("longer than {} MB: not read", LARGEST / 1_000_000));
             return (sheet.finish(text), false);
         }
-        for region in regions::split(text, &names) {
+        let regions = regions::split(text, &names);
+        statements::census(&regions, &mut names);
+        for region in regions {
             if sheet.count >= MOST {
                 let line = region.text.first().map_or(0, |t| t.1);
                 sheet.refuse("the rest of the document", line, format!("more than {MOST} formulas: not read"));
@@ -86,7 +93,28 @@ impl DocumentClaims {
             statements::read(&region, &mut names, &mut sheet);
         }
         statements::finish(&mut names, &mut sheet);
-        (sheet.finish(text), names.theta_differs.get())
+        let mut claims = sheet.finish(text);
+        claims.has_others = names.has_others;
+        claims.free = names.free;
+        (claims, names.theta_differs.get())
+    }
+
+    /// Of lines with quantities that the document leaves free, those that do not hold for all of them say something of the free ones.
+    pub(super) fn forgive(&self, report: &mut crate::verify::check::Report) {
+        use crate::verify::check::Verdict;
+        for (line, verdict) in self.derivation.lines.iter().zip(&mut report.verdicts) {
+            let words = self.derivation.tokens.get(line.place.clone()).unwrap_or_default();
+            if !matches!(verdict, Verdict::Wrong(_)) {
+                continue;
+            }
+            if self.has_others && words.iter().any(|t| t.is("~")) {
+                let why = "numbers that do not fit the given values: of another arm of this document?".to_string();
+                *verdict = Verdict::NotUnderstood(NotUnderstood { place: line.place.clone(), why }, None);
+            } else if let Some(name) = words.iter().find(|t| self.free.contains(&t.text)) {
+                let why = format!("this does not hold for every `{}`, and nothing says which is meant", name.text);
+                *verdict = Verdict::NotUnderstood(NotUnderstood { place: line.place.clone(), why }, None);
+            }
+        }
     }
 
     /// Line of the document, from 1, where some words stand. 0 where there are none.
@@ -190,6 +218,13 @@ impl Sheet {
         self.used.dedup();
         let full = |(k, l): &(usize, &str)| !l.trim().is_empty() && self.used.binary_search(&(k + 1)).is_err();
         let prose = text.lines().enumerate().filter(full).count();
-        DocumentClaims { derivation, prose, theta_is_variable: None, lines: self.lines }
+        DocumentClaims {
+            derivation,
+            prose,
+            theta_is_variable: None,
+            lines: self.lines,
+            free: BTreeSet::new(),
+            has_others: false,
+        }
     }
 }

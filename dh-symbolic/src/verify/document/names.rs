@@ -6,6 +6,7 @@ use super::tables::function;
 use crate::algebra::{Poly, Rational};
 use crate::chain::{Chain, Convention, Coordinate, Handle, Nominal, Parameter, Role};
 use crate::render::formula::greek;
+use std::collections::BTreeSet;
 
 /// A name without a meaning, or why it has none.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,6 +35,16 @@ pub(super) struct DocumentNames<'a> {
     pub(super) last_side: Vec<Item>,
     /// Does theta_i mean the variable of joint i, also where the table's angle has an offset?
     pub(super) theta_is_variable: bool,
+    /// Is the document about other arms too?
+    pub(super) has_others: bool,
+    /// Letters that stand alone on one side of an equation somewhere.
+    pub(super) definable: BTreeSet<String>,
+    /// Letters that belong to another arm.
+    pub(super) aliens: BTreeSet<String>,
+    /// Letters without a meaning in the statements so far.
+    pub(super) seen: BTreeSet<String>,
+    /// Quantities that the document leaves free.
+    pub(super) free: BTreeSet<String>,
     /// Was theta_i read where the two differ?
     pub(super) theta_differs: std::cell::Cell<bool>,
 }
@@ -50,6 +61,11 @@ impl<'a> DocumentNames<'a> {
             values: Vec::new(),
             last_side: Vec::new(),
             theta_is_variable: false,
+            has_others: false,
+            definable: BTreeSet::new(),
+            aliens: BTreeSet::new(),
+            seen: BTreeSet::new(),
+            free: BTreeSet::new(),
             theta_differs: std::cell::Cell::new(false),
         }
     }
@@ -185,6 +201,7 @@ impl<'a> DocumentNames<'a> {
         let before = self.given.iter().filter(|g| g.0 == *letter).count();
         let name = if before == 0 { letter.own() } else { format!("{}_{}", letter.own(), "x".repeat(before)) };
         self.given.push((letter.clone(), name.clone(), matrix));
+        self.aliens.remove(&letter.own());
         name
     }
 

@@ -78,6 +78,7 @@ pub(super) fn pieces(row: &[Item], loose: bool) -> Vec<Statement> {
     let mut out: Vec<Statement> = Vec::new();
     let mut heads: Vec<Vec<Item>> = Vec::new();
     for mut part in parts.into_iter().filter(|p| !p.is_empty()) {
+        without_comment(&mut part);
         while part.last().is_some_and(|i| i.is('.') || i.is(':') || i.kind == ItemKind::Empty) {
             part.pop();
         }
@@ -105,6 +106,22 @@ pub(super) fn pieces(row: &[Item], loose: bool) -> Vec<Statement> {
         out.push(statement);
     }
     out
+}
+
+/// `\theta_1 = 0 (X_0 // X_1)`: what stands in the brackets says why.
+fn without_comment(part: &mut Vec<Item>) {
+    if !part.last().is_some_and(|i| i.is(')')) {
+        return;
+    }
+    let Some(open) = (0..part.len()).find(|k| super::brackets::closing(part, *k) == Some(part.len() - 1)) else {
+        return;
+    };
+    let inner = part.get(open..).unwrap_or_default();
+    let parallel =
+        inner.windows(2).any(|w| w[0].is('/') && w[1].is('/')) || inner.iter().any(|i| i.name() == Some("parallel"));
+    if parallel && open > 0 {
+        part.truncate(open);
+    }
 }
 
 fn is_angle_function(part: &[Item]) -> bool {

@@ -4,6 +4,7 @@ use super::layout::{Item, ItemKind};
 use super::letter::Letter;
 use super::meaning::formula;
 use super::names::{DocumentNames, Unknown};
+use super::others::Census;
 use super::pieces::{Statement, pieces, rows};
 use super::reader::items;
 use super::regions::LONGEST;
@@ -22,9 +23,12 @@ pub(super) fn read(region: &Region, names: &mut DocumentNames<'_>, sheet: &mut S
     let items = items(&region.text, region.plain, names);
     let mut before: Vec<Item> = Vec::new();
     for row in rows(items) {
-        for mut statement in pieces(&row, region.loose) {
+        let parts = pieces(&row, region.loose);
+        // laws of mechanics side by side
+        let general = parts.iter().any(Statement::is_general);
+        for mut statement in parts {
             for side in &mut statement.sides {
-                *side = super::unapplied::unapplied(std::mem::take(side), names);
+                *side = prepared(std::mem::take(side), names);
             }
             // `= B` in a display of its own continues the one before
             if let Some(first) = statement.sides.first_mut().filter(|s| s.is_empty()) {
@@ -38,15 +42,59 @@ pub(super) fn read(region: &Region, names: &mut DocumentNames<'_>, sheet: &mut S
             statement.loose = region.loose;
             statement.marked = !region.plain;
             statement.raw = raw.trim().trim_start_matches('&').trim().to_string();
-            statement.tell(names, sheet);
+            if general {
+                sheet.remark(&statement.raw, statement.line);
+            } else {
+                statement.tell(names, sheet);
+            }
         }
     }
 }
 
+/// Looks through a document before its statements are told one by one.
+pub(super) fn census(regions: &[Region], names: &mut DocumentNames<'_>) {
+    let mut census = Census::default();
+    for region in regions.iter().filter(|r| r.text.len() <= LONGEST) {
+        for row in rows(items(&region.text, region.plain, names)) {
+            for mut statement in pieces(&row, region.loose) {
+                for side in &mut statement.sides {
+                    *side = prepared(std::mem::take(side), names);
+                }
+                census.count(&statement, names);
+            }
+        }
+    }
+    census.tell(names);
+}
+
+/// Without lists of variables behind letters, and without the word ORG behind a point.
+fn prepared(side: Vec<Item>, names: &DocumentNames<'_>) -> Vec<Item> {
+    let side = super::unapplied::unapplied(side, names);
+    let is = |i: Option<&Item>, n: &str| i.is_some_and(|i| i.name() == Some(n) && i.is_bare());
+    let mut out: Vec<Item> = Vec::with_capacity(side.len());
+    let mut at = 0;
+    while let Some(item) = side.get(at) {
+        let origin = is(side.get(at), "O") && is(side.get(at + 1), "R") && is(side.get(at + 2), "G");
+        if origin && out.last().is_some_and(|i| i.name() == Some("P")) {
+            at += 3;
+            continue;
+        }
+        out.push(item.clone());
+        at += 1;
+    }
+    out
+}
+
 /// What still waits for a name when the document ends is not understood.
 pub(super) fn finish(names: &mut DocumentNames<'_>, sheet: &mut Sheet) {
-    for (statement, unknown) in std::mem::take(&mut sheet.waiting) {
-        if statement.defined(names).is_some() {
+    // one definition may follow from another
+    let mut left = std::mem::take(&mut sheet.waiting).into_iter().collect::<std::collections::VecDeque<_>>();
+    while let Some((statement, unknown)) = left.pop_front() {
+        if statement.missing(names).is_none() {
+            statement.tell_now(names, sheet);
+        } else if statement.marked && statement.tell_free(names, sheet) {
+            left.extend(std::mem::take(&mut sheet.waiting));
+        } else if statement.defined(names).is_some() {
             statement.define_late(unknown, sheet);
         } else {
             statement.partly(unknown, names, sheet);
@@ -103,6 +151,19 @@ impl Statement {
         {
             return sheet.remark(&self.raw, self.line);
         }
+        if let Some(rest) = self.frees_arguments(names, sheet) {
+            sheet.remark(&self.raw, self.line);
+            if rest.sides.len() > 1 {
+                rest.tell(names, sheet);
+            } else {
+                names.last_side = rest.sides.into_iter().next_back().unwrap_or_default();
+            }
+            return;
+        }
+        if self.is_elsewhere(names) {
+            sheet.remark(&self.raw, self.line);
+            return self.understood_sides(names, sheet);
+        }
         if let Some(rest) = self.without_singular() {
             if rest.sides.len() < 2 {
                 return sheet.remark(&self.raw, self.line);
@@ -133,11 +194,20 @@ impl Statement {
         if let Some(letter) = self.defined(names)
             && self.sides.len() == 2
             && self.words(names).is_ok_and(|_| true)
-            && sheet.waiting.iter().any(|w| w.1.name.as_ref() == Some(&letter.own()))
+            && (names.seen.contains(&letter.own())
+                || sheet.waiting.iter().any(|w| w.1.name.as_ref() == Some(&letter.own())))
             && self.sides.get(1).is_some_and(|s| formula(s, names).is_ok_and(|w| is_number(&w)))
         {
             return sheet.remark(&self.raw, self.line);
         }
+        let own = self.defined(names);
+        let met = self.unknown_letters(names).into_iter().filter(|l| own.as_ref() != Some(l));
+        let met: Vec<String> = met.map(|l| l.own()).collect();
+        names.seen.extend(met);
+        if self.is_about_others(names, sheet) {
+            return;
+        }
+        self.gives_coefficients(names, sheet);
         if let Some(unknown) = self.missing(names).filter(|_| sheet.waiting.len() < MOST_WAITING) {
             sheet.waiting.push((self.clone(), unknown));
             return;
@@ -159,7 +229,7 @@ impl Statement {
         parts.filter_map(|p| formula(p, names).err()).find(|u| u.name.is_some())
     }
 
-    fn tell_now(&self, names: &mut DocumentNames<'_>, sheet: &mut Sheet) {
+    pub(super) fn tell_now(&self, names: &mut DocumentNames<'_>, sheet: &mut Sheet) {
         if let Some(letter) = self.defined(names) {
             return self.define(&letter, names, sheet);
         }
@@ -175,6 +245,14 @@ impl Statement {
         }
     }
 
+    /// What is left of a chain with something unknown is still compared.
+    fn understood_sides(&self, names: &mut DocumentNames<'_>, sheet: &mut Sheet) {
+        let good: Vec<Vec<Word>> = self.sides.iter().filter_map(|s| formula(s, names).ok()).collect();
+        if good.len() >= 2 && self.relations.iter().all(|r| *r == "=") {
+            self.claim(good, names, sheet);
+        }
+    }
+
     /// A side that is not understood is left out; the others are still compared.
     fn partly(&self, unknown: Unknown, names: &mut DocumentNames<'_>, sheet: &mut Sheet) {
         let good: Vec<Vec<Word>> = self.sides.iter().filter_map(|s| formula(s, names).ok()).collect();
@@ -182,9 +260,7 @@ impl Statement {
             return;
         }
         sheet.refuse(&self.raw, self.line, unknown.why);
-        if good.len() >= 2 && self.relations.iter().all(|r| *r == "=") {
-            self.claim(good, names, sheet);
-        }
+        self.understood_sides(names, sheet);
     }
 
     pub(super) fn rest_claim(
@@ -280,7 +356,8 @@ impl Statement {
             let mut line = Vec::new();
             for row in rows {
                 let value = row.first().filter(|v| !v.is_empty()).ok_or("an empty case")?;
-                let value: Vec<Item> = value.iter().filter(|i| !i.is(',')).cloned().collect();
+                let commas = value.iter().rev().take_while(|i| i.is(',')).count();
+                let value: Vec<Item> = value.iter().take(value.len() - commas).cloned().collect();
                 if !line.is_empty() {
                     line.push(word("or"));
                 }
@@ -322,9 +399,12 @@ impl Statement {
         }
         if let [left, right] = sides.as_slice()
             && self.relations.first() == Some(&"=")
-            && names.values.is_empty()
-            && is_instance(left, right)
+            && (is_general_value(left, right) || names.values.is_empty() && is_instance(left, right))
         {
+            return sheet.remark(&self.raw, self.line);
+        }
+        let other = names.has_others && matches!(self.parameter_value(&sides, names), Some((_, false)));
+        if other || self.gives_symbol(&sides, names) || self.is_other_convention(&sides, names) {
             return sheet.remark(&self.raw, self.line);
         }
         if sides.iter().any(|s| is_foreign(s, names)) {
@@ -395,6 +475,15 @@ pub(super) fn is_foreign(words: &[Word], names: &DocumentNames<'_>) -> bool {
         })
 }
 
+/// `a_n = 0`: the convention for the last frame of any arm.
+fn is_general_value(left: &[Word], right: &[Word]) -> bool {
+    let general = |w: &Word| {
+        let (stem, index) = w.token.text.split_once('_').unwrap_or_default();
+        matches!(stem, "a" | "d" | "alpha" | "theta") && index.starts_with(['i', 'j', 'k', 'n'])
+    };
+    matches!(left, [only] if general(only)) && is_number(right)
+}
+
 /// A measured number that a formula of the joints is said to have: true at one pose, and no identity.
 fn is_instance(left: &[Word], right: &[Word]) -> bool {
     let exact = |w: &[Word]| !w.iter().any(|w| has_decimals(&w.token.text) || w.token.text.ends_with("deg"));
@@ -406,11 +495,6 @@ fn is_instance(left: &[Word], right: &[Word]) -> bool {
         w.token.kind != TokenKind::Name
             || matches!(stem.trim_end_matches('_'), "a" | "d" | "alpha" | "l" | "L" | "pi" | "sqrt")
     };
-    // a_n = 0: the convention for the last frame of any arm
-    let general = |w: &Word| w.token.text.split_once('_').is_some_and(|(_, i)| i.starts_with(['i', 'j', 'k', 'n']));
-    if matches!(left, [only] if general(only)) && is_number(right) {
-        return true;
-    }
     let [formula, number] = if measured(right) { [left, right] } else { [right, left] };
     measured(number) && !formula.iter().all(of_table)
 }

@@ -74,6 +74,19 @@ pub(super) fn read(item: &Item, names: &DocumentNames<'_>) -> Option<Result<Foun
     Some(between(&from, &to, names).map(|meaning| Found { meaning: format!("{meaning}{part}"), power }))
 }
 
+/// Is it a transform or rotation between frames of which one is neither the table's nor defined by the document?
+pub(super) fn has_unknown_frame(item: &Item, names: &DocumentNames<'_>) -> bool {
+    if !matches!(item.name(), Some("T" | "R")) || motion(item).is_some() {
+        return false;
+    }
+    let label = |part: &Option<Vec<Item>>| part.as_ref().and_then(|p| index_text(p));
+    let unknown = |l: &String| {
+        let letter = l.chars().all(|c| c.is_ascii_alphabetic()) && !l.is_empty();
+        letter && !matches!(l.as_str(), "T" | "t" | "i" | "j" | "k") && frame(l, names).is_none()
+    };
+    [&item.before_sup, &item.before_sub, &item.sup, &item.sub].into_iter().filter_map(label).any(|l| unknown(&l))
+}
+
 /// The two frames of a transform T, as written.
 pub(super) fn ends(item: &Item) -> Option<(String, String)> {
     let text = |part: &Option<Vec<Item>>| part.as_ref().and_then(|p| index_text(p));

@@ -31,6 +31,9 @@ pub(super) fn multiplied(a: Direct, b: Direct) -> Option<Direct> {
         (Direct::Angle(x), Direct::Scalar(y)) | (Direct::Scalar(x), Direct::Angle(y)) => Some(Direct::Angle(x * y)),
         (Direct::Matrix(m), Direct::Scalar(x) | Direct::Angle(x))
         | (Direct::Scalar(x) | Direct::Angle(x), Direct::Matrix(m)) => Some(Direct::Matrix(m.scaled(x))),
+        (Direct::Matrix(m), Direct::Matrix(n)) if (m.rows(), m.columns, n.rows(), n.columns) == (4, 4, 3, 1) => {
+            Some(Direct::Matrix(m.times(&n.homogeneous())))
+        }
         (Direct::Matrix(m), Direct::Matrix(n)) => (m.columns == n.rows()).then(|| Direct::Matrix(m.times(&n))),
     }
 }

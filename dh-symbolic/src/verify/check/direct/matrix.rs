@@ -84,6 +84,9 @@ impl Rows {
     /// The rotation of a transform without translation, where the other matrix is 3x3.
     pub(super) fn beside(&self, other: &Rows) -> Rows {
         let shapes = (self.rows(), self.columns, other.rows(), other.columns) == (4, 4, 3, 3);
+        if (self.rows(), self.columns, other.rows(), other.columns) == (3, 1, 4, 1) {
+            return self.clone().homogeneous();
+        }
         let pure = shapes && (0..3).all(|i| self.at(i, 3).abs() < 1e-9 && self.at(3, i).abs() < 1e-9);
         if pure { Rows::by(3, 3, |i, j| self.at(i, j)) } else { self.clone() }
     }
@@ -95,6 +98,12 @@ impl Rows {
             cells.extend_from_slice(self.cells.get(i * self.columns..(i + 1) * self.columns)?);
         }
         Some(Rows { columns: self.columns, cells })
+    }
+
+    /// A point with a one below.
+    pub(super) fn homogeneous(mut self) -> Rows {
+        self.cells.push(1.0);
+        self
     }
 
     fn is_square(&self) -> bool {
