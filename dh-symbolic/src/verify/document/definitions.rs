@@ -133,6 +133,7 @@ impl Statement {
         };
         if let Ok(sides) = self.words(names)
             && !is_number(sides.last().map_or(&[][..], Vec::as_slice))
+            && sides.iter().all(|s| s.len() == 1)
             && sides.iter().flatten().all(of_table)
             && sides.first() != sides.get(1)
         {

@@ -149,7 +149,7 @@ $$ {}^1p_z = k $$";
         "at q1 = 20deg",
         "at q1 = 20deg, a3 = 0.5",
         "T(0,6).px ~ 0.25",
-        "? {}^1p_z = k: `k` has no meaning here",
+        "let k = T(1,6).pz",
     ];
     assert_eq!(lines(PUMA, text), expected);
 }
