@@ -5,7 +5,7 @@ use core::fmt;
 /// On which side of the arm's way forward the shoulder is (the indicators of Lee and Ziegler, 1984).
 ///
 /// The macro finds out which root is which on sample poses; on arms where they do not tell (the first two axes parallel, say) the names are
-/// those of the first root and the second.
+/// those of the first root and the second. On an arm of seven axes several roots together may decide the side: then it has no names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Shoulder {
     /// Lefty: facing its wrist, the arm hangs on the left of the waist. "Front" on arms without a shoulder offset: the wrist is ahead of

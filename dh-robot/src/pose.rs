@@ -147,6 +147,34 @@ pub fn orthonormalized<T: Real>(pose: &IsometryMatrix3<T>) -> IsometryMatrix3<T>
     IsometryMatrix3::from_parts(pose.translation, Rotation3::from_matrix_unchecked(r))
 }
 
+/// The greatest deviation (largest entry of `R^T R - 1`) of a matrix that [`nearest_rotation`] accepts: that of a rotation whose entries are off by up
+/// to 1e-3.
+pub const NEAREST: f64 = 4e-3;
+
+/// The pose with the rotation nearest to its matrix, and by how much that was off: the largest entry of `R^T R - 1`. For targets with three to
+/// five decimals.
+///
+/// # Errors
+/// [`Why::NotARotation`] where the deviation is more than [`NEAREST`], [`Why::NotFinite`].
+///
+/// ```
+/// use dh_robot::pose;
+///
+/// let rounded = pose::from_entries([[0.866, -0.5, 0.0], [0.5, 0.866, 0.0], [0.0, 0.0, 1.0]], [0.1, 0.2, 0.3]);
+/// let (near, deviation) = pose::nearest_rotation(&rounded)?;
+/// assert!(pose::check(&near).is_ok() && (deviation - 4.4e-5_f64).abs() < 1e-6);
+/// # Ok::<(), dh_robot::Why>(())
+/// ```
+pub fn nearest_rotation<T: Real>(pose: &IsometryMatrix3<T>) -> Result<(IsometryMatrix3<T>, T), Why<T>> {
+    let deviation = rotation_deviation(pose.rotation.matrix());
+    let finite = pose.translation.vector.iter().all(|x| x.is_finite());
+    // A deviation that is not a number fails the comparison.
+    if finite && deviation <= T::of(NEAREST) {
+        return Ok((orthonormalized(pose), deviation));
+    }
+    Err(reason(pose, deviation))
+}
+
 /// How far two poses are apart: the distance of their origins, and the angle of the rotation between them in `[0, pi]`.
 ///
 /// The angle is accurate for small and for large rotations (no inverse cosine is taken).

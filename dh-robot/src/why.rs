@@ -134,7 +134,9 @@ impl<T: Real> fmt::Display for Why<T> {
             Self::NoSolution => f.write_str("no solution"),
             Self::NotFinite => f.write_str("the input holds a number that is not finite"),
             Self::NotARotation { deviation } => {
-                write!(f, "the target's matrix is not a rotation: R^T R is off by {deviation:.1e}")
+                write!(f, "the target's matrix is not a rotation: R^T R is off by {deviation:.1e}")?;
+                let rounded = deviation <= T::of(crate::pose::NEAREST);
+                f.write_str(if rounded { "; `inverse_nearest_rotation` takes the nearest one" } else { "" })
             }
             Self::NotAUnitVector { deviation } => {
                 write!(f, "the target's axis is not a unit vector: the square of its length is off by {deviation:.1e}")
@@ -143,6 +145,9 @@ impl<T: Real> fmt::Display for Why<T> {
                 let measure = if unit.is_empty() { "" } else { "distance " };
                 let verb = if needs > has { "exceeds" } else { "is below" };
                 let (digits, unit) = (decimals(needs, has), Unit(unit));
+                if needs > T::of(1e9) {
+                    return write!(f, "{step}: {measure}{needs:.3e}{unit} {verb} {has:.3e}{unit}");
+                }
                 write!(f, "{step}: {measure}{needs:.digits$}{unit} {verb} {has:.digits$}{unit}")
             }
             Self::NoRealRoot { step } => write!(f, "{step}: the equation has no real root"),
@@ -175,6 +180,10 @@ mod tests {
             (Why::Solved, "solved"),
             (Why::NotFinite, "the input holds a number that is not finite"),
             (Why::NotARotation { deviation: 0.25 }, "the target's matrix is not a rotation: R^T R is off by 2.5e-1"),
+            (
+                Why::NotARotation { deviation: 1e-4 },
+                "the target's matrix is not a rotation: R^T R is off by 1.0e-4; `inverse_nearest_rotation` takes the nearest one",
+            ),
             (reach(0.1, 0.25, "m"), "elbow: distance 0.100 m is below 0.250 m"),
             (reach(1.000_001, 1.0, ""), "elbow: 1.000001000 exceeds 1.000000000"),
             (

@@ -687,6 +687,26 @@ impl Panda {
             *to = self.inverse_near(target, *given, q);
         }
     }
+    /// [`inverse`](Self::inverse) of the nearest pose whose matrix is a rotation, and by how much the target's was off (the largest entry
+    /// of `R^T R - 1`): for targets whose entries are off by up to 1e-3, such as those with three to five decimals.
+    #[must_use]
+    pub fn inverse_nearest_rotation(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+        given: f64,
+    ) -> (::dh_robot::Solutions<f64, 7, 8>, f64) {
+        match ::dh_robot::pose::nearest_rotation(target) {
+            ::core::result::Result::Ok((target, deviation)) => {
+                (self.inverse(&target, given), deviation)
+            }
+            ::core::result::Result::Err(why) => {
+                (
+                    ::dh_robot::Solutions::none(&Self::JOINTS, why),
+                    ::dh_robot::pose::rotation_deviation(target.rotation.matrix()),
+                )
+            }
+        }
+    }
     /// The direction in which the arm can move at a solution with free joints while its target stays reached: joint speeds, the largest of
     /// them 1 (or the arm's size, for a length). `None` at an isolated solution.
     #[must_use]
@@ -931,29 +951,8 @@ impl Panda {
                                 let q3 = ::dh_robot::runtime::atan2(s3, c3);
                                 let branch = ::dh_robot::Branch::ANY
                                     .with_step(0, q4_root)
-                                    .with_elbow(
-                                        if q4_root == 0 {
-                                            ::dh_robot::Elbow::Up
-                                        } else {
-                                            ::dh_robot::Elbow::Down
-                                        },
-                                    )
                                     .with_step(1, q5_root)
-                                    .with_wrist(
-                                        if q5_root == 0 {
-                                            ::dh_robot::Wrist::NoFlip
-                                        } else {
-                                            ::dh_robot::Wrist::Flip
-                                        },
-                                    )
-                                    .with_step(2, q1_root)
-                                    .with_shoulder(
-                                        if q1_root == 0 {
-                                            ::dh_robot::Shoulder::Left
-                                        } else {
-                                            ::dh_robot::Shoulder::Right
-                                        },
-                                    );
+                                    .with_step(2, q1_root);
                                 found([q1, q2, q3, q4, q5, q6, q7], branch, path);
                             }
                         }
@@ -1024,29 +1023,8 @@ impl Panda {
             let q1_root = branch / 4 % 2;
             all[branch] = ::dh_robot::Branch::ANY
                 .with_step(0, q4_root)
-                .with_elbow(
-                    if q4_root == 0 {
-                        ::dh_robot::Elbow::Up
-                    } else {
-                        ::dh_robot::Elbow::Down
-                    },
-                )
                 .with_step(1, q5_root)
-                .with_wrist(
-                    if q5_root == 0 {
-                        ::dh_robot::Wrist::NoFlip
-                    } else {
-                        ::dh_robot::Wrist::Flip
-                    },
-                )
-                .with_step(2, q1_root)
-                .with_shoulder(
-                    if q1_root == 0 {
-                        ::dh_robot::Shoulder::Left
-                    } else {
-                        ::dh_robot::Shoulder::Right
-                    },
-                );
+                .with_step(2, q1_root);
             branch += 1;
         }
         all

@@ -247,7 +247,32 @@ impl Planar2r {
         &self,
         target: &::dh_robot::nalgebra::Point3<f64>,
     ) -> ::dh_robot::Solutions<f64, 2, 2> {
-        self.inverse_with_work(target).0
+        let p: [f64; 3] = [target.x.into(), target.y.into(), target.z.into()];
+        if !p.iter().all(|x: &f64| x.is_finite()) {
+            return ::dh_robot::Solutions::none(
+                &Self::JOINTS,
+                ::dh_robot::Why::NotFinite,
+            );
+        }
+        let frame = ::dh_robot::runtime::frame_of_axis(
+            p.map(|x| x / Self::LENGTH_SCALE),
+            [0.0, 0.0, 1.0],
+        );
+        let mut q = [[0.0; 2]; 2];
+        let mut valid = [0.0; 2];
+        if !self.all_branches(&frame, &mut q, &mut valid) {
+            return self.inverse_with_work(target).0;
+        }
+        if valid == [1.0; 2] {
+            let at = |branch: usize| ::dh_robot::runtime::batched::solution(
+                &Self::JOINTS,
+                &q,
+                &Self::BRANCHES,
+                branch,
+            );
+            return ::dh_robot::Solutions::full(&Self::JOINTS, [at(0), at(1)]);
+        }
+        ::dh_robot::runtime::batched::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
     /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
@@ -275,6 +300,17 @@ impl Planar2r {
             given: [::core::option::Option::None; 2],
         };
         let task = ::dh_robot::runtime::TaskTarget::Position(p);
+        let mut found = [[0.0; 2]; 2];
+        let mut valid = [0.0; 2];
+        if self.all_branches(&frame, &mut found, &mut valid) {
+            let list: ::dh_robot::Solutions<_, 2, 2> = ::dh_robot::runtime::batched::collect(
+                &Self::JOINTS,
+                &valid,
+                &found,
+                &Self::BRANCHES,
+            );
+            return ::dh_robot::runtime::nearest(&list, q, Self::LENGTH_SCALE);
+        }
         let unknowns = self.unknowns(&q.map(f64::from));
         ::dh_robot::runtime::solve_near::<
             _,
@@ -493,6 +529,82 @@ impl Planar2r {
             Self::MAX_WORK,
             |frame, sample, found| self.candidates(frame, sample, found),
         )
+    }
+    /// Which root each step takes in each branch.
+    const BRANCHES: [::dh_robot::Branch; 2] = {
+        let mut all = [::dh_robot::Branch::ANY; 2];
+        let mut branch = 0;
+        while branch < 2 {
+            let q2_root = branch / 1 % 2;
+            all[branch] = ::dh_robot::Branch::ANY
+                .with_step(0, q2_root)
+                .with_elbow(
+                    if q2_root == 0 {
+                        ::dh_robot::Elbow::Up
+                    } else {
+                        ::dh_robot::Elbow::Down
+                    },
+                );
+            branch += 1;
+        }
+        all
+    };
+    /// The plan for all branches at once: joint values, and which branches are real; false where the fallback path has to decide.
+    #[inline]
+    fn all_branches(
+        &self,
+        t: &::dh_robot::runtime::Pose,
+        q: &mut [[f64; 2]; 2],
+        valid: &mut [f64; 2],
+    ) -> bool {
+        let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
+        let t_3 = self.l1 * Self::PER_LENGTH;
+        let t_4 = self.l2 * Self::PER_LENGTH;
+        let constant_error = (0.0 - t[2][3]).abs();
+        // Step 1: q2 from the law of cosines.
+        let ([c2_first, s2_first, c2_second, s2_second], q2_valid, q2_margin) = ::dh_robot::runtime::batched::sincos(
+            2.0 * t_3 * t_4,
+            0.0,
+            t_2 - (t_3 * t_3 + t_4 * t_4),
+        );
+        let all_c2 = [c2_first, c2_second];
+        let all_s2 = [s2_first, s2_second];
+        let all_q2 = ::dh_robot::runtime::batched::angles(
+            &[s2_first, s2_second],
+            &[c2_first, c2_second],
+        );
+        let all_q2: [f64; 2] = ::core::array::from_fn(|branch| all_q2[branch / 1 % 2]);
+        let mut all_margin = [0.0; 2];
+        let mut all_valid = [0.0; 2];
+        let mut all_error = [0.0; 2];
+        for branch in 0..2 {
+            let c2 = all_c2[branch];
+            let s2 = all_s2[branch];
+            // Step 2: q1 from sine and cosine.
+            let ([c1, s1], q1_margin) = ::dh_robot::runtime::batched::pair(
+                -t[0][3],
+                -t[1][3],
+                -(t_3 + t_4 * c2),
+                -t[1][3],
+                t[0][3],
+                -t_4 * s2,
+            );
+            let q1 = ::dh_robot::runtime::batched::angle(s1, c1);
+            let q1_error = (t_4 * (c2 * c1 - s2 * s1) + t_3 * c1 - t[0][3]).abs()
+                + (t_4 * (c2 * s1 + s2 * c1) + t_3 * s1 - t[1][3]).abs();
+            let q2 = all_q2[branch];
+            // How far the branch is from the target.
+            all_margin[branch] = ::dh_robot::runtime::batched::lesser(
+                q2_margin,
+                q1_margin,
+            );
+            all_valid[branch] = q2_valid;
+            all_error[branch] = constant_error + q1_error;
+            q[0][branch] = q1;
+            q[1][branch] = q2;
+        }
+        *valid = all_valid;
+        ::dh_robot::runtime::batched::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

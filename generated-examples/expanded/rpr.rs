@@ -237,7 +237,7 @@ impl Rpr {
     /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.
     pub const MAX_SOLUTIONS: usize = 1;
     /// What one call of [`inverse`](Self::inverse) or [`inverse_near`](Self::inverse_near) computes at most, at any pose.
-    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CLOSED_FORM;
+    pub const MAX_WORK: ::dh_robot::Work = ::dh_robot::Work::CROSSING_SHEETS;
     /// The sum of the arm's lengths, in m: equations are solved for lengths over it, so that one tolerance fits all.
     const LENGTH_SCALE: f64 = 0.40452000000000005;
     /// What a length is multiplied by.
@@ -385,6 +385,25 @@ impl Rpr {
     ) {
         for ((target, q), to) in targets.iter().zip(q).zip(solutions) {
             *to = self.inverse_near(target, q);
+        }
+    }
+    /// [`inverse`](Self::inverse) of the nearest pose whose matrix is a rotation, and by how much the target's was off (the largest entry
+    /// of `R^T R - 1`): for targets whose entries are off by up to 1e-3, such as those with three to five decimals.
+    #[must_use]
+    pub fn inverse_nearest_rotation(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> (::dh_robot::Solutions<f64, 3, 1>, f64) {
+        match ::dh_robot::pose::nearest_rotation(target) {
+            ::core::result::Result::Ok((target, deviation)) => {
+                (self.inverse(&target), deviation)
+            }
+            ::core::result::Result::Err(why) => {
+                (
+                    ::dh_robot::Solutions::none(&Self::JOINTS, why),
+                    ::dh_robot::pose::rotation_deviation(target.rotation.matrix()),
+                )
+            }
         }
     }
     /// The direction in which the arm can move at a solution with free joints while its target stays reached: joint speeds, the largest of

@@ -290,7 +290,35 @@ impl RrrIntersecting {
         &self,
         target: &::dh_robot::nalgebra::Point3<f64>,
     ) -> ::dh_robot::Solutions<f64, 3, 4> {
-        self.inverse_with_work(target).0
+        let p: [f64; 3] = [target.x.into(), target.y.into(), target.z.into()];
+        if !p.iter().all(|x: &f64| x.is_finite()) {
+            return ::dh_robot::Solutions::none(
+                &Self::JOINTS,
+                ::dh_robot::Why::NotFinite,
+            );
+        }
+        let frame = ::dh_robot::runtime::frame_of_axis(
+            p.map(|x| x / Self::LENGTH_SCALE),
+            [0.0, 0.0, 1.0],
+        );
+        let mut q = [[0.0; 4]; 3];
+        let mut valid = [0.0; 4];
+        if !self.all_branches(&frame, &mut q, &mut valid) {
+            return self.inverse_with_work(target).0;
+        }
+        if valid == [1.0; 4] {
+            let at = |branch: usize| ::dh_robot::runtime::batched::solution(
+                &Self::JOINTS,
+                &q,
+                &Self::BRANCHES,
+                branch,
+            );
+            return ::dh_robot::Solutions::full(
+                &Self::JOINTS,
+                [at(0), at(1), at(2), at(3)],
+            );
+        }
+        ::dh_robot::runtime::batched::collect(&Self::JOINTS, &valid, &q, &Self::BRANCHES)
     }
     /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
     /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
@@ -318,6 +346,17 @@ impl RrrIntersecting {
             given: [::core::option::Option::None; 3],
         };
         let task = ::dh_robot::runtime::TaskTarget::Position(p);
+        let mut found = [[0.0; 4]; 3];
+        let mut valid = [0.0; 4];
+        if self.all_branches(&frame, &mut found, &mut valid) {
+            let list: ::dh_robot::Solutions<_, 3, 4> = ::dh_robot::runtime::batched::collect(
+                &Self::JOINTS,
+                &valid,
+                &found,
+                &Self::BRANCHES,
+            );
+            return ::dh_robot::runtime::nearest(&list, q, Self::LENGTH_SCALE);
+        }
         let unknowns = self.unknowns(&q.map(f64::from));
         ::dh_robot::runtime::solve_near::<
             _,
@@ -577,6 +616,131 @@ impl RrrIntersecting {
             Self::MAX_WORK,
             |frame, sample, found| self.candidates(frame, sample, found),
         )
+    }
+    /// Which root each step takes in each branch.
+    const BRANCHES: [::dh_robot::Branch; 4] = {
+        let mut all = [::dh_robot::Branch::ANY; 4];
+        let mut branch = 0;
+        while branch < 4 {
+            let q1_root = branch / 1 % 2;
+            let q3_root = branch / 2 % 2;
+            all[branch] = ::dh_robot::Branch::ANY
+                .with_step(0, q1_root)
+                .with_shoulder(
+                    if q1_root == 0 {
+                        ::dh_robot::Shoulder::Left
+                    } else {
+                        ::dh_robot::Shoulder::Right
+                    },
+                )
+                .with_step(1, q3_root)
+                .with_elbow(
+                    if q3_root == 0 {
+                        ::dh_robot::Elbow::Up
+                    } else {
+                        ::dh_robot::Elbow::Down
+                    },
+                );
+            branch += 1;
+        }
+        all
+    };
+    /// The plan for all branches at once: joint values, and which branches are real; false where the fallback path has to decide.
+    #[inline]
+    fn all_branches(
+        &self,
+        t: &::dh_robot::runtime::Pose,
+        q: &mut [[f64; 4]; 3],
+        valid: &mut [f64; 4],
+    ) -> bool {
+        let t_2 = t[0][3] * t[0][3] + t[1][3] * t[1][3] + t[2][3] * t[2][3];
+        let t_3 = self.d2 * Self::PER_LENGTH;
+        let t_4 = self.l2 * Self::PER_LENGTH;
+        let t_5 = self.l3 * Self::PER_LENGTH;
+        // Step 1: q1 from an equation in sine and cosine.
+        let ([c1_first, s1_first, c1_second, s1_second], q1_valid, q1_margin) = ::dh_robot::runtime::batched::sincos(
+            -t[1][3],
+            t[0][3],
+            -t_3,
+        );
+        let all_c1 = [c1_first, c1_second];
+        let all_s1 = [s1_first, s1_second];
+        let all_q1 = ::dh_robot::runtime::batched::angles(
+            &[s1_first, s1_second],
+            &[c1_first, c1_second],
+        );
+        let mut all_t_6 = [0.0; 2];
+        let mut all_t_7 = [0.0; 2];
+        let mut all_t_8 = [0.0; 2];
+        for branch in 0..2 {
+            let c1 = all_c1[branch];
+            let s1 = all_s1[branch];
+            let t_6 = t[0][3] * c1 + t[1][3] * s1;
+            let t_7 = t_3 * s1;
+            let t_8 = t_3 * c1;
+            all_t_6[branch] = t_6;
+            all_t_7[branch] = t_7;
+            all_t_8[branch] = t_8;
+        }
+        // Step 2: q3 from the law of cosines.
+        let ([c3_first, s3_first, c3_second, s3_second], q3_valid, q3_margin) = ::dh_robot::runtime::batched::sincos(
+            2.0 * t_4 * t_5,
+            0.0,
+            t_2 - (t_3 * t_3 + t_4 * t_4 + t_5 * t_5),
+        );
+        let all_c3 = [c3_first, c3_first, c3_second, c3_second];
+        let all_s3 = [s3_first, s3_first, s3_second, s3_second];
+        let all_q3 = ::dh_robot::runtime::batched::angles(
+            &[s3_first, s3_second],
+            &[c3_first, c3_second],
+        );
+        let all_t_6: [f64; 4] = ::core::array::from_fn(|branch| all_t_6[branch % 2]);
+        let all_c1: [f64; 4] = ::core::array::from_fn(|branch| all_c1[branch % 2]);
+        let all_s1: [f64; 4] = ::core::array::from_fn(|branch| all_s1[branch % 2]);
+        let all_t_7: [f64; 4] = ::core::array::from_fn(|branch| all_t_7[branch % 2]);
+        let all_t_8: [f64; 4] = ::core::array::from_fn(|branch| all_t_8[branch % 2]);
+        let all_q1: [f64; 4] = ::core::array::from_fn(|branch| all_q1[branch / 1 % 2]);
+        let all_q3: [f64; 4] = ::core::array::from_fn(|branch| all_q3[branch / 2 % 2]);
+        let mut all_margin = [0.0; 4];
+        let mut all_valid = [0.0; 4];
+        let mut all_error = [0.0; 4];
+        for branch in 0..4 {
+            let c3 = all_c3[branch];
+            let s3 = all_s3[branch];
+            let t_6 = all_t_6[branch];
+            // Step 3: q2 from sine and cosine.
+            let ([c2, s2], q2_margin) = ::dh_robot::runtime::batched::pair(
+                -t_6,
+                t[2][3],
+                -(t_4 + t_5 * c3),
+                t[2][3],
+                t_6,
+                -t_5 * s3,
+            );
+            let q2 = ::dh_robot::runtime::batched::angle(s2, c2);
+            let c1 = all_c1[branch];
+            let s1 = all_s1[branch];
+            let t_7 = all_t_7[branch];
+            let t_8 = all_t_8[branch];
+            let t_9 = t_5 * (c3 * c2 - s3 * s2) + t_4 * c2;
+            let q2_error = (c1 * t_9 - t_7 - t[0][3]).abs()
+                + (s1 * t_9 + t_8 - t[1][3]).abs()
+                + (-(t_5 * (c3 * s2 + s3 * c2) + t_4 * s2) - t[2][3]).abs();
+            let q1 = all_q1[branch];
+            let q3 = all_q3[branch];
+            // How far the branch is from the target.
+            all_margin[branch] = ::dh_robot::runtime::batched::lesser(
+                ::dh_robot::runtime::batched::lesser(q1_margin, q3_margin),
+                q2_margin,
+            );
+            all_valid[branch] = q1_valid * q3_valid;
+            all_error[branch] = q2_error;
+            q[0][branch] = q1;
+            q[1][branch] = q2;
+            q[2][branch] = q3;
+        }
+        *valid = all_valid;
+        ::dh_robot::runtime::batched::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

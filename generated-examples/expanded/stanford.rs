@@ -522,6 +522,25 @@ impl Stanford {
             *to = self.inverse_near(target, q);
         }
     }
+    /// [`inverse`](Self::inverse) of the nearest pose whose matrix is a rotation, and by how much the target's was off (the largest entry
+    /// of `R^T R - 1`): for targets whose entries are off by up to 1e-3, such as those with three to five decimals.
+    #[must_use]
+    pub fn inverse_nearest_rotation(
+        &self,
+        target: &::dh_robot::nalgebra::IsometryMatrix3<f64>,
+    ) -> (::dh_robot::Solutions<f64, 6, 8>, f64) {
+        match ::dh_robot::pose::nearest_rotation(target) {
+            ::core::result::Result::Ok((target, deviation)) => {
+                (self.inverse(&target), deviation)
+            }
+            ::core::result::Result::Err(why) => {
+                (
+                    ::dh_robot::Solutions::none(&Self::JOINTS, why),
+                    ::dh_robot::pose::rotation_deviation(target.rotation.matrix()),
+                )
+            }
+        }
+    }
     /// The direction in which the arm can move at a solution with free joints while its target stays reached: joint speeds, the largest of
     /// them 1 (or the arm's size, for a length). `None` at an isolated solution.
     #[must_use]

@@ -328,7 +328,43 @@ impl Youbot {
             ::dh_robot::nalgebra::UnitVector3<f64>,
         ),
     ) -> ::dh_robot::Solutions<f64, 5, 4> {
-        self.inverse_with_work(target).0
+        let p: [f64; 3] = [target.0.x.into(), target.0.y.into(), target.0.z.into()];
+        if !p.iter().all(|x: &f64| x.is_finite()) {
+            return ::dh_robot::Solutions::none(
+                &Self::JOINTS,
+                ::dh_robot::Why::NotFinite,
+            );
+        }
+        let z = match ::dh_robot::runtime::direction([
+            target.1.x.into(),
+            target.1.y.into(),
+            target.1.z.into(),
+        ]) {
+            ::core::result::Result::Ok(z) => z,
+            ::core::result::Result::Err(why) => {
+                return ::dh_robot::Solutions::none(&Self::JOINTS, why);
+            }
+        };
+        let frame = ::dh_robot::runtime::frame_of_axis(
+            p.map(|x| x / Self::LENGTH_SCALE),
+            z,
+        );
+        let mut q = [[0.0; 4]; 5];
+        let mut valid = [0.0; 4];
+        if !self.all_branches(&frame, &mut q, &mut valid) {
+            return self.inverse_with_work(target).0;
+        }
+        let list = ::dh_robot::runtime::batched::collect_free(
+            &Self::JOINTS,
+            &valid,
+            &q,
+            &Self::BRANCHES,
+            ::dh_robot::FreeJoints::of(&[4]),
+        );
+        if !::dh_robot::runtime::batched::free_in_range(&list) {
+            return self.inverse_with_work(target).0;
+        }
+        list
     }
     /// The solution that continues from the joint values `q`: the one of least travel, and on a self-motion (at a singular pose) the
     /// point of it nearest to `q`. Angles are shifted by whole turns towards `q`, within the ranges where that is possible; a solution out
@@ -731,6 +767,202 @@ impl Youbot {
             Self::MAX_WORK,
             |frame, sample, found| self.candidates(frame, sample, found),
         )
+    }
+    /// Which root each step takes in each branch.
+    const BRANCHES: [::dh_robot::Branch; 4] = {
+        let mut all = [::dh_robot::Branch::ANY; 4];
+        let mut branch = 0;
+        while branch < 4 {
+            let q1_root = branch / 1 % 2;
+            let q3_root = branch / 2 % 2;
+            all[branch] = ::dh_robot::Branch::ANY
+                .with_step(0, q1_root)
+                .with_shoulder(
+                    if q1_root == 0 {
+                        ::dh_robot::Shoulder::Left
+                    } else {
+                        ::dh_robot::Shoulder::Right
+                    },
+                )
+                .with_step(1, q3_root)
+                .with_elbow(
+                    if q3_root == 0 {
+                        ::dh_robot::Elbow::Up
+                    } else {
+                        ::dh_robot::Elbow::Down
+                    },
+                );
+            branch += 1;
+        }
+        all
+    };
+    /// The plan for all branches at once: joint values, and which branches are real; false where the fallback path has to decide.
+    #[inline]
+    fn all_branches(
+        &self,
+        t: &::dh_robot::runtime::Pose,
+        q: &mut [[f64; 4]; 5],
+        valid: &mut [f64; 4],
+    ) -> bool {
+        let t_2 = t[2][3] - 0.21381818181818182;
+        let t_3 = t_2 * t_2;
+        let t_4 = t_2 * t[2][2] * 2.0;
+        // Step 1: q1 from a ratio of sine and cosine.
+        let ([c1_first, s1_first], q1_margin) = ::dh_robot::runtime::batched::half_turn([
+            [-t[1][2], t[0][2]],
+            [-t[1][3], t[0][3]],
+        ]);
+        let all_c1 = [c1_first, -c1_first];
+        let all_s1 = [s1_first, -s1_first];
+        let all_q1 = ::dh_robot::runtime::batched::angles(
+            &[s1_first, -s1_first],
+            &[c1_first, -c1_first],
+        );
+        let mut all_q2_plus_q3_plus_q4 = [0.0; 2];
+        let mut all_t_13 = [0.0; 2];
+        let mut all_t_16 = [0.0; 2];
+        let mut all_t_14 = [0.0; 2];
+        let mut all_t_15 = [0.0; 2];
+        let mut q3_pairs = [[0.0; 4]; 2];
+        let mut all_margin_1 = [0.0; 2];
+        let mut all_valid_1 = [0.0; 2];
+        let mut all_error_1 = [0.0; 2];
+        for branch in 0..2 {
+            let c1 = all_c1[branch];
+            let s1 = all_s1[branch];
+            let t_5 = t[0][3] * c1 + t[1][3] * s1;
+            let t_6 = t[0][3] * s1 - t[1][3] * c1;
+            let t_7 = t[0][2] * c1 + t[1][2] * s1;
+            let t_8 = t_5 * 2.0;
+            let t_9 = 0.31636363636363635 - t_6 * (t[0][2] * s1 - t[1][2] * c1) * 2.0;
+            let t_10 = 0.048 * (t_8 - 0.048)
+                - (t_5 * t_5 + t_6 * t_6 + t_3 - 0.08938842975206612);
+            let t_11 = 0.31636363636363635 * (t_7 * (0.096 - t_8) + t_9 - t_4) - t_10;
+            let t_12 = t_5 - 0.048;
+            // Step 2: q2 + q3 + q4 from sine and cosine.
+            let [c234, s234] = ::dh_robot::runtime::batched::unit(t[2][2], -t_7);
+            let q2_plus_q3_plus_q4 = ::dh_robot::runtime::batched::angle(s234, c234);
+            all_q2_plus_q3_plus_q4[branch] = q2_plus_q3_plus_q4;
+            let t_13 = 0.31636363636363635 * s234;
+            let t_14 = 0.31636363636363635 * c234;
+            let t_15 = t_2 - t_14;
+            all_t_13[branch] = t_13;
+            let t_16 = t_12 + t_13;
+            all_t_16[branch] = t_16;
+            all_t_14[branch] = t_14;
+            all_t_15[branch] = t_15;
+            let q2_plus_q3_plus_q4_error = (-c1 * s234 - t[0][2]).abs()
+                + (-s1 * s234 - t[1][2]).abs() + (c234 - t[2][2]).abs();
+            // Step 3: q3 from the law of cosines.
+            let ([c3_first, s3_first, c3_second, s3_second], q3_valid, q3_margin) = ::dh_robot::runtime::batched::sincos(
+                0.08854214876033059,
+                0.0,
+                t_11,
+            );
+            q3_pairs[0][branch] = c3_first;
+            q3_pairs[1][branch] = s3_first;
+            q3_pairs[0][branch + 2] = c3_second;
+            q3_pairs[1][branch + 2] = s3_second;
+            all_margin_1[branch] = q3_margin;
+            all_valid_1[branch] = q3_valid;
+            all_error_1[branch] = q2_plus_q3_plus_q4_error;
+        }
+        let all_q3 = ::dh_robot::runtime::batched::angles(&q3_pairs[1], &q3_pairs[0]);
+        q[2] = ::core::array::from_fn(|branch| all_q3[branch / 2 % 2 * 2 + branch % 2]);
+        let all_c3 = q3_pairs[0];
+        let all_s3 = q3_pairs[1];
+        let all_t_16: [f64; 4] = ::core::array::from_fn(|branch| all_t_16[branch % 2]);
+        let all_t_15: [f64; 4] = ::core::array::from_fn(|branch| all_t_15[branch % 2]);
+        let mut all_q2 = [0.0; 4];
+        let all_c1: [f64; 4] = ::core::array::from_fn(|branch| all_c1[branch % 2]);
+        let all_s1: [f64; 4] = ::core::array::from_fn(|branch| all_s1[branch % 2]);
+        let all_t_13: [f64; 4] = ::core::array::from_fn(|branch| all_t_13[branch % 2]);
+        let all_t_14: [f64; 4] = ::core::array::from_fn(|branch| all_t_14[branch % 2]);
+        let mut all_margin_2 = [0.0; 4];
+        let mut all_error_2 = [0.0; 4];
+        for branch in 0..4 {
+            let s3 = all_s3[branch];
+            let c3 = all_c3[branch];
+            let t_17 = 0.19636363636363638 * s3;
+            let t_18 = 0.22545454545454546 + 0.19636363636363638 * c3;
+            let t_16 = all_t_16[branch];
+            let t_15 = all_t_15[branch];
+            // Step 4: q2 from sine and cosine.
+            let ([c2, s2], q2_margin) = ::dh_robot::runtime::batched::pair(
+                -t_17,
+                -t_18,
+                t_16,
+                t_18,
+                -t_17,
+                t_15,
+            );
+            let q2 = ::dh_robot::runtime::batched::angle(s2, c2);
+            all_q2[branch] = q2;
+            let q2_in_range = q2;
+            q[1][branch] = q2_in_range;
+            let c1 = all_c1[branch];
+            let s1 = all_s1[branch];
+            let t_13 = all_t_13[branch];
+            let t_14 = all_t_14[branch];
+            let t_19 = t_13 + 0.19636363636363638 * (c3 * s2 + s3 * c2)
+                + 0.22545454545454546 * s2;
+            let t_20 = t_14 + 0.19636363636363638 * (c3 * c2 - s3 * s2)
+                + 0.22545454545454546 * c2;
+            let t_21 = 0.048 - t_19;
+            let q2_error = (c1 * t_21 - t[0][3]).abs() + (s1 * t_21 - t[1][3]).abs()
+                + (0.21381818181818182 + t_20 - t[2][3]).abs();
+            all_margin_2[branch] = q2_margin;
+            all_error_2[branch] = q2_error;
+        }
+        // Step 5: q5 from a free choice.
+        let [c5_first, s5_first] = ::dh_robot::runtime::batched::chosen_angle();
+        let all_c5 = [c5_first, c5_first, c5_first, c5_first];
+        let all_s5 = [s5_first, s5_first, s5_first, s5_first];
+        let q5 = ::dh_robot::runtime::batched::angle(s5_first, c5_first);
+        let all_q1: [f64; 4] = ::core::array::from_fn(|branch| all_q1[branch / 1 % 2]);
+        let all_q2_plus_q3_plus_q4: [f64; 4] = ::core::array::from_fn(|branch| {
+            all_q2_plus_q3_plus_q4[branch % 2]
+        });
+        let all_q3: [f64; 4] = ::core::array::from_fn(|branch| {
+            all_q3[branch / 2 % 2 * 2 + branch % 2]
+        });
+        let all_margin_1: [f64; 4] = ::core::array::from_fn(|branch| {
+            all_margin_1[branch % 2]
+        });
+        let mut all_margin = [0.0; 4];
+        let all_valid_1: [f64; 4] = ::core::array::from_fn(|branch| {
+            all_valid_1[branch % 2]
+        });
+        let mut all_valid = [0.0; 4];
+        let all_error_1: [f64; 4] = ::core::array::from_fn(|branch| {
+            all_error_1[branch % 2]
+        });
+        let mut all_error = [0.0; 4];
+        for branch in 0..4 {
+            let q1 = all_q1[branch];
+            let q2_plus_q3_plus_q4 = all_q2_plus_q3_plus_q4[branch];
+            let q3 = all_q3[branch];
+            let q2 = all_q2[branch];
+            let margin_1 = all_margin_1[branch];
+            let margin_2 = all_margin_2[branch];
+            let valid_1 = all_valid_1[branch];
+            let error_1 = all_error_1[branch];
+            let error_2 = all_error_2[branch];
+            // How far the branch is from the target.
+            all_margin[branch] = ::dh_robot::runtime::batched::lesser(
+                ::dh_robot::runtime::batched::lesser(q1_margin, margin_1),
+                margin_2,
+            );
+            all_valid[branch] = valid_1;
+            all_error[branch] = error_1 + error_2;
+            q[0][branch] = q1;
+            q[3][branch] = ::dh_robot::runtime::batched::wrap(
+                q2_plus_q3_plus_q4 - q3 - q2,
+            );
+            q[4][branch] = q5;
+        }
+        *valid = all_valid;
+        ::dh_robot::runtime::batched::confirmed(&all_valid, &all_margin, &all_error)
     }
 }
 #[allow(unused, clippy::all, clippy::pedantic)]

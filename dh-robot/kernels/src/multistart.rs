@@ -48,6 +48,11 @@ const DIRECTIONS: [[f64; 6]; 3] = [
     [0.618, 0.337, -0.711, 0.287, 0.583, -0.760],
 ];
 
+/// A pose at a distance from `pose` in the first of the directions.
+pub(crate) fn beside(pose: &Pose, length_scale: f64, distance: f64) -> Pose {
+    displaced(pose, length_scale, DIRECTIONS[0], distance)
+}
+
 /// A pose near `pose`.
 fn displaced(pose: &Pose, length_scale: f64, direction: [f64; 6], distance: f64) -> Pose {
     let [turns @ .., x, y, z] = direction;

@@ -44,6 +44,15 @@ pub enum TaskTarget {
 }
 
 impl TaskTarget {
+    /// How many numbers it asks for.
+    pub fn dimensions(&self) -> usize {
+        match self {
+            Self::Pose(_) => 6,
+            Self::Axis(..) => 5,
+            Self::Position(_) | Self::Planar(..) => 3,
+        }
+    }
+
     /// What is missing from `pose` to the target: position over the length scale` (rows 0..3) and rotation in radians (rows 3..6), in
     /// base axes. Rows that the task doesn't ask for are zero.
     pub fn error(&self, pose: &Pose, length_scale: f64) -> [f64; 6] {

@@ -2,7 +2,7 @@
 
 use super::path::{Path, SinCosEquation};
 use crate::{FreeJoints, Why};
-use dh_kernels::{List, Outcome, Status};
+use dh_kernels::{Budget, List, Outcome, Status};
 
 /// The values that unknowns take where their equations leave them free, for one run of the plan, and the size below which coefficients count
 /// as zero.
@@ -19,6 +19,8 @@ pub struct Sample {
     values: [f64; STEPS],
     /// Those steps, a bit each.
     given: u16,
+    /// Whether an elimination may take its time.
+    thorough: bool,
 }
 
 /// Steps that can have values of their own.
@@ -58,7 +60,7 @@ impl Sample {
     /// Sample number `n`.
     #[must_use]
     pub const fn nth(n: u8) -> Self {
-        Self { nth: n, tolerance: NOISE, values: [0.0; STEPS], given: 0 }
+        Self { nth: n, tolerance: NOISE, values: [0.0; STEPS], given: 0, thorough: false }
     }
 
     /// These values for the first steps.
@@ -83,9 +85,21 @@ impl Sample {
         Self { tolerance, ..self }
     }
 
-    /// All samples but the first.
+    /// The same sample for a search without a bound on its time.
+    #[must_use]
+    pub(super) const fn thorough(self) -> Self {
+        Self { thorough: true, ..self }
+    }
+
+    /// What an elimination may compute.
+    #[must_use]
+    pub const fn budget(&self) -> Budget {
+        if self.thorough { Budget::THOROUGH } else { Budget::BOUNDED }
+    }
+
+    /// All samples but the first, for a search without a bound on its time.
     pub(super) fn others() -> impl Iterator<Item = Self> {
-        (1..48).map(Self::nth)
+        (1..48).map(|n| Self::nth(n).thorough())
     }
 
     /// The place in a list of twelve: each step goes through it in another order.

@@ -21,6 +21,9 @@ pub(super) const MANY: usize = 14;
 /// Starts of the search for the pose of a rank-deficient arm that is nearest to a target, and the miss at which one is found.
 const STARTS: usize = 4;
 const NEAR: f64 = 0.02;
+/// Starts of the search for solutions that the plan's equations do not tell apart, and the steps from each.
+const ALL_OVER: usize = 28;
+const ROUGHLY: usize = 12;
 /// What counts as zero behind a double root, which is good to the square root of rounding.
 pub(super) const BLUNT: f64 = 1e-6;
 /// The same for targets in `f32`.
@@ -51,8 +54,12 @@ pub fn solve<T: Real, const N: usize, const M: usize>(
     candidates: impl Fn(&Pose, &Sample, &mut dyn FnMut([f64; N], Branch, Path)) -> Attempt,
 ) -> (Solutions<T, N, M>, Work) {
     let mut search = Search::new(arm, setting, task, most);
+    if let Some(why) = super::too_far(arm, setting.length_scale, frame) {
+        search.verifier.out.refuse(why);
+        return (search.verifier.out, search.work);
+    }
     let why = search.all(frame, &candidates);
-    search.verifier.keep_in_ranges();
+    search.keep_in_ranges();
     if search.verifier.out.is_empty() {
         let why = search.reason(why);
         search.verifier.out.refuse(super::convert(why));
@@ -150,7 +157,23 @@ impl<'a, A: Kinematics<N>, T: Real, const N: usize, const M: usize> Search<'a, A
                 self.self_motions(frame, &second, &again, blunt, plan);
             }
         }
+        if self.work.has_crossing_sheets() && (run.status.degenerate || run.status.lost) {
+            self.take_from_everywhere();
+        }
         run.why
+    }
+
+    /// Takes the regular solutions that Newton steps from joint values all over lead to.
+    fn take_from_everywhere(&mut self) {
+        for start in 1..=ALL_OVER {
+            let mut q = self.verifier.start(start);
+            if self.newton(&mut q, ROUGHLY) <= self.verifier.tolerance {
+                self.work.evaluations += 1;
+                if self.verifier.motions(&q).len == 0 {
+                    self.verifier.insert(q, Branch::ANY);
+                }
+            }
+        }
     }
 
     /// Takes a solution for which no value was chosen.

@@ -62,7 +62,12 @@ pub fn solve<T: Real, const N: usize, const M: usize>(
     candidates: impl Fn(&Pose, &Sample, &mut dyn FnMut([f64; N], Branch, Path)) -> Attempt,
 ) -> Solutions<T, N, M> {
     let mut verifier = Verifier::new(arm, setting, task);
-    let attempt = candidates(frame, &Sample::FIRST, &mut |q, branch, path| verifier.take(q, branch, path.joints));
+    if let Some(why) = too_far(arm, setting.length_scale, frame) {
+        verifier.out.refuse(why);
+        return verifier.out;
+    }
+    let attempt =
+        candidates(frame, &Sample::FIRST.thorough(), &mut |q, branch, path| verifier.take(q, branch, path.joints));
     let status = attempt.status;
     if status.degenerate || verifier.lost || status.lost || status.doubt && verifier.out.is_empty() {
         rescue::rescue(&mut verifier, frame, &attempt, &candidates);
@@ -78,6 +83,20 @@ pub fn solve<T: Real, const N: usize, const M: usize>(
         verifier.out.refuse(convert(why));
     }
     verifier.out
+}
+
+/// A distance, in length scales, whose squares say nothing any more. No arm is moved there.
+const OUT_OF_HAND: f64 = 1e12;
+
+/// The reason why a target is refused whose position is out of hand.
+fn too_far<T: Real, const N: usize>(arm: &impl Kinematics<N>, length_scale: f64, frame: &Pose) -> Option<Why<T>> {
+    let far = frame.iter().fold(0.0_f64, |m, row| m.max(row[3].abs()));
+    (far > OUT_OF_HAND).then(|| Why::OutOfReach {
+        step: "the target",
+        needs: T::of(far * length_scale),
+        has: T::of(OUT_OF_HAND * length_scale),
+        unit: arm.unit(),
+    })
 }
 
 fn convert<T: Real>(why: Why<f64>) -> Why<T> {

@@ -95,6 +95,9 @@ pub fn solve_near<T: Real, const N: usize, const M: usize>(
     if !from.iter().chain(&unknowns).all(|x| x.is_finite()) {
         return Err(Why::NotFinite);
     }
+    if let Some(why) = super::too_far(arm, setting.length_scale, frame) {
+        return Err(why);
+    }
     for (x, given) in from.iter_mut().zip(setting.given) {
         *x = given.unwrap_or(*x);
     }

@@ -71,7 +71,7 @@ fn rescue_by_candidates<A: Kinematics<N>, T: Real, const N: usize, const M: usiz
             for side in [1.0, -1.0] {
                 let near = moved(frame, motion, side * size);
                 let mut any = false;
-                let run = candidates(&near, &Sample::nth(nth), &mut |q, branch, _| {
+                let run = candidates(&near, &Sample::nth(nth).thorough(), &mut |q, branch, _| {
                     any = true;
                     verifier.take_rough(q, branch, side < 0.0);
                 });

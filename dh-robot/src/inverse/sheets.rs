@@ -65,9 +65,12 @@ impl<const N: usize> Sheets<N> {
         let mut groups: [u8; NODES] = core::array::from_fn(|i| i as u8);
         for i in 0..self.len() {
             for j in 0..i {
-                if groups[i] != groups[j]
-                    && (self.meet(&self[i], &self[j], cells) || self.meet(&self[j], &self[i], cells))
-                {
+                if groups[i] == groups[j] {
+                    continue;
+                }
+                // Two points between cuts meet each other, or do not.
+                let between = self[i].cell.is_some() && self[j].cell.is_some();
+                if self.meet(&self[i], &self[j], cells) || !between && self.meet(&self[j], &self[i], cells) {
                     let (from, to) = (groups[i].max(groups[j]), groups[i].min(groups[j]));
                     for g in groups.iter_mut().filter(|g| **g == from) {
                         *g = to;

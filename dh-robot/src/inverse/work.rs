@@ -20,7 +20,11 @@ pub struct Work {
 impl Work {
     /// The bounds of an arm whose plan is in closed form.
     pub const CLOSED_FORM: Self = Self { runs: 20, steps: 96, evaluations: 400, most: [0; 3] };
-    /// The bounds of an arm whose plan eliminates (six joints, or six after some were chosen).
+    /// The bounds of an arm of few joints that reaches some poses from several sides: what the plan's equations do not tell apart there is looked
+    /// for from joint values all over.
+    pub const CROSSING_SHEETS: Self = Self { runs: 20, steps: 420, evaluations: 900, most: [0; 3] };
+    /// The bounds of an arm whose plan eliminates (six joints, or six after some were chosen). Beside these, each run eliminates at most five
+    /// times, and takes at most 300 Newton steps of its own.
     pub const ELIMINATION: Self = Self { runs: 3, steps: 160, evaluations: 600, most: [0; 3] };
 
     /// Nothing.
@@ -42,9 +46,20 @@ impl Work {
         Self { runs: 0, steps: 0, evaluations: 0, most: [most.runs, most.steps, most.evaluations] }
     }
 
+    /// Whether solutions are to be looked for from joint values all over.
+    pub(super) fn has_crossing_sheets(&self) -> bool {
+        self.most[1] >= Self::CROSSING_SHEETS.steps
+    }
+
     /// Whether these are the bounds of an elimination.
     pub(super) fn is_elimination(&self) -> bool {
         self.most[0] <= Self::ELIMINATION.runs
+    }
+
+    /// How many Newton steps may still be taken.
+    pub(super) fn steps_left(&self) -> usize {
+        let evaluations = self.most[2].saturating_sub(self.evaluations + 1);
+        self.most[1].saturating_sub(self.steps).min(evaluations) as usize
     }
 
     /// Whether any of the bounds is reached.

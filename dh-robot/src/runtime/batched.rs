@@ -10,7 +10,7 @@ mod angles;
 
 pub use angles::{angle, angles};
 
-use crate::{Branch, Joint, Real, Solution, Solutions};
+use crate::{Branch, FreeJoints, Joint, Real, Solution, Solutions};
 
 /// Largest difference between an entry of the target and of a branch's forward kinematics (rotation, or position over the length scale) that the
 /// fast path accepts: some hundred times the rounding of a regular pose.
@@ -89,6 +89,20 @@ pub fn unit(x: f64, y: f64) -> [f64; 2] {
 #[must_use]
 pub fn linear(a: f64, b: f64) -> (f64, f64) {
     (-b / a, a.abs() - FIRM)
+}
+
+/// Cosine and sine of an angle for which any value does.
+#[inline(always)]
+#[must_use]
+pub fn chosen_angle() -> [f64; 2] {
+    [1.0, 0.0]
+}
+
+/// A length for which any value does.
+#[inline(always)]
+#[must_use]
+pub fn chosen_length() -> f64 {
+    0.0
 }
 
 /// An angle between -3 pi and 3 pi brought into (-pi, pi].
@@ -189,6 +203,31 @@ pub fn collect<T: Real, const N: usize, const M: usize, const L: usize>(
         }
     }
     out
+}
+
+/// The same where any value does for some joints.
+#[must_use]
+pub fn collect_free<T: Real, const N: usize, const M: usize, const L: usize>(
+    joints: &'static [Joint<T>; N],
+    valid: &[f64; L],
+    q: &[[f64; L]; N],
+    branches: &[Branch; L],
+    free: FreeJoints,
+) -> Solutions<T, N, M> {
+    let mut out = Solutions::new(joints);
+    for l in 0..L {
+        if valid[l] > 0.0 {
+            out.push(solution(joints, q, branches, l).with_free(free));
+        }
+    }
+    out
+}
+
+/// Whether the values of free joints are in range.
+#[must_use]
+pub fn free_in_range<T: Real, const N: usize, const M: usize>(list: &Solutions<T, N, M>) -> bool {
+    let joints = list.joints();
+    list.iter().all(|s| (0..N).all(|k| !s.free.contains(k) || joints[k].contains(s.q[k])))
 }
 
 #[cfg(test)]

@@ -180,7 +180,11 @@ impl<const N: usize, const M: usize> Solver<N, M> {
 
 /// The bounds of the work of one call.
 fn work(arm: Interpreted<'_>) -> Work {
-    if arm.inverse.eliminates { Work::ELIMINATION } else { Work::CLOSED_FORM }
+    match arm.inverse.eliminates {
+        true => Work::ELIMINATION,
+        false if arm.inverse.inverse.plan.has_crossings => Work::CROSSING_SHEETS,
+        false => Work::CLOSED_FORM,
+    }
 }
 
 impl<const N: usize, const M: usize> Solve for Solver<N, M> {

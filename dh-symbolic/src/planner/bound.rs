@@ -30,7 +30,10 @@ pub(super) fn bound(
         let may_lose_an_equation = s.kind.is_overdetermined() && mobility.has_crossings() && !firm(s);
         if may_lose_an_equation { 2 } else { s.roots }
     };
-    steps.iter().map(roots).fold(1_usize, usize::saturating_mul).clamp(1, most(axes, knowledge, steps))
+    // An angle found from one equation may be free there, and what decides it then has as many roots again.
+    let lone = |s: &Step| s.kind == StepKind::HalfTurn && s.equations.len() == 1;
+    let again = if mobility.has_crossings() && steps.iter().any(lone) { 2 } else { 1 };
+    steps.iter().map(roots).fold(again, usize::saturating_mul).clamp(1, most(axes, knowledge, steps))
 }
 
 /// Most isolated solutions that a loop of six joints has at all: 16 where none or one of them slides (Primrose 1986), 8 where two do, 2

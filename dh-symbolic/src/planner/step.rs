@@ -38,4 +38,6 @@ pub struct Plan {
     pub max_solutions: usize,
     /// Whether the task has directions in which the arm cannot move the tool at all: its targets then lie in the reachable set up to rounding only.
     pub rank_deficient: bool,
+    /// Whether it reaches some poses from several sides, where sheets of the reachable set cross.
+    pub has_crossings: bool,
 }

@@ -3,9 +3,10 @@
 use super::super::elementary::{atan2, sin_cos};
 use super::super::pose::{IDENTITY, Pose, compose, inverse, slide, turn};
 use super::super::root_isolation::square;
-use super::super::tolerance::REACHED;
-use super::super::{Kinematics, List, TaskTarget, polish};
+use super::super::tolerance::{POLISHED, REACHED};
+use super::super::{Kinematics, List, TaskTarget, newton, polish};
 use super::arm::General6R;
+use super::budget::Budget;
 use super::choice::Choice;
 use super::closure::Closure;
 use super::determinant::{Determinant, Root, crossing};
@@ -45,18 +46,24 @@ pub(super) struct Elimination {
 
 impl General6R {
     /// Adds the solutions that one elimination finds.
-    pub(super) fn attempt(&self, target: &Pose, choice: Choice, solutions: &mut List<[f64; 6], 16>) -> Elimination {
+    pub(super) fn attempt(
+        &self,
+        target: &Pose,
+        choice: Choice,
+        budget: &mut Budget,
+        solutions: &mut List<[f64; 6], 16>,
+    ) -> Elimination {
         if choice.is_pairs() {
-            return self.attempt_in_pairs(target, choice, solutions);
+            return self.attempt_in_pairs(target, choice, budget, solutions);
         }
         let closure = Closure::new(self.scaled_arm(), target, choice);
         let dialytic = Dialytic::new(&closure, choice);
         if choice.has_least_degree() && self.scaled_arm().prismatic == [false; 6] {
             let determinant = Determinant::<8, 17, 20>::new(&dialytic);
-            self.solutions_of(&determinant, &dialytic, &closure, target, choice, solutions)
+            self.solutions_of(&determinant, &dialytic, &closure, target, choice, budget, solutions)
         } else {
             let determinant = Determinant::<12, 25, 28>::new(&dialytic);
-            self.solutions_of(&determinant, &dialytic, &closure, target, choice, solutions)
+            self.solutions_of(&determinant, &dialytic, &closure, target, choice, budget, solutions)
         }
     }
 
@@ -70,6 +77,7 @@ impl General6R {
         Determinant::<12, 25, 28>::new(&dialytic).is_blurred()
     }
 
+    #[allow(clippy::too_many_arguments)] // three parts of one elimination, and what it is for
     fn solutions_of<const D: usize, const C: usize, const K: usize>(
         &self,
         determinant: &Determinant<D, C, K>,
@@ -77,20 +85,21 @@ impl General6R {
         closure: &Closure,
         target: &Pose,
         choice: Choice,
+        budget: &mut Budget,
         solutions: &mut List<[f64; 6], 16>,
     ) -> Elimination {
         let mut attempt = Elimination { account: Account::Open, work: K };
         if !determinant.means_something() {
             return attempt;
         }
+        let thorough = budget.thorough;
         let (mut clean, mut phantoms) = (true, false);
         let (mut roots, mut found, mut extra, mut work, mut bisections) = (0, 0, 0, 0, 0);
         let effort = determinant.each_root(dialytic, |root, kind| {
             let mut try_from = |refined: &Refined| {
                 let mut q = self.joints(closure, choice, target, refined);
-                let done = polish(self.scaled_arm(), &mut q, &TaskTarget::Pose(*target), 1.0, STEPS);
-                work += 1 + done.steps;
-                let reached = done.reaches(REACHED);
+                let (reached, steps) = self.bring(target, &mut q, STEPS, budget);
+                work += 1 + steps;
                 (reached, reached && self.add(target, solutions, self.wrapped(q)))
             };
             let mut refined = dialytic.refined(root, REFINEMENTS);
@@ -133,7 +142,7 @@ impl General6R {
             // A target that is out of reach by rounding only misses its double root nearly: worth a try, but nothing is missing otherwise.
             clean &= matches!(kind, Root::NearMiss);
             extra += usize::from(try_from(&refined).1);
-            for by in NEIGHBOURS {
+            for by in NEIGHBOURS.into_iter().filter(|_| thorough) {
                 let (s, c) = sin_cos(by);
                 let root = [root[0] * c - root[1] * s, root[0] * s + root[1] * c];
                 extra += usize::from(try_from(&dialytic.refined(root, REFINEMENTS)).1);
@@ -145,6 +154,18 @@ impl General6R {
             attempt.account = if phantoms { Account::WithPhantoms } else { Account::Full };
         }
         attempt
+    }
+
+    /// Brings a joint vector onto the target; returns whether it is a solution then, and the steps taken.
+    pub(super) fn bring(&self, target: &Pose, q: &mut [f64; 6], steps: usize, budget: &mut Budget) -> (bool, usize) {
+        let task = TaskTarget::Pose(*target);
+        if budget.thorough {
+            let done = polish(self.scaled_arm(), q, &task, 1.0, steps);
+            return (done.reaches(REACHED), done.steps);
+        }
+        let (miss, taken) = newton(self.scaled_arm(), &task, 1.0, q, steps.min(budget.steps as usize), POLISHED);
+        budget.steps = budget.steps.saturating_sub(taken as u32);
+        (miss <= REACHED, taken)
     }
 
     /// The number of null vectors at a hidden angle for a pose that has nothing to do with the target.

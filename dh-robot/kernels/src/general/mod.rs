@@ -8,6 +8,7 @@
 //! attempt     determinant -> trigonometric polynomial of degree 8 -> roots -> null vectors -> polished joint vectors
 //! solve       one attempt after another, until all roots are accounted for; neighbours of singular poses
 //! pairs       arms with two parallel neighbours and two neighbours that meet: a polynomial of degree 8 or 4 without any matrix
+//! budget      how much of that may be computed for one target
 //! choice      which joint plays which part
 //! ranking     the best choices; found once per arm
 //! ```
@@ -18,6 +19,7 @@
 
 mod arm;
 mod attempt;
+mod budget;
 mod choice;
 mod closure;
 mod conformal;
@@ -29,6 +31,7 @@ mod solve;
 mod solve_pairs;
 
 pub use arm::General6R;
+pub use budget::Budget;
 pub use choice::Choice;
 pub use ranking::{Ranked, rank};
 pub use solve::{Solved, solve_general};

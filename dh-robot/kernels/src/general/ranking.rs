@@ -5,6 +5,7 @@ use super::super::elementary::sin_cos;
 use super::super::{Blank, Kinematics, List};
 use super::arm::General6R;
 use super::attempt::Account;
+use super::budget::Budget;
 use super::choice::Choice;
 use super::closure::Closure;
 use super::dialytic::Dialytic;
@@ -109,7 +110,8 @@ impl Ranked {
             let arm = General6R::with_prismatic(&arm.links, &arm.prismatic, [self.choice; 3]);
             let mut solutions = List::new();
             let q = arm.scaled(q);
-            let attempt = arm.attempt(&arm.scaled_arm().forward(&q), self.choice, &mut solutions);
+            let attempt =
+                arm.attempt(&arm.scaled_arm().forward(&q), self.choice, &mut { Budget::THOROUGH }, &mut solutions);
             let hit = solutions
                 .iter()
                 .any(|p: &[f64; 6]| p.iter().zip(&q).all(|(a, b)| sin_cos(0.5 * (a - b)).0.abs() < 1e-5));

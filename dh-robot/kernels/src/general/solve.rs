@@ -5,10 +5,11 @@ use super::super::elementary::{sin_cos, wrapped};
 use super::super::pose::Pose;
 use super::super::tolerance::{NEAR, REACHED};
 use super::super::{
-    Kinematics, List, Outcome, Roots, TaskTarget, polish, same_solution, solve_from_everywhere, solve_nearby,
+    Kinematics, List, Outcome, Roots, TaskTarget, beside, polish, same_solution, solve_from_everywhere, solve_nearby,
 };
 use super::arm::General6R;
 use super::attempt::{Account, ELSEWHERE};
+use super::budget::Budget;
 use super::choice::Choice;
 use super::ranking::best_conditioned;
 
@@ -16,6 +17,10 @@ use super::ranking::best_conditioned;
 const PATIENT_STEPS: usize = 40;
 /// A pivot of the Jacobian that is smaller belongs to a singular pose, or to one that can't be told from it.
 const SINGULAR: f64 = 1e-4;
+/// Steps of the same where the budget is bounded.
+const FEW_STEPS: usize = 14;
+/// Distance (rad, and over the length scale) of the two poses that are asked beside a singular one.
+const ASIDE: f64 = 1e-3;
 /// Starting points of the very last resort.
 const STARTS: usize = 64;
 
@@ -29,15 +34,22 @@ pub struct Solved {
 }
 
 impl General6R {
-    /// All real solutions for a target pose.
+    /// All real solutions for a target pose, by a thorough search.
     pub fn solve(&self, target: &Pose) -> Solved {
+        self.solve_within(target, Budget::THOROUGH)
+    }
+
+    /// The real solutions for a target pose that a bounded search finds: all, unless the pose is singular or nearly so.
+    pub fn solve_within(&self, target: &Pose, mut budget: Budget) -> Solved {
         let target = self.scaled_target(target);
         let mut solved = Solved { solutions: List::new(), clean: false };
         if !target.iter().flatten().all(|x| x.is_finite()) {
             return solved;
         }
-        self.eliminate(&target, &self.choices, &mut solved);
-        if !solved.clean {
+        self.eliminate(&target, &self.choices, &mut budget, &mut solved);
+        if !solved.clean && !budget.thorough {
+            self.ask_neighbours(&target, &mut budget, &mut solved.solutions);
+        } else if !solved.clean {
             let mut choices = self.fitting();
             if choices.len() < self.choices.len() {
                 // They were made for an arm of these links, but with other values of what varies (a locked joint, a length): for some values the
@@ -48,7 +60,7 @@ impl General6R {
                         others.push(choice);
                     }
                 }
-                self.eliminate(&target, &others, &mut solved);
+                self.eliminate(&target, &others, &mut budget, &mut solved);
             }
             if !solved.clean {
                 self.rescue(&target, choices.as_slice(), &mut solved.solutions);
@@ -75,18 +87,38 @@ impl General6R {
     }
 
     /// Eliminates with one choice after another until all roots are accounted for.
-    fn eliminate(&self, target: &Pose, choices: &[Choice], solved: &mut Solved) {
+    fn eliminate(&self, target: &Pose, choices: &[Choice], budget: &mut Budget, solved: &mut Solved) {
         for (i, &choice) in choices.iter().enumerate() {
+            if !budget.eliminate() {
+                break;
+            }
             let before = solved.solutions.len();
-            let attempt = self.attempt(target, choice, &mut solved.solutions);
+            let attempt = self.attempt(target, choice, budget, &mut solved.solutions);
             solved.clean = match attempt.account {
                 Account::Full => true,
                 // Two eliminations that agree.
                 Account::WithPhantoms => i > 0 && solved.solutions.len() == before,
                 Account::Open => false,
             };
-            if solved.clean {
+            // Where time is short, an open account is settled by neighbours.
+            let open = attempt.account == Account::Open && !budget.thorough && !solved.solutions.is_empty();
+            if solved.clean || open {
                 break;
+            }
+        }
+    }
+
+    /// Brings the solutions of the poses on both sides of a singular one (scaled) onto it: a regular solution has a neighbour on each side, a
+    /// double one two on one of them.
+    fn ask_neighbours(&self, target: &Pose, budget: &mut Budget, solutions: &mut List<[f64; 6], 16>) {
+        for distance in [ASIDE, -ASIDE] {
+            let mut solved = Solved { solutions: List::new(), clean: false };
+            self.eliminate(&beside(target, 1.0, distance), &self.choices, budget, &mut solved);
+            for &q in &solved.solutions {
+                let mut q = q;
+                if self.bring(target, &mut q, FEW_STEPS, budget).0 {
+                    self.add(target, solutions, self.wrapped(q));
+                }
             }
         }
     }
@@ -96,7 +128,7 @@ impl General6R {
         let task = TaskTarget::Pose(*target);
         let solve = |pose: &Pose| {
             let mut solved = Solved { solutions: List::new(), clean: false };
-            self.eliminate(pose, choices, &mut solved);
+            self.eliminate(pose, choices, &mut { Budget::THOROUGH }, &mut solved);
             (solved.solutions, solved.clean)
         };
         solve_nearby(target, 1.0, solve, |mut q| {
@@ -111,8 +143,8 @@ impl General6R {
 
     /// The same as `[cos, sin]` (or `[d, d]` where a joint slides), the way the other kernels answer; [`Outcome::Free`] where nothing was found at a pose that
     /// is singular or nearly so, [`Outcome::NoRealRoot`] where there is nothing.
-    pub fn find(&self, target: &Pose) -> Roots<[[f64; 2]; 6], 16> {
-        let solved = self.solve(target);
+    pub fn find(&self, target: &Pose, budget: Budget) -> Roots<[[f64; 2]; 6], 16> {
+        let solved = self.solve_within(target, budget);
         let mut roots = List::new();
         for q in solved.solutions.as_slice() {
             roots.push(core::array::from_fn(|j| {
@@ -194,12 +226,14 @@ pub(super) fn is_singular(arm: &NumericChain<6>, q: &[f64; 6]) -> bool {
 }
 
 /// All joint vectors, as `[cos, sin]` (or `[d, d]` where a joint slides), that bring an arm to a target. `links` are the constant transforms
-/// behind its joints, `prismatic` says which of these slide, `cuts` are the numbers of the [`Choice`]s that are tried in turn.
+/// behind its joints, `prismatic` says which of these slide, `cuts` are the numbers of the [`Choice`]s that are tried in turn, `budget` bounds the
+/// work.
 pub fn solve_general(
     links: &[Pose; 6],
     target: &Pose,
     prismatic: &[bool; 6],
     cuts: [u8; 3],
+    budget: Budget,
 ) -> Roots<[[f64; 2]; 6], 16> {
-    General6R::with_prismatic(links, prismatic, cuts.map(Choice::new)).find(target)
+    General6R::with_prismatic(links, prismatic, cuts.map(Choice::new)).find(target, budget)
 }

@@ -1,11 +1,11 @@
 //! From the polynomial of two parallel and two meeting axes to the joint vectors of the arm.
 
+use super::super::List;
 use super::super::elementary::{atan2, sin_cos};
 use super::super::pose::Pose;
-use super::super::tolerance::REACHED;
-use super::super::{List, TaskTarget, polish};
 use super::arm::General6R;
 use super::attempt::{Account, Elimination, NEIGHBOURS, STEPS};
+use super::budget::Budget;
 use super::choice::Choice;
 use super::determinant::{Determinant, Root, crossing};
 use super::pairs::{PairCandidate, Pairs};
@@ -22,31 +22,45 @@ impl General6R {
         &self,
         target: &Pose,
         choice: Choice,
+        budget: &mut Budget,
         solutions: &mut List<[f64; 6], 16>,
     ) -> Elimination {
         match Pairs::new(self.scaled_arm(), target, choice) {
             None => Elimination { account: Account::Open, work: 0 },
-            Some(pairs) if pairs.symmetric => {
-                self.solutions_in_pairs(&Determinant::<4, 9, 12>::new(&pairs), &pairs, target, choice, solutions)
-            }
-            Some(pairs) => {
-                self.solutions_in_pairs(&Determinant::<8, 17, 20>::new(&pairs), &pairs, target, choice, solutions)
-            }
+            Some(pairs) if pairs.symmetric => self.solutions_in_pairs(
+                &Determinant::<4, 9, 12>::new(&pairs),
+                &pairs,
+                target,
+                choice,
+                budget,
+                solutions,
+            ),
+            Some(pairs) => self.solutions_in_pairs(
+                &Determinant::<8, 17, 20>::new(&pairs),
+                &pairs,
+                target,
+                choice,
+                budget,
+                solutions,
+            ),
         }
     }
 
+    #[allow(clippy::too_many_arguments)] // two parts of one elimination, and what it is for
     fn solutions_in_pairs<const D: usize, const C: usize, const K: usize>(
         &self,
         polynomial: &Determinant<D, C, K>,
         pairs: &Pairs,
         target: &Pose,
         choice: Choice,
+        budget: &mut Budget,
         solutions: &mut List<[f64; 6], 16>,
     ) -> Elimination {
         let mut attempt = Elimination { account: Account::Open, work: 1 };
         if !polynomial.means_something() {
             return attempt;
         }
+        let thorough = budget.thorough;
         // One root, two directions of the parallel axes.
         let copies = if pairs.symmetric { 2 } else { 1 };
         let (mut clean, mut roots, mut found, mut extra) = (true, 0, 0, 0);
@@ -61,9 +75,9 @@ impl General6R {
                         q[joint] = atan2(if choice.reversed() { -s } else { s }, c);
                     }
                     let closed = gap < CLOSED || {
-                        let done = polish(self.scaled_arm(), &mut q, &TaskTarget::Pose(*target), 1.0, STEPS);
-                        attempt.work += 1 + done.steps;
-                        done.reaches(REACHED)
+                        let (reached, steps) = self.bring(target, &mut q, STEPS, budget);
+                        attempt.work += 1 + steps;
+                        reached
                     };
                     if closed {
                         let (place, fresh) = self.place(target, solutions, self.wrapped(q));
@@ -115,7 +129,7 @@ impl General6R {
                 return;
             }
             clean &= matches!(kind, Root::NearMiss);
-            for by in NEIGHBOURS {
+            for by in NEIGHBOURS.into_iter().filter(|_| thorough) {
                 let (s, c) = sin_cos(by);
                 let at = [root[0] * c - root[1] * s, root[0] * s + root[1] * c];
                 extra += try_all(at, pairs.candidates(at, false).as_slice()).1;

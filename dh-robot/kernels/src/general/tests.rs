@@ -206,7 +206,12 @@ fn two_parallel_and_two_meeting_axes_at_any_place() {
                 let q = [(); 6].map(|()| rng.angle());
                 let target = arm.forward(&q);
                 let mut solutions = List::new();
-                let attempt = structured.attempt(&structured.scaled_target(&target), choice, &mut solutions);
+                let attempt = structured.attempt(
+                    &structured.scaled_target(&target),
+                    choice,
+                    &mut { Budget::THOROUGH },
+                    &mut solutions,
+                );
                 poses += 1;
                 open += usize::from(attempt.account != Account::Full);
                 let solved = structured.solve(&target);

@@ -55,7 +55,7 @@ impl FastPath {
     pub(crate) fn new(chain: &Chain, inverse: &Inverse, plan: &FlatPlan) -> Option<FastPath> {
         let fits = chain.settings.task == Task::Pose
             && (chain.settings.redundant.is_empty() || chain.settings.redundant.len() == 1 && chain.is_direct());
-        let batched = inverse.batched().filter(|_| fits && is_whole(chain))?;
+        let batched = inverse.batched(chain.settings.task).filter(|b| fits && b.free.is_empty() && is_whole(chain))?;
         let actuators = actuators(chain, inverse)?;
         let outputs: Vec<Value> = batched
             .solves

@@ -23,7 +23,7 @@ use super::step::{Plan, Step};
 use super::steps::{Offer, Scene, StepKind};
 use super::subspace::{JointCombination, Subspace, numbers};
 use crate::algebra::Poly;
-use crate::chain::Chain;
+use crate::chain::{Chain, Task};
 use dedup::{Probes, Values, is_same};
 
 /// Most equations of one kind with the same unknowns that are considered.
@@ -69,7 +69,16 @@ pub fn search(chain: &Chain) -> Result<Plan, Refusal> {
     let mobility = Mobility::new(chain, &s.axes);
     let max_solutions = bound(chain, &mobility, &s.axes, &s.knowledge, &s.steps, &s.scene().samples(4, 0));
     let rank_deficient = mobility.misses_its_task();
-    Ok(Plan { axes: s.axes, knowledge: s.knowledge, given, steps: s.steps, max_solutions, rank_deficient })
+    let has_crossings = chain.settings.task == Task::Pose && mobility.has_crossings();
+    Ok(Plan {
+        axes: s.axes,
+        knowledge: s.knowledge,
+        given,
+        steps: s.steps,
+        max_solutions,
+        rank_deficient,
+        has_crossings,
+    })
 }
 
 struct Search<'a> {

@@ -62,7 +62,7 @@ impl Kind for AtanPair {
         Call { kernel: &MANY, arguments: vec![Argument::Reference(rows.collect())] }
     }
 
-    fn batched(&self, _: usize, constant: &dyn Fn(usize, usize) -> Option<i8>) -> Option<BatchedKernel> {
+    fn batched(&self, _: usize, _: bool, constant: &dyn Fn(usize, usize) -> Option<i8>) -> Option<BatchedKernel> {
         // The first two equations fix the angle at every regular pose. With coefficients 1, 0 and -1 each is the cosine or the sine.
         let single = |r: usize, k: i8| if k > 0 { minus(r, 2) } else { plus(r, 2) };
         let at = |r: usize, k: usize| constant(r, k);

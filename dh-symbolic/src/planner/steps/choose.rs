@@ -1,6 +1,6 @@
 //! A joint that is free at every pose (the arm is singular everywhere): a value is chosen for it.
 
-use super::kernel::{Call, Coefficient, zero};
+use super::kernel::{BatchedKernel, BatchedRoots, Call, Coefficient, zero};
 use super::quadratic::QUADRATIC;
 use super::recognise::Scene;
 use super::sin_cos::SIN_COS;
@@ -25,6 +25,13 @@ impl Kind for Choose {
     /// An equation that says nothing.
     fn call(&self, _: usize, is_angle: bool) -> Call<Coefficient> {
         Call { kernel: if is_angle { &SIN_COS } else { &QUADRATIC }, arguments: vec![zero(), zero(), zero()] }
+    }
+
+    /// Zero for every branch.
+    fn batched(&self, _: usize, is_angle: bool, _: &dyn Fn(usize, usize) -> Option<i8>) -> Option<BatchedKernel> {
+        let name = if is_angle { "chosen_angle" } else { "chosen_length" };
+        let (arguments, roots) = (Vec::new(), BatchedRoots::One);
+        Some(BatchedKernel { name, single_precision: None, arguments, roots, has_margin: false, equations: 0 })
     }
 
     fn words(&self, _: bool) -> Words {

@@ -6,7 +6,7 @@ use super::{Kind, StepKind, Words};
 use crate::planner::known::Basis;
 use crate::planner::step::Step;
 use crate::planner::subspace::JointCombination;
-use dh_kernels::{Pose, solve_general};
+use dh_kernels::{Budget, Pose, solve_general};
 
 /// Six constant transforms and the target.
 static GENERAL: Kernel = Kernel {
@@ -23,7 +23,9 @@ static GENERAL: Kernel = Kernel {
             std::array::from_fn(|i| std::array::from_fn(|j| p[4 * i + j]))
         };
         let Some(Argument::Elimination { prismatic, cuts }) = arguments.last() else { return KernelRoots::none() };
-        KernelRoots::of(&solve_general(&std::array::from_fn(pose), &pose(6), prismatic, *cuts), |r| r.to_vec())
+        KernelRoots::of(&solve_general(&std::array::from_fn(pose), &pose(6), prismatic, *cuts, Budget::BOUNDED), |r| {
+            r.to_vec()
+        })
     },
 };
 

@@ -51,7 +51,7 @@ impl Kind for HalfTurn {
         Call { kernel: &SIN_COS, arguments: vec![plus(0, 0), plus(0, 1), zero()] }
     }
 
-    fn batched(&self, equations: usize, _: &dyn Fn(usize, usize) -> Option<i8>) -> Option<BatchedKernel> {
+    fn batched(&self, equations: usize, _: bool, _: &dyn Fn(usize, usize) -> Option<i8>) -> Option<BatchedKernel> {
         let roots = BatchedRoots::Opposite;
         let rows = (0..equations).map(|r| Argument::Array(row(r, 0..2)));
         let arguments = vec![Argument::Array(rows.collect())];

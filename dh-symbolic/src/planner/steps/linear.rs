@@ -27,7 +27,7 @@ impl Kind for Linear {
         Call { kernel: &QUADRATIC, arguments: vec![zero(), plus(0, 0), plus(0, 1)] }
     }
 
-    fn batched(&self, _: usize, _: &dyn Fn(usize, usize) -> Option<i8>) -> Option<BatchedKernel> {
+    fn batched(&self, _: usize, _: bool, _: &dyn Fn(usize, usize) -> Option<i8>) -> Option<BatchedKernel> {
         let arguments: Vec<Argument<Coefficient>> = row(0, 0..2);
         let roots = BatchedRoots::One;
         Some(BatchedKernel { name: "linear", single_precision: None, arguments, roots, has_margin: true, equations: 1 })

@@ -99,7 +99,12 @@ trait Kind: Sync {
     fn call(&self, equations: usize, is_angle: bool) -> Call<Coefficient>;
 
     /// The kernel that solves it for many branches side by side, if there is one. `constant` gives the coefficients that are 1, 0 or -1.
-    fn batched(&self, _equations: usize, _constant: &dyn Fn(usize, usize) -> Option<i8>) -> Option<BatchedKernel> {
+    fn batched(
+        &self,
+        _equations: usize,
+        _is_angle: bool,
+        _constant: &dyn Fn(usize, usize) -> Option<i8>,
+    ) -> Option<BatchedKernel> {
         None
     }
 
@@ -147,8 +152,13 @@ impl StepKind {
 
     /// The kernel that solves it for many branches side by side. `constant` gives the coefficients that are 1, 0 or -1, by equation and
     /// place.
-    pub fn batched(self, equations: usize, constant: &dyn Fn(usize, usize) -> Option<i8>) -> Option<BatchedKernel> {
-        self.kind().batched(equations, constant)
+    pub fn batched(
+        self,
+        equations: usize,
+        is_angle: bool,
+        constant: &dyn Fn(usize, usize) -> Option<i8>,
+    ) -> Option<BatchedKernel> {
+        self.kind().batched(equations, is_angle, constant)
     }
 
     pub(super) fn is_overdetermined(self) -> bool {

@@ -40,7 +40,7 @@ impl Kind for SinCos {
         Call { kernel: &SIN_COS, arguments: vec![plus(0, 0), plus(0, 1), minus(0, 2)] }
     }
 
-    fn batched(&self, _: usize, _: &dyn Fn(usize, usize) -> Option<i8>) -> Option<BatchedKernel> {
+    fn batched(&self, _: usize, _: bool, _: &dyn Fn(usize, usize) -> Option<i8>) -> Option<BatchedKernel> {
         Some(BatchedKernel {
             name: "sincos",
             single_precision: Some("sincos_single"),

@@ -191,7 +191,7 @@ mod tests {
         let text = [PUMA, UR5].map(|table| {
             let chain = chain(table);
             let inverse = Inverse::of(&chain).unwrap_or_else(|e| panic!("{e:?}"));
-            inverse.batched().map_or(String::new(), |b| b.to_string())
+            inverse.batched(chain.settings.task).map_or(String::new(), |b| b.to_string())
         });
         insta::assert_snapshot!(text.join("\n"));
     }

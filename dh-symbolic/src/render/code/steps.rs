@@ -146,7 +146,7 @@ pub(in crate::render) fn argument<N>(
         (Argument::Reference(l), Dialect::Rust) => format!("&{}", list(l)),
         (Argument::Array(l) | Argument::Reference(l), _) => list(l),
         (Argument::Representatives, _) => representatives.to_string(),
-        (Argument::Elimination { prismatic, cuts }, _) => format!("&{prismatic:?}, {cuts:?}"),
+        (Argument::Elimination { prismatic, cuts }, _) => format!("&{prismatic:?}, {cuts:?}, sample.budget()"),
     }
 }
 

@@ -9,7 +9,8 @@ pub use mirror::Mirror;
 
 use super::{Inverse, Solve};
 use crate::algebra::Poly;
-use crate::planner::{Argument, BatchedKernel, Coefficient};
+use crate::chain::Task;
+use crate::planner::{Argument, BatchedKernel, Coefficient, StepKind};
 use crate::program::Node;
 use crate::program::graph::{Value, ZERO};
 use std::fmt;
@@ -84,26 +85,31 @@ pub struct Batched {
     pub live: Vec<bool>,
     /// The last loop that uses each node.
     pub last_use: Vec<usize>,
+    /// The joints for which any value does: nothing that is asked for depends on them.
+    pub free: Vec<usize>,
 }
 
 impl Inverse {
-    /// The batched form, if every step has one or two roots by a formula, no coordinate is virtual, and branches are few.
-    pub fn batched(&self) -> Option<Batched> {
+    /// The batched form for a task, if every step has one or two roots by a formula, branches are few, and nothing depends on what is
+    /// chosen.
+    pub fn batched(&self, task: Task) -> Option<Batched> {
         let plan = &self.plan;
         let solves: Vec<BatchedSolve> =
             self.body.solves().into_iter().map(|s| self.batched_solve(s)).collect::<Option<_>>()?;
         let branches: usize = plan.steps.iter().map(|s| s.roots).product();
-        if branches > MOST || plan.axes.count() != plan.axes.real {
+        if branches > MOST {
             return None;
         }
         let depths = self.depths();
         let mut outputs: Vec<Value> = solves.iter().flat_map(|s| s.needs.clone()).collect();
-        let confirmation = self.residuals(&outputs);
+        let confirmation = self.residuals(task, &outputs);
         outputs.extend(confirmation.iter().map(|r| r.value));
         let live = self.graph.live(&outputs);
+        let free = self.free_joints(&live)?;
         let (widths, items, mirror) = (Vec::new(), Vec::new(), None);
         let last_use = vec![0; depths.len()];
-        let mut batched = Batched { branches, solves, widths, items, mirror, confirmation, depths, live, last_use };
+        let mut batched =
+            Batched { branches, solves, widths, items, mirror, confirmation, depths, live, last_use, free };
         let all = batched.loops(self);
         // Mirrored halves share everything behind their step, if it is solved for all branches that differ there.
         let step = Mirror::of(self, &batched).filter(|m| all[batched.depth_of(m.step)] == all[plan.given + m.step]);
@@ -126,7 +132,8 @@ impl Inverse {
                 .find(|(_, n)| p == *n)
                 .map(|(n, _)| n)
         };
-        let kernel = self.plan.steps.get(solve.step)?.kind.batched(solve.equations.len(), &constant)?;
+        let is_angle = self.plan.knowledge.known.get(*solve.finds.first()?)?.is_angle;
+        let kernel = self.plan.steps.get(solve.step)?.kind.batched(solve.equations.len(), is_angle, &constant)?;
         let value = |c: &Coefficient| match *c {
             Coefficient::Plus(row, place) => at(row, place).unwrap_or(ZERO),
             Coefficient::Minus(row, place) => -at(row, place).unwrap_or(ZERO),
@@ -136,12 +143,33 @@ impl Inverse {
         Some(BatchedSolve { known: *solve.finds.first()?, kernel, arguments, needs: solve.equations.concat() })
     }
 
-    /// The entries of the pose that confirm a branch, beside what the steps compute anyway.
-    fn residuals(&self, computed: &[Value]) -> Vec<Residual> {
-        let without = |column: usize| -> Vec<Residual> {
-            let all = self.confirmation.iter().copied().enumerate();
-            all.map(|(k, value)| Residual { row: k % 3, column: k / 3, value }).filter(|r| r.column != column).collect()
+    /// The joints whose values are chosen, if nothing that is computed depends on them.
+    fn free_joints(&self, live: &[bool]) -> Option<Vec<usize>> {
+        let mut free = Vec::new();
+        for (i, step) in self.plan.steps.iter().enumerate().filter(|(_, s)| s.kind == StepKind::Choose) {
+            let symbols = self.plan.knowledge.known.get(self.plan.given + i)?.symbols;
+            let mut nodes = self.graph.nodes().iter().zip(live);
+            if nodes.any(|(n, live)| *live && matches!(n, Node::Symbol(s) if symbols.contains(s))) {
+                return None;
+            }
+            free.push(step.unknown.first()?.iter().position(|k| *k != 0)?);
+        }
+        Some(free)
+    }
+
+    /// The entries of the pose that confirm a branch, beside what the steps compute anyway: those that the task asks for.
+    fn residuals(&self, task: Task, computed: &[Value]) -> Vec<Residual> {
+        let all = || {
+            let entries = self.confirmation.iter().copied().enumerate();
+            entries.map(|(k, value)| Residual { row: k % 3, column: k / 3, value })
         };
+        match task {
+            Task::Pose => {}
+            Task::Position => return all().filter(|r| r.column == 3).collect(),
+            Task::Axis => return all().filter(|r| r.column >= 2).collect(),
+            Task::Planar => return all().filter(|r| r.row < 2 && (r.column == 0 || r.column == 3)).collect(),
+        }
+        let without = |column: usize| -> Vec<Residual> { all().filter(|r| r.column != column).collect() };
         let cost = |column: &usize| {
             let outputs: Vec<Value> =
                 computed.iter().copied().chain(without(*column).iter().map(|r| r.value)).collect();

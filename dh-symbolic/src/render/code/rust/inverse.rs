@@ -1,6 +1,6 @@
 //! `inverse` and its traits: the target made a frame, then the fast path where the plan allows it, and the fallback.
 
-use super::batched::FastPath;
+use super::batched::{FastPath, passed};
 use super::candidates::candidates;
 use super::target::Target;
 use super::verify::kinematics;
@@ -50,7 +50,11 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
     let same = if !chain.settings.redundant.is_empty() { ", given" } else { "" };
     let fallback = format!("self.inverse_with_work(target{same}).0\n");
     let rest = fast.as_ref().map_or(fallback, |fast| format!("{frame}\n{}", fast.call(chain, inverse)));
-    let work = if inverse.plan.steps.iter().any(Step::is_elimination) { "ELIMINATION" } else { "CLOSED_FORM" };
+    let work = match inverse.plan.steps.iter().any(Step::is_elimination) {
+        true => "ELIMINATION",
+        false if inverse.plan.has_crossings => "CROSSING_SHEETS",
+        false => "CLOSED_FORM",
+    };
     let mut out = format!(
         "#[allow(unused, clippy::all, clippy::pedantic)]\nimpl {name} {{\n\
          /// Greatest number of solutions of [`inverse`](Self::inverse), by the plan below.\n\
@@ -73,6 +77,17 @@ pub fn inverse(chain: &Chain, name: &str, forward: &Forward, inverse: &Inverse) 
         near(chain, inverse, fast.as_ref(), &prepared(&frame_one), &run),
     ));
     out.push_str(&super::batch::inverse(chain, m));
+    if chain.settings.task == Task::Pose {
+        out.push_str(&format!(
+            "/// [`inverse`](Self::inverse) of the nearest pose whose matrix is a rotation, and by how much the target's was off (the largest entry\n\
+             /// of `R^T R - 1`): for targets whose entries are off by up to 1e-3, such as those with three to five decimals.\n#[must_use]\n\
+             pub fn inverse_nearest_rotation(&self, {target}{given}) -> (::dh_robot::Solutions<{f}, {n}, {m}>, {f}) {{\n\
+             match ::dh_robot::pose::nearest_rotation(target) {{\n\
+             ::core::result::Result::Ok((target, deviation)) => (self.inverse(&target{same}), deviation),\n\
+             ::core::result::Result::Err(why) => (::dh_robot::Solutions::none(&Self::JOINTS, why), ::dh_robot::pose::rotation_deviation(target.rotation.matrix())),\n\
+             }}\n}}\n"
+        ));
+    }
     out.push_str(&tangent(chain, rank_deficient));
     out.push_str(&unknowns(chain, inverse));
     out.push_str(&candidates(chain, inverse));
@@ -121,9 +136,9 @@ fn refuse_one(why: &str) -> String {
 fn near(chain: &Chain, inverse: &Inverse, fast: Option<&FastPath>, prepare: &str, run: &str) -> String {
     let (n, m) = (chain.dof(), inverse.plan.max_solutions);
     let mut out = prepare.to_string();
-    if let Some(fast) = fast {
+    if let Some(fast) = fast.filter(|f| !f.is_free()) {
         let total = fast.branches();
-        let number = if !chain.settings.redundant.is_empty() { ", given.into()" } else { "" };
+        let number = passed(chain);
         out.push_str(&format!(
             "let mut found = [[0.0; {total}]; {n}];\nlet mut valid = [0.0; {total}];\n\
              if self.all_branches(&frame{number}, &mut found, &mut valid) {{\n\

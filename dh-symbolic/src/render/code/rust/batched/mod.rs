@@ -6,7 +6,7 @@ mod ranges;
 mod step;
 mod writer;
 
-use crate::chain::{Chain, Scalar, Task};
+use crate::chain::{Chain, Scalar};
 use crate::program::{Batched, Inverse, Value, What};
 use crate::render::code::body::{Body, Dialect};
 use crate::render::code::steps::{Variables, branch, given};
@@ -20,13 +20,17 @@ pub(super) struct FastPath {
 }
 
 impl FastPath {
-    /// The fast path of an inverse, if there is one: its steps can be batched, the whole pose confirms a branch, and actuators are sums of what is
-    /// found.
+    /// The fast path of an inverse, if there is one: its steps can be batched, and actuators are sums of what is found.
     pub(super) fn of(chain: &Chain, inverse: &Inverse) -> Option<FastPath> {
         let actuators = whole_actuators(chain, &inverse.body.result()?.joints)?;
-        let fits = chain.settings.task == Task::Pose
-            && (chain.settings.redundant.is_empty() || chain.settings.redundant.len() == 1 && chain.is_direct());
-        Some(FastPath { batched: inverse.batched().filter(|_| fits)?, actuators })
+        let fits = |b: &Batched| chain.settings.redundant.is_empty() && b.free.is_empty() || chain.is_direct();
+        let batched = inverse.batched(chain.settings.task).filter(fits)?;
+        Some(FastPath { batched, actuators })
+    }
+
+    /// Whether any value does for some joints.
+    pub(super) fn is_free(&self) -> bool {
+        !self.batched.free.is_empty()
     }
 
     /// How many branches it has.
@@ -37,11 +41,21 @@ impl FastPath {
     /// The statements of `inverse` that follow `frame`: the fast path, and the fallback path where that has to decide.
     pub(super) fn call(&self, chain: &Chain, inverse: &Inverse) -> String {
         let (n, total) = (chain.dof(), self.batched.branches);
-        let [number, same] = if !chain.settings.redundant.is_empty() { [", given.into()", ", given"] } else { [""; 2] };
+        let number = passed(chain);
+        let same = if chain.settings.redundant.is_empty() { "" } else { ", given" };
         let mut out = format!(
             "let mut q = [[0.0; {total}]; {n}];\nlet mut valid = [0.0; {total}];\n\
              if !self.all_branches(&frame{number}, &mut q, &mut valid) {{\nreturn self.inverse_with_work(target{same}).0;\n}}\n"
         );
+        if self.is_free() {
+            let free: Vec<String> = self.batched.free.iter().map(usize::to_string).collect();
+            out.push_str(&format!(
+                "let list = ::dh_robot::runtime::batched::collect_free(&Self::JOINTS, &valid, &q, &Self::BRANCHES, ::dh_robot::FreeJoints::of(&[{}]));\n\
+                 if !::dh_robot::runtime::batched::free_in_range(&list) {{\nreturn self.inverse_with_work(target{same}).0;\n}}\nlist\n",
+                free.join(", ")
+            ));
+            return out;
+        }
         if inverse.plan.max_solutions == total {
             // Written out, so that the list is made where the caller wants it: nothing is copied.
             let list: Vec<String> = (0..total).map(|k| format!("at({k})")).collect();
@@ -68,21 +82,28 @@ impl FastPath {
         let variables = Variables::of(inverse);
         let mut body = Body::of_inverse(Dialect::Rust, chain, inverse, outputs, &variables);
         let (n, total) = (chain.dof(), batched.branches);
-        let parameter = if !chain.settings.redundant.is_empty() { ", given: f64" } else { "" };
+        let parameter = match chain.settings.redundant.len() {
+            0 => String::new(),
+            1 => ", given: f64".to_string(),
+            k => format!(", given: [f64; {k}]"),
+        };
         let mut w = BatchedWriter::new(chain, inverse, batched, variables, self.actuators);
         w.loops.out = names(inverse, &w.variables, total);
         w.loops.out.push_str(&format!(
             "/// The plan for all branches at once: joint values, and which branches are real; false where the fallback path has to decide.\n\
              #[inline]\nfn all_branches(&self, t: &::dh_robot::runtime::Pose{parameter}, q: &mut [[f64; {total}]; {n}], valid: &mut [f64; {total}]) -> bool {{\n"
         ));
-        if let Some(k) = chain.settings.redundant.first().copied() {
+        for (i, v) in w.variables.known.iter().enumerate().take(plan.given) {
+            w.loops.out.push_str(&given(chain, i, v));
+        }
+        for (i, k) in chain.settings.redundant.iter().copied().enumerate() {
+            let name = if chain.settings.redundant.len() == 1 { "given".to_string() } else { format!("given[{i}]") };
             // A narrower scalar is brought into its range with the others, once it is rounded.
             let value = match chain.settings.scalar {
-                Scalar::F64 => format!("Self::JOINTS[{k}].normalize(given)"),
-                Scalar::F32 => "given".into(),
+                Scalar::F64 => format!("Self::JOINTS[{k}].normalize({name})"),
+                Scalar::F32 => name,
             };
-            let known: String = w.variables.known.iter().take(plan.given).map(|v| given(chain, 0, v)).collect();
-            w.loops.out.push_str(&format!("{known}q[{k}] = [{value}; {total}];\n"));
+            w.loops.out.push_str(&format!("q[{k}] = [{value}; {total}];\n"));
             w.written.insert(k);
         }
         w.loops.enter(0, 1, false);
@@ -111,6 +132,15 @@ impl FastPath {
             "*valid = {valid};\n::dh_robot::runtime::batched::confirmed(&all_valid, &all_margin, &all_error)\n}}\n"
         ));
         w.loops.out
+    }
+}
+
+/// How the joint values that the caller gives are passed on.
+pub(super) fn passed(chain: &Chain) -> &'static str {
+    match chain.settings.redundant.len() {
+        0 => "",
+        1 => ", given.into()",
+        _ => ", given.map(|x| x.into())",
     }
 }
 
