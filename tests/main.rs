@@ -26,6 +26,7 @@ mod library;
 mod mixed;
 mod oracle;
 mod papers;
+mod parallel;
 mod peer_failures;
 mod random;
 mod robots;

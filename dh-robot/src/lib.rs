@@ -343,6 +343,8 @@ mod free;
 mod inverse;
 mod joint;
 pub mod math;
+#[cfg(feature = "rayon")]
+mod parallel;
 pub mod pose;
 mod real;
 mod robot;
@@ -364,6 +366,8 @@ pub use follow::{Follow, Stop, follow};
 pub use free::{FreeJoints, FreeJointsIter};
 pub use inverse::Work;
 pub use joint::{Joint, JointKind};
+#[cfg(feature = "rayon")]
+pub use parallel::ParallelInverse;
 pub use real::Real;
 pub use robot::{ForwardKinematics, InverseKinematics, Jacobian, Robot, SolutionList};
 pub use sincos::sincos_batch;
