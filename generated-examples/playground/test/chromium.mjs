@@ -55,7 +55,8 @@ export class Browser {
   async stop() {
     await this.call("Browser.close").catch(() => {});
     await new Promise((resolve) => { this.child.on("exit", resolve); setTimeout(resolve, 3000); });
-    rmSync(this.profile, { recursive: true, force: true, maxRetries: 5 });
+    // Helpers of the browser may still write there; what is left in the folder for temporary files hurts nobody.
+    try { rmSync(this.profile, { recursive: true, force: true, maxRetries: 5 }); } catch { /* next time */ }
   }
 }
 
@@ -99,7 +100,7 @@ class Page {
   }
 
   // Waits until an expression is true, in the page or in its frame.
-  async until(expression, { milliseconds = 60_000, where = "value" } = {}) {
+  async until(expression, { milliseconds = 240_000, where = "value" } = {}) {
     const end = Date.now() + milliseconds;
     for (;;) {
       // While a document is exchanged for another there is none to ask.

@@ -20,7 +20,12 @@ class Reader {
     const page = await browser.page(address + hash, screen);
     const reader = new Reader();
     reader.page = page;
-    await page.until("document.body.dataset.done");
+    try {
+      await page.until("document.body.dataset.done");
+    } catch (error) {
+      const seen = await page.value("`${document.readyState} ${document.body.innerText.slice(0, 300)} ${JSON.stringify(document.body.dataset)}`");
+      throw new Error(`the page does not get ready: ${seen}\n${page.complaints.join("\n")}\n${error.message}`);
+    }
     return reader;
   }
 
