@@ -951,8 +951,29 @@ impl Panda {
                                 let q3 = ::dh_robot::runtime::atan2(s3, c3);
                                 let branch = ::dh_robot::Branch::ANY
                                     .with_step(0, q4_root)
+                                    .with_elbow(
+                                        if q4_root == 0 {
+                                            ::dh_robot::Elbow::Up
+                                        } else {
+                                            ::dh_robot::Elbow::Down
+                                        },
+                                    )
                                     .with_step(1, q5_root)
-                                    .with_step(2, q1_root);
+                                    .with_wrist(
+                                        if q5_root == 0 {
+                                            ::dh_robot::Wrist::NoFlip
+                                        } else {
+                                            ::dh_robot::Wrist::Flip
+                                        },
+                                    )
+                                    .with_step(2, q1_root)
+                                    .with_shoulder(
+                                        if q1_root == 0 {
+                                            ::dh_robot::Shoulder::Left
+                                        } else {
+                                            ::dh_robot::Shoulder::Right
+                                        },
+                                    );
                                 found([q1, q2, q3, q4, q5, q6, q7], branch, path);
                             }
                         }
@@ -1023,8 +1044,29 @@ impl Panda {
             let q1_root = branch / 4 % 2;
             all[branch] = ::dh_robot::Branch::ANY
                 .with_step(0, q4_root)
+                .with_elbow(
+                    if q4_root == 0 {
+                        ::dh_robot::Elbow::Up
+                    } else {
+                        ::dh_robot::Elbow::Down
+                    },
+                )
                 .with_step(1, q5_root)
-                .with_step(2, q1_root);
+                .with_wrist(
+                    if q5_root == 0 {
+                        ::dh_robot::Wrist::NoFlip
+                    } else {
+                        ::dh_robot::Wrist::Flip
+                    },
+                )
+                .with_step(2, q1_root)
+                .with_shoulder(
+                    if q1_root == 0 {
+                        ::dh_robot::Shoulder::Left
+                    } else {
+                        ::dh_robot::Shoulder::Right
+                    },
+                );
             branch += 1;
         }
         all

@@ -27,9 +27,9 @@ pub enum Factor {
 pub(super) const POINT: [&str; 3] = ["tool_x", "tool_y", "tool_z"];
 
 impl Chain {
-    /// Whether the program sets poses or deviations, so that the arm of the formulas is only a part of the robot.
+    /// Whether the program sets poses, so that the arm of the formulas is only a part of the robot.
     pub fn is_part(&self) -> bool {
-        !self.before.is_empty() || !self.after.is_empty() || !self.poses.is_empty() || self.settings.calibrated
+        !self.before.is_empty() || !self.after.is_empty() || !self.poses.is_empty()
     }
 
     /// Whether a parameter is a coordinate of the tool's point, which comes from the poses that the program sets.

@@ -37,8 +37,6 @@ pub struct Settings {
     pub redundant: Vec<usize>,
     /// Whether inverse kinematics is wanted.
     pub ik: bool,
-    /// Whether the robot has a field with the deviations of its rows.
-    pub calibrated: bool,
 }
 
 /// What holds where a table is silent.
@@ -50,7 +48,6 @@ impl Default for Settings {
             task: Task::Pose,
             redundant: Vec::new(),
             ik: true,
-            calibrated: false,
         }
     }
 }

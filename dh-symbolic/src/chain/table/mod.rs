@@ -136,9 +136,6 @@ pub fn parse(input: TokenStream) -> Parsed {
             check::Checked::default()
         }
     };
-    if let (true, Some(place)) = (settings.calibrated, scope.place("calibration")) {
-        errors.push(Error::new(place, "`calibrated` makes a field `calibration`: choose another name"));
-    }
     let joints = checked.joints.len();
     let fine = errors.is_empty();
     let known = written.grid.is_some() && joints > 0;

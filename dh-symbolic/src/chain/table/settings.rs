@@ -8,8 +8,7 @@ use crate::chain::{Convention, Scalar, Settings, Task};
 use crate::diagnostic::{Error, Errors, Place};
 use proc_macro2::TokenTree;
 
-const NAMES: [&str; 10] =
-    ["convention", "unit", "scalar", "base", "tool", "task", "redundant", "ik", "calibrated", "prove"];
+const NAMES: [&str; 9] = ["convention", "unit", "scalar", "base", "tool", "task", "redundant", "ik", "prove"];
 
 /// More settings than this would only cost time.
 const MOST: usize = 32;
@@ -41,7 +40,7 @@ pub(super) fn read(list: &[SettingLine], errors: &mut Errors) -> Lines {
             errors.push(Error::new(at, format!("`{name}` is set twice")).related(related, "first set here"));
             continue;
         }
-        if setting.value.is_empty() && name != "calibrated" && NAMES.contains(&name.as_str()) {
+        if setting.value.is_empty() && NAMES.contains(&name.as_str()) {
             errors.push(Error::new(at, format!("`{name}` has no value")));
             lines.has_convention |= name == "convention";
             continue;
@@ -73,10 +72,12 @@ pub(super) fn read(list: &[SettingLine], errors: &mut Errors) -> Lines {
             "redundant" => lines.redundant = words(setting),
             "ik" => s.ik = errors.take(choice.of(&[("none", false)])).unwrap_or(true),
             "base" | "tool" => {}
-            "calibrated" => match setting.value.as_slice() {
-                [] => errors.push(Error::new(at, "`calibrated` is not there yet")),
-                _ => errors.push(Error::new(setting.place, "`calibrated` has no value").help("write `calibrated;`")),
-            },
+            "calibrated" => {
+                let error = Error::new(at, "deviations of the rows as a field are not supported");
+                errors.push(error.help(
+                    "write the true rows into the table: `dh import calibration.yaml --nominal arm.dh` prints them",
+                ));
+            }
             "urdf" | "chain" => {
                 let text =
                     format!("`{name}` needs the feature `urdf` of dh-robot, and in files the command `dh import`");

@@ -528,7 +528,7 @@ fn wrong_lines() {
         &[
             "a2: `let a2` has neither a kind nor a value [write `let a2: length;` or `let a2 = 431.8mm;`]",
             "fn: `fn` is a keyword of Rust, and a symbol becomes a field",
-            "lenght: a name is a `length`, an `angle` or a `number` [did you mean `length`?]",
+            "lenght: a name is a `length`, an `angle`, a `number` or a `pose` [did you mean `length`?]",
             "c: `c` is declared twice (first declared here, line 6)",
             "q1: `q1` is the name of a joint variable",
             "3mm: `e` holds an angle, but `3mm` is a length [write an angle: `90deg`, `pi/2`]",

@@ -12,10 +12,6 @@ use dh_kernels::vector::{cross, dot};
 
 /// Parts of an arm with names for their two sides, in this order.
 const PARTS: usize = 3;
-/// Axes of an arm with one more than a pose takes.
-const SEVEN: usize = 7;
-/// Poses of such an arm that are looked at.
-const POSES_OF_SEVEN: usize = 12;
 /// Poses that are looked at.
 const POSES: usize = 2;
 /// Lengths over the length scale below which two axes meet, and sines below which they are parallel.
@@ -74,15 +70,13 @@ impl Inverse {
         let names = self.find_names(chain);
         let indicators: Vec<Option<Indicator>> = (0..self.plan.steps.len()).map(|i| self.plan.indicator(i)).collect();
         for choice in self.body.result_mut().map(|r| r.branch.as_mut_slice()).unwrap_or_default() {
-            let mut names = names.into_iter().flatten();
-            choice.name = names.find(|n| indicators.get(choice.step) == Some(&Some(n.indicator)));
+            choice.name = names.into_iter().find(|n| indicators.get(choice.step) == Some(&Some(n.indicator)));
         }
     }
 
-    /// The names of the roots of shoulder, elbow and wrist; in the order of the roots where the arm has no such parts. On an arm of seven axes
-    /// the side may follow from several roots together: then none of them has the name.
-    fn find_names(&self, chain: &Chain) -> [Option<Naming>; PARTS] {
-        let mut names = INDICATORS.map(|indicator| Some(Naming { indicator, first: 0, flipped_by: None }));
+    /// The names of the roots of shoulder, elbow and wrist; in the order of the roots where the solutions say nothing.
+    fn find_names(&self, chain: &Chain) -> [Naming; PARTS] {
+        let mut names = INDICATORS.map(|indicator| Naming { indicator, first: 0, flipped_by: None });
         let axes = &self.plan.axes;
         let step_of = |i: Indicator| (0..self.plan.steps.len()).find(|k| self.plan.indicator(*k) == Some(i));
         let steps: [Option<usize>; PARTS] = INDICATORS.map(step_of);
@@ -92,8 +86,7 @@ impl Inverse {
         }
         // Votes for the first root having the first name: as it is, flipped by the shoulder's second root, of how many.
         let mut votes = [[0usize; 3]; PARTS];
-        let poses = if axes.real == SEVEN { POSES_OF_SEVEN } else { POSES };
-        for x in joint_vectors(axes, poses, 0) {
+        for x in joint_vectors(axes, POSES, 0) {
             let constant = |t| numeric(chain, t, axes.length_scale);
             let Some(last) = axes.frames_number(&x).pop() else { continue };
             let compose = dh_kernels::pose::compose;
@@ -112,19 +105,15 @@ impl Inverse {
             }
         }
         for (part, [plain, over, all]) in votes.into_iter().enumerate() {
-            // Of seven axes the side is either always that of the root, or now and then by chance.
-            let odd = if axes.real == SEVEN { 0 } else { all / 10 };
-            let clear = |count: usize| count + odd >= all || count <= odd;
+            let clear = |count: usize| 10 * count >= 9 * all || 10 * count <= all;
             if all == 0 {
                 continue;
             }
-            let indicator = INDICATORS[part];
             if clear(plain) {
-                names[part] = Some(Naming { indicator, first: usize::from(2 * plain < all), flipped_by: None });
+                names[part].first = usize::from(2 * plain < all);
             } else if clear(over) && part == 1 {
-                names[part] = Some(Naming { indicator, first: usize::from(2 * over < all), flipped_by: steps[0] });
-            } else if axes.real == SEVEN {
-                names[part] = None;
+                names[part].first = usize::from(2 * over < all);
+                names[part].flipped_by = steps[0];
             }
         }
         names
@@ -154,12 +143,6 @@ pub(crate) fn sides(chain: &Chain, axes: &Axes, x: &[f64], solved: &[usize]) -> 
     let offset =
         chain.joints.get(middle).and_then(|j| chain.links.get(j.row)).map_or(0.0, |l| l.theta.constant.radians());
     sides[2] = x.get(middle).map(|angle| (angle + offset).sin() > 0.0);
-    if axes.real == SEVEN {
-        if let Some([shoulder, elbow]) = sides_of_seven(chain, axes, &frames) {
-            (sides[0], sides[1]) = (Some(shoulder), Some(elbow));
-        }
-        return sides;
-    }
     // A joint that is given may carry the arm, not stand in it.
     if solved.windows(2).any(|w| w[1] != w[0] + 1) {
         return sides;
@@ -204,34 +187,6 @@ pub(crate) fn sides(chain: &Chain, axes: &Axes, x: &[f64], solved: &[usize]) -> 
         sides[1] = Some(dot(turned, left) > 0.0);
     }
     sides
-}
-
-/// Front shoulder and upper elbow of an arm of seven turning axes: three for the shoulder, one for the elbow, three for the wrist. `frames` are
-/// those of its links.
-fn sides_of_seven(chain: &Chain, axes: &Axes, frames: &[dh_kernels::Pose]) -> Option<[bool; 2]> {
-    let axis = |joint: usize| {
-        let link = axes.links.iter().position(|h| h.joint == Some(joint))?;
-        let t = frames.get(link + 1).filter(|_| axes.is_revolute(joint))?;
-        Some(([t[0][3], t[1][3], t[2][3]], [t[0][2], t[1][2], t[2][2]], [t[0][0], t[1][0], t[2][0]]))
-    };
-    let line = |joint: usize| axis(joint).map(|(p, z, _)| (p, z));
-    let (mut waist, second) = (line(0)?, line(1)?);
-    if dot(upright(chain, axes), waist.1) < -0.5 {
-        waist.1 = waist.1.map(|x| -x);
-    }
-    let shoulder = nearest(second, line(2)?)?;
-    let elbow = nearest(line(3)?, line(2)?)?;
-    let wrist = nearest(line(5)?, line(4)?)?;
-    // Forward: where the shoulder is ahead of the waist, or else the first frame's x axis points.
-    let across = cross(second.1, waist.1);
-    let (offset, along_x) = (dot(minus(shoulder, waist.0), across), dot(axis(0)?.2, across));
-    let sign = if offset.abs() > NOTHING { offset } else { along_x };
-    let ahead = dot(minus(wrist, waist.0), across) * sign;
-    // How far the elbow is above the line from shoulder to wrist.
-    let (way, to_elbow) = (minus(wrist, shoulder), minus(elbow, shoulder));
-    let part = dot(to_elbow, way) / dot(way, way);
-    let height = dot([0, 1, 2].map(|i| to_elbow[i] - part * way[i]), waist.1);
-    (ahead.abs() > NOTHING && height.abs() > NOTHING).then_some([ahead > 0.0, height > 0.0])
 }
 
 /// A point and a direction.

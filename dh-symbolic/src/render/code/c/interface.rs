@@ -169,6 +169,8 @@ impl Solved {
                 steps.push(name);
             }
         }
+        // What the reason names where the target is out of hand altogether.
+        steps.push("the target".into());
         let (target, length, meaning) = match chain.settings.task {
             Task::Pose => ("pose", 16, "the pose of the last frame (or tool)"),
             Task::Position => ("point", 3, "x, y and z of the last frame (or tool)"),

@@ -4,7 +4,7 @@ dh_robot! {
     pub struct Arm;
 
     convention = modified;
-    calibrated = yes;
+    calibrated;
 
     | joint | alpha  | a | d | theta |
     |-------|--------|---|---|-------|
