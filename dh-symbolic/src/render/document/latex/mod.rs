@@ -7,6 +7,7 @@ use formula::escape;
 pub use formula::math;
 
 use crate::render::document::{Block, Document, Equation, Figure, Span, Text};
+use crate::render::formula::text::width;
 
 /// The note as a document.
 pub fn document(d: &Document) -> String {
@@ -67,7 +68,8 @@ fn block(b: &Block) -> String {
             let size = match table_width(header, rows) {
                 0..72 => "",
                 72..86 => "\\small\\setlength{\\tabcolsep}{4pt}\n",
-                _ => "\\footnotesize\\setlength{\\tabcolsep}{3pt}\n",
+                86..104 => "\\footnotesize\\setlength{\\tabcolsep}{3pt}\n",
+                _ => "\\scriptsize\\setlength{\\tabcolsep}{3pt}\n",
             };
             format!(
                 "\\begin{{center}}\n{size}\\begin{{tabular}}{{{}}}\n\\hline\n{}\\hline\n{}\\hline\n\\end{{tabular}}\n\\end{{center}}\n",
@@ -87,8 +89,8 @@ fn block(b: &Block) -> String {
 
 /// Letters of a line of the table, with some room between its columns.
 fn table_width(header: &[Text], rows: &[Vec<Text>]) -> usize {
-    let width = |r: &[Text], j: usize| r.get(j).map_or(0, |t| super::text::text(t).chars().count());
-    let column = |j: usize| rows.iter().map(|r| width(r, j)).chain([width(header, j)]).max().unwrap_or(0) + 2;
+    let cell = |r: &[Text], j: usize| r.get(j).map_or(0, |t| width(&super::text::text(t)));
+    let column = |j: usize| rows.iter().map(|r| cell(r, j)).chain([cell(header, j)]).max().unwrap_or(0) + 2;
     (0..header.len()).map(column).sum()
 }
 
