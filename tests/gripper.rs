@@ -160,7 +160,7 @@ fn the_inverse_finds_what_forward_came_from() {
         let q = joints(k);
         let target = robot.forward(&q);
         let found = robot.inverse(&target);
-        assert!(found.iter().all(|s| apart(&robot.forward(&s.q), &target) < 1e-9));
+        assert!(!found.is_empty() && found.iter().all(|s| apart(&robot.forward(&s.q), &target) < 1e-9), "{k}: {found}");
         let near = robot.inverse_near(&target, &q).unwrap();
         assert!(near.q.iter().zip(q).all(|(a, b)| (a - b).abs() < 1e-7), "{k}: {near} {q:?}");
         assert_eq!(robot.inverse_exhaustive(&target).len(), found.len());

@@ -38,7 +38,8 @@ fn given_joints_are_part_of_the_target() {
     let mut found = vec![InverseKinematics::inverse(&arm, &targets[0]); 90];
     arm.par_inverse_batch(&targets, &mut found);
     assert_eq!(arm.dof(), 7);
-    for (found, q) in found.iter().zip(&q) {
+    for ((found, target), q) in found.iter().zip(&targets).zip(&q) {
+        assert_eq!(*found, InverseKinematics::inverse(&arm, target));
         let nearest = found.closest_to(q).expect("the pose is reached");
         let (a, b) = (arm.forward(&nearest.q), arm.forward(q));
         assert!((a.to_homogeneous() - b.to_homogeneous()).norm() < 1e-9);
