@@ -6,7 +6,7 @@ use super::sheet::Sheet;
 use crate::chain::table::parse;
 use crate::chain::{Chain, ChainSpec, Settings};
 use crate::diagnostic::lex;
-use crate::planner::{self, Axes, Pair, Plan, StepKind, Structure};
+use crate::planner::{self, Axes, NeighbourAxes, Plan, StepKind, Structure};
 
 /// Reads the table that was made, chooses the joint to spare of an arm of seven, and says what is known of the arm.
 pub(super) fn finish(mut sheet: Sheet, mut notes: Vec<String>) -> Result<Imported, Problem> {
@@ -75,7 +75,7 @@ fn structure(chain: &Chain) -> Vec<String> {
     let mut notes = Vec::new();
     // Neighbours that are parallel make one group.
     let mut groups: Vec<Vec<usize>> = Vec::new();
-    for n in found.neighbours.iter().filter(|n| n.pair == Pair::Parallel) {
+    for n in found.neighbours.iter().filter(|n| n.pair == NeighbourAxes::Parallel) {
         match groups.last_mut() {
             Some(group) if group.last() == Some(&n.first) => group.push(n.first + 1),
             _ => groups.push(vec![n.first, n.first + 1]),
@@ -94,7 +94,7 @@ fn structure(chain: &Chain) -> Vec<String> {
     let meeting: Vec<String> = found
         .neighbours
         .iter()
-        .filter(|n| n.pair == Pair::Meeting && !within(n.first))
+        .filter(|n| n.pair == NeighbourAxes::Meeting && !within(n.first))
         .map(|n| listed(&[n.first, n.first + 1]))
         .collect();
     if !meeting.is_empty() {

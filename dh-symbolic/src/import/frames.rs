@@ -125,7 +125,7 @@ struct Rest {
 }
 
 /// How two neighbours lie.
-struct Pair {
+struct CommonNormal {
     /// The direction of X.
     x: Vector,
     /// Its start on the first axis and its end on the second.
@@ -149,7 +149,7 @@ impl Rest {
     }
 
     /// The normal from line `i` to the next. `x` and `here`: direction and end of the normal before.
-    fn pair(&mut self, i: usize, x: Vector, here: Vector) -> Pair {
+    fn pair(&mut self, i: usize, x: Vector, here: Vector) -> CommonNormal {
         let (p, z) = self.lines[i];
         let (q, next) = self.lines[i + 1];
         let n = cross(z, next);
@@ -168,7 +168,7 @@ impl Rest {
                 let meeting = distance.abs() <= self.limits.length;
                 let direction = if meeting { nearer(n, x) } else { scale(n, distance.signum()) };
                 let alpha = self.limits.angle(angle_about(direction, z, next));
-                return Pair { x: direction, from, to, a: distance.abs(), alpha, tilt: Angle::default() };
+                return CommonNormal { x: direction, from, to, a: distance.abs(), alpha, tilt: Angle::default() };
             }
         }
         // Parallel, by rounding or truly, or nearly so: to where the next axis passes through the plane of X.
@@ -177,7 +177,8 @@ impl Rest {
         let distance = norm(step);
         let direction = if distance <= self.limits.length { x } else { scale(step, 1.0 / distance) };
         let half_turn = Angle { steps: if cosine < 0.0 { 12 } else { 0 }, rest: 0.0 };
-        let mut pair = Pair { x: direction, from: here, to, a: distance, alpha: half_turn, tilt: Angle::default() };
+        let mut pair =
+            CommonNormal { x: direction, from: here, to, a: distance, alpha: half_turn, tilt: Angle::default() };
         if twist > self.limits.angle {
             let y = cross(z, direction);
             let tilt = dot(next, direction).clamp(-1.0, 1.0).asin();

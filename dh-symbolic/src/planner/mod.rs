@@ -40,5 +40,5 @@ pub use steps::{
     Argument, BatchedKernel, BatchedRoots, Call, Coefficient, Kernel, KernelRoots, ReachLimit, Representative, Slot,
     StepKind, Unknown, Wording, Words,
 };
-pub use structure::{Neighbours, Pair, Structure};
+pub use structure::{NeighbourAxes, Neighbours, Structure};
 pub use subspace::{JointCombination, combination};

@@ -6,7 +6,7 @@ use crate::chain::{Chain, Convention};
 
 /// The relation of two neighbouring axes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Pair {
+pub enum NeighbourAxes {
     /// Parallel, or the same line.
     Parallel,
     /// They meet.
@@ -21,7 +21,7 @@ pub struct Neighbours {
     /// The first joint; the second is the next one.
     pub first: usize,
     /// How.
-    pub pair: Pair,
+    pub pair: NeighbourAxes,
     /// The cells of the table that cause it: `alpha2 = 0`.
     pub cells: Vec<String>,
 }
@@ -51,14 +51,14 @@ impl Structure {
             let moment = &(&p[0] * &d[1]) - &(&p[1] * &d[0]);
             let parallel = d[0].is_zero() && d[1].is_zero();
             let pair = if parallel {
-                Pair::Parallel
+                NeighbourAxes::Parallel
             } else if moment.is_zero() {
-                Pair::Meeting
+                NeighbourAxes::Meeting
             } else {
-                Pair::Skew
+                NeighbourAxes::Skew
             };
             neighbours.push(Neighbours { first, pair, cells: cells(chain, first, pair) });
-            meeting.push((pair == Pair::Meeting).then(|| {
+            meeting.push((pair == NeighbourAxes::Meeting).then(|| {
                 // z_i s = p + d u: solve in the plane of both.
                 let n = numeric(chain, &t, axes.length_scale);
                 let k = if n[0][2].abs() > n[1][2].abs() { 0 } else { 1 };
@@ -81,7 +81,7 @@ fn link_of(axes: &Axes, joint: usize) -> Option<usize> {
 }
 
 /// The cells between two joints that cause a relation.
-fn cells(chain: &Chain, first: usize, pair: Pair) -> Vec<String> {
+fn cells(chain: &Chain, first: usize, pair: NeighbourAxes) -> Vec<String> {
     let (Some(a), Some(b)) = (chain.joints.get(first), chain.joints.get(first + 1)) else { return Vec::new() };
     let rows = match chain.convention {
         Convention::Modified => a.row + 1..b.row + 1,
@@ -93,12 +93,12 @@ fn cells(chain: &Chain, first: usize, pair: Pair) -> Vec<String> {
         let number = if chain.convention == Convention::Modified { row } else { row + 1 };
         let zero = |p: &Poly| p.is_zero();
         match pair {
-            Pair::Parallel => {
+            NeighbourAxes::Parallel => {
                 let degrees = link.alpha.constant.to_degrees();
                 list.push(format!("alpha{number} = {degrees}{}", if degrees.is_zero() { "" } else { " deg" }));
             }
-            Pair::Meeting if zero(&link.a) => list.push(format!("a{number} = 0")),
-            Pair::Meeting | Pair::Skew => {}
+            NeighbourAxes::Meeting if zero(&link.a) => list.push(format!("a{number} = 0")),
+            NeighbourAxes::Meeting | NeighbourAxes::Skew => {}
         }
     }
     list

@@ -143,10 +143,10 @@ pub(super) fn frames(chain: &Chain, blocks: &[Segment]) -> Program {
     let mut g = Graph::new(chain);
     let mut all = vec![Vec::new(); chain.links.len()];
     let walk = outwards(&mut g, blocks, Shifts::Turned);
-    for (block, stop) in blocks.iter().zip(&walk.stops) {
+    for (block, frame) in blocks.iter().zip(&walk.blocks) {
         for mark in &block.frames {
-            let columns = columns_forward(&mut g, &mark.turn, &mark.exit, stop.columns);
-            all[mark.row] = outputs(columns, stop.origins[mark.pieces]);
+            let columns = columns_forward(&mut g, &mark.turn, &mark.exit, frame.columns);
+            all[mark.row] = outputs(columns, frame.origins[mark.pieces]);
         }
     }
     Program { graph: g, outputs: all.concat() }.share_angle_sums()
@@ -155,7 +155,7 @@ pub(super) fn frames(chain: &Chain, blocks: &[Segment]) -> Program {
 /// The way from the base to the tip.
 pub(super) struct Walk {
     /// Every block.
-    pub(super) stops: Vec<Stop>,
+    pub(super) blocks: Vec<BlockFrame>,
     /// Columns of the tool's frame.
     pub(super) columns: [V3; 3],
     /// Its origin.
@@ -163,7 +163,7 @@ pub(super) struct Walk {
 }
 
 /// A block on the way.
-pub(super) struct Stop {
+pub(super) struct BlockFrame {
     /// Columns of its frame before its turns.
     pub(super) columns: [V3; 3],
     /// Origins after 0, 1, 2, ... of its pieces.
@@ -181,7 +181,7 @@ pub(super) enum Shifts {
 
 /// Walks from the base to the tip.
 pub(super) fn outwards(g: &mut Graph, blocks: &[Segment], shifts: Shifts) -> Walk {
-    let mut walk = Walk { stops: Vec::new(), columns: identity(), tip: [super::graph::ZERO; 3] };
+    let mut walk = Walk { blocks: Vec::new(), columns: identity(), tip: [super::graph::ZERO; 3] };
     for block in blocks {
         let mut origins = vec![walk.tip];
         for piece in &block.pieces {
@@ -196,7 +196,7 @@ pub(super) fn outwards(g: &mut Graph, blocks: &[Segment], shifts: Shifts) -> Wal
             }
             origins.push(walk.tip);
         }
-        walk.stops.push(Stop { columns: walk.columns, origins });
+        walk.blocks.push(BlockFrame { columns: walk.columns, origins });
         walk.columns = columns_forward(g, &block.turn, &block.exit, walk.columns);
     }
     walk

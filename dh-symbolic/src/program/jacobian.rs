@@ -200,13 +200,13 @@ fn textbook(chain: &Chain, blocks: &[Segment], shifts: Option<Shifts>) -> Progra
     let (pose, tip) = match shifts {
         Some(shifts) => {
             let walk = outwards(&mut g, blocks, shifts);
-            for (block, stop) in blocks.iter().zip(&walk.stops) {
+            for (block, frame) in blocks.iter().zip(&walk.blocks) {
                 for joint in &block.joints {
-                    let z = stop.columns[2].map(|v| if joint.opposite { -v } else { v });
+                    let z = frame.columns[2].map(|v| if joint.opposite { -v } else { v });
                     // Shifts along the axis lead to another point on it, nearer to the tip.
                     let shifts = block.pieces[joint.pieces..].iter();
                     let along = shifts.take_while(|p| p.v[0].is_zero() && p.v[1].is_zero()).count();
-                    axes[joint.joint] = (z, stop.origins[joint.pieces + along]);
+                    axes[joint.joint] = (z, frame.origins[joint.pieces + along]);
                 }
             }
             (walk.columns, walk.tip)

@@ -4,7 +4,7 @@ use super::explanation::{Explanation, StepExplanation};
 use super::notes::words::Phrase;
 use super::{Block, Document, Format, Span, Text};
 use crate::chain::Chain;
-use crate::planner::{Axes, Pair, Plan, Refusal, Structure};
+use crate::planner::{Axes, NeighbourAxes, Plan, Refusal, Structure};
 use crate::program::Inverse;
 use crate::render::Language;
 use crate::render::formula::math::Math;
@@ -107,9 +107,9 @@ fn structure(chain: &Chain, language: Language) -> Vec<Block> {
     let mut lines = Vec::new();
     for n in &found.neighbours {
         let phrase = match n.pair {
-            Pair::Parallel => Phrase::AxesParallel,
-            Pair::Meeting => Phrase::AxesMeet,
-            Pair::Skew => Phrase::AxesSkew,
+            NeighbourAxes::Parallel => Phrase::AxesParallel,
+            NeighbourAxes::Meeting => Phrase::AxesMeet,
+            NeighbourAxes::Skew => Phrase::AxesSkew,
         };
         let pieces = vec![number(n.first + 1), number(n.first + 2)];
         let mut line = Text::fill(phrase.in_language(language), pieces);

@@ -4,7 +4,7 @@ use crate::chain::{Chain, Convention};
 
 /// T(from, to) is the product of what lies between these frames: mostly T(from, middle) T(middle, to).
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(in crate::render) struct Step {
+pub(in crate::render) struct Splitting {
     pub(in crate::render) from: usize,
     pub(in crate::render) middle: Vec<usize>,
     pub(in crate::render) to: usize,
@@ -12,7 +12,7 @@ pub(in crate::render) struct Step {
 
 /// From the tip to the base; links with parallel axes are multiplied among themselves before they join the rest, so that
 /// c2 c3 - s2 s3 = c23 happens in a small matrix. For a PUMA: 4T6, 3T6, 1T3, 1T6, 0T6.
-pub(in crate::render) fn steps(chain: &Chain) -> Vec<Step> {
+pub(in crate::render) fn steps(chain: &Chain) -> Vec<Splitting> {
     let n = chain.links.len();
     // Frames where one run of parallel axes ends and the next begins.
     let mut cuts = vec![0];
@@ -22,9 +22,9 @@ pub(in crate::render) fn steps(chain: &Chain) -> Vec<Step> {
     let mut tail: Option<usize> = None;
     for run in cuts.windows(2).rev() {
         let &[a, b] = run else { continue };
-        steps.extend((a + 2..=b).map(|to| Step { from: a, middle: vec![to - 1], to }));
+        steps.extend((a + 2..=b).map(|to| Splitting { from: a, middle: vec![to - 1], to }));
         if tail.is_some() {
-            steps.push(Step { from: a, middle: vec![b], to: n });
+            steps.push(Splitting { from: a, middle: vec![b], to: n });
         }
         tail = Some(a);
     }

@@ -10,7 +10,7 @@ use crate::kinematics::Kinematics;
 
 /// What vanishes with a factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum Degeneracy {
     /// The axes of two joints become parallel.
     Parallel(usize, usize),
     /// Three parallel axes come to lie in one plane.
@@ -40,7 +40,7 @@ pub enum Region {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Meaning {
     /// The statement.
-    pub kind: Kind,
+    pub kind: Degeneracy,
     /// Where.
     pub place: Option<Region>,
 }
@@ -103,34 +103,34 @@ impl Posture {
 }
 
 /// The number of a statement.
-fn number(chain: &Chain, p: &Posture, kind: Kind) -> f64 {
+fn number(chain: &Chain, p: &Posture, kind: Degeneracy) -> f64 {
     let axis = |j: usize| p.frame(ReferenceFrame::of_joint(chain, j));
     match kind {
-        Kind::Parallel(i, j) => norm(cross(axis(i).0, axis(j).0)),
-        Kind::Axes(i, j, k) => {
+        Degeneracy::Parallel(i, j) => norm(cross(axis(i).0, axis(j).0)),
+        Degeneracy::Axes(i, j, k) => {
             let (z, o) = axis(i);
             dot(z, cross(minus(axis(j).1, o), minus(axis(k).1, o)))
         }
-        Kind::Stretched(i, j, s) => {
+        Degeneracy::Stretched(i, j, s) => {
             let (z, o) = axis(i);
             dot(z, cross(minus(axis(j).1, o), minus(p.frame(s).1, o)))
         }
-        Kind::OnAxis(s, i) => norm(cross(axis(i).0, minus(p.frame(s).1, axis(i).1))),
-        Kind::InPlane(s, i, j) => dot(cross(axis(i).0, minus(p.frame(s).1, axis(i).1)), axis(j).0),
-        Kind::Coplanar(i, j, k) => dot(axis(i).0, cross(axis(j).0, axis(k).0)),
+        Degeneracy::OnAxis(s, i) => norm(cross(axis(i).0, minus(p.frame(s).1, axis(i).1))),
+        Degeneracy::InPlane(s, i, j) => dot(cross(axis(i).0, minus(p.frame(s).1, axis(i).1)), axis(j).0),
+        Degeneracy::Coplanar(i, j, k) => dot(axis(i).0, cross(axis(j).0, axis(k).0)),
     }
 }
 
 /// Statements about this arm, the plainest first.
-fn statements(chain: &Chain, d: &Determinant, postures: &[Posture]) -> Vec<Kind> {
+fn statements(chain: &Chain, d: &Determinant, postures: &[Posture]) -> Vec<Degeneracy> {
     let turning: Vec<usize> = d
         .joints
         .iter()
         .copied()
         .filter(|j| chain.joints.get(*j).is_some_and(|j| matches!(j.coordinate, Coordinate::Angle(_))))
         .collect();
-    let always = |kind: Kind| postures.iter().all(|p| number(chain, p, kind).abs() < 1e-9);
-    let parallel = |i: usize, j: usize| always(Kind::Parallel(i, j));
+    let always = |kind: Degeneracy| postures.iter().all(|p| number(chain, p, kind).abs() < 1e-9);
+    let parallel = |i: usize, j: usize| always(Degeneracy::Parallel(i, j));
     let pairs = |list: &[usize]| -> Vec<(usize, usize)> {
         list.iter().enumerate().flat_map(|(k, i)| list[k + 1..].iter().map(move |j| (*i, *j))).collect()
     };
@@ -139,14 +139,14 @@ fn statements(chain: &Chain, d: &Determinant, postures: &[Posture]) -> Vec<Kind>
     points.extend([ReferenceFrame::Tool].into_iter().filter(|s| *s != d.point));
     points.extend(turning.iter().map(|j| ReferenceFrame::of_joint(chain, *j)).filter(|s| *s != d.point));
     both.sort_by_key(|(i, j)| (j - i, *i));
-    let mut list: Vec<Kind> =
-        both.iter().filter(|(i, j)| !parallel(*i, *j)).map(|(i, j)| Kind::Parallel(*i, *j)).collect();
+    let mut list: Vec<Degeneracy> =
+        both.iter().filter(|(i, j)| !parallel(*i, *j)).map(|(i, j)| Degeneracy::Parallel(*i, *j)).collect();
     for (i, j) in both.iter().filter(|(i, j)| parallel(*i, *j)) {
-        list.extend(turning.iter().filter(|k| *k > j && parallel(*j, **k)).map(|k| Kind::Axes(*i, *j, *k)));
-        list.extend(points.iter().map(|s| Kind::Stretched(*i, *j, *s)));
+        list.extend(turning.iter().filter(|k| *k > j && parallel(*j, **k)).map(|k| Degeneracy::Axes(*i, *j, *k)));
+        list.extend(points.iter().map(|s| Degeneracy::Stretched(*i, *j, *s)));
     }
     for s in &points {
-        list.extend(turning.iter().map(|i| Kind::OnAxis(*s, *i)));
+        list.extend(turning.iter().map(|i| Degeneracy::OnAxis(*s, *i)));
         for i in &turning {
             for j in d.joints.iter().filter(|j| *j != i && !parallel(*i, **j)) {
                 // In a plane that the point never leaves sideways, it is the axis itself.
@@ -156,13 +156,13 @@ fn statements(chain: &Chain, d: &Determinant, postures: &[Posture]) -> Vec<Kind>
                     dot(axis.0, other.0).abs() + dot(minus(p.frame(*s).1, axis.1), other.0).abs() < 1e-9
                 };
                 if !postures.iter().all(square) {
-                    list.push(Kind::InPlane(*s, *i, *j));
+                    list.push(Degeneracy::InPlane(*s, *i, *j));
                 }
             }
         }
     }
     for (i, j) in &both {
-        list.extend(turning.iter().filter(|k| *k > j).map(|k| Kind::Coplanar(*i, *j, *k)));
+        list.extend(turning.iter().filter(|k| *k > j).map(|k| Degeneracy::Coplanar(*i, *j, *k)));
     }
     list
 }
@@ -192,7 +192,7 @@ pub(super) fn explain(chain: &Chain, k: &Kinematics, d: &mut Determinant) {
     }
 }
 
-fn place(chain: &Chain, d: &Determinant, kind: Kind) -> Option<Region> {
+fn place(chain: &Chain, d: &Determinant, kind: Degeneracy) -> Option<Region> {
     let n = d.joints.len();
     if n < 6 {
         return None;
@@ -201,10 +201,10 @@ fn place(chain: &Chain, d: &Determinant, kind: Kind) -> Option<Region> {
     let revolute = |j: &&usize| chain.joints.get(**j).is_some_and(|j| matches!(j.coordinate, Coordinate::Angle(_)));
     let first = d.joints.iter().find(revolute).copied();
     match kind {
-        Kind::Parallel(i, j) if in_wrist(i) && in_wrist(j) => Some(Region::Wrist),
-        Kind::Coplanar(i, j, k) if [i, j, k].into_iter().all(in_wrist) => Some(Region::Wrist),
-        Kind::Axes(i, ..) | Kind::Stretched(i, ..) if !in_wrist(i) => Some(Region::Elbow),
-        Kind::OnAxis(_, i) | Kind::InPlane(_, i, _) if Some(i) == first => Some(Region::Shoulder),
+        Degeneracy::Parallel(i, j) if in_wrist(i) && in_wrist(j) => Some(Region::Wrist),
+        Degeneracy::Coplanar(i, j, k) if [i, j, k].into_iter().all(in_wrist) => Some(Region::Wrist),
+        Degeneracy::Axes(i, ..) | Degeneracy::Stretched(i, ..) if !in_wrist(i) => Some(Region::Elbow),
+        Degeneracy::OnAxis(_, i) | Degeneracy::InPlane(_, i, _) if Some(i) == first => Some(Region::Shoulder),
         _ => None,
     }
 }

@@ -13,7 +13,7 @@ mod meaning;
 mod reference_frame;
 
 pub use blocks::Block;
-pub use meaning::{Kind, Meaning, Region};
+pub use meaning::{Degeneracy, Meaning, Region};
 pub use reference_frame::ReferenceFrame;
 
 use crate::algebra::{Element, FieldPoint, Poly, Rational, Vector, cross, determinant, dot, minus};
@@ -61,12 +61,12 @@ pub struct Determinant {
     /// The number in front.
     pub number: Rational,
     /// Factors with their powers.
-    pub factors: Vec<Factor>,
+    pub factors: Vec<DeterminantFactor>,
 }
 
 /// A factor of the determinant.
 #[derive(Clone, Debug)]
-pub struct Factor {
+pub struct DeterminantFactor {
     /// The formula.
     pub value: Poly,
     /// Its power.
@@ -380,7 +380,7 @@ fn derive(
     });
     let Some((_, [linear, angular, point], blocks, columns)) = written.min_by_key(|w| w.0) else { return Err(SIDE) };
     let mut number = Rational::ONE;
-    let mut factors: Vec<Factor> = Vec::new();
+    let mut factors: Vec<DeterminantFactor> = Vec::new();
     for b in &blocks {
         let row = |r: &usize| b.columns.iter().map(|c| entry(&columns, *r, *c)).collect();
         let m: Vec<Vec<Poly>> = b.rows.iter().map(row).collect();
@@ -395,7 +395,7 @@ fn derive(
                         Coordinate::Angle(v) => p.has_angle(v),
                         Coordinate::Length(s) => p.has_symbol(s),
                     });
-                    factors.push(Factor { value: p, power: n, moves, meaning: None });
+                    factors.push(DeterminantFactor { value: p, power: n, moves, meaning: None });
                 }
             }
         }

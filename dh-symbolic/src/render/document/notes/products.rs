@@ -1,9 +1,9 @@
 //! Products of transforms that the reader asks for by name (`--products`), each from the fewest known factors.
 
-use crate::render::formula::products::Step;
+use crate::render::formula::products::Splitting;
 
 /// The products that were asked for, in that order; each is made of the fewest factors among rows and products formed before it.
-pub(in crate::render) fn asked(n: usize, products: &[(usize, usize)]) -> Vec<Step> {
+pub(in crate::render) fn asked(n: usize, products: &[(usize, usize)]) -> Vec<Splitting> {
     let mut known: Vec<(usize, usize)> = (0..n).map(|i| (i, i + 1)).collect();
     let mut steps = Vec::new();
     for (from, to) in products.iter().copied().filter(|(i, j)| i < j && *j <= n) {
@@ -29,7 +29,7 @@ pub(in crate::render) fn asked(n: usize, products: &[(usize, usize)]) -> Vec<Ste
         }
         middle.reverse();
         known.push((from, to));
-        steps.push(Step { from, middle, to });
+        steps.push(Splitting { from, middle, to });
     }
     steps
 }

@@ -5,7 +5,7 @@ use crate::algebra::{AngleVar, Factor as Atom, Poly};
 use crate::chain::{Coordinate, Handle, Role};
 use crate::kinematics::Kinematics;
 use crate::kinematics::analysis::singular::{
-    self, Determinant, Factor, Kind, Open, ReferenceFrame, Region, Singular, singular,
+    self, Degeneracy, Determinant, DeterminantFactor, Open, ReferenceFrame, Region, Singular, singular,
 };
 
 /// A factor with more terms than this gets a name.
@@ -180,8 +180,10 @@ impl NotesWriter<'_> {
     /// A formula as a product of its factors.
     fn factored(&self, p: &Poly) -> Math {
         let (number, list) = p.factors();
-        let list: Vec<Factor> =
-            list.into_iter().map(|(value, power)| Factor { value, power, moves: false, meaning: None }).collect();
+        let list: Vec<DeterminantFactor> = list
+            .into_iter()
+            .map(|(value, power)| DeterminantFactor { value, power, moves: false, meaning: None })
+            .collect();
         self.multiplied(&number, &list, &[]).0
     }
 
@@ -189,7 +191,7 @@ impl NotesWriter<'_> {
     fn multiplied(
         &self,
         number: &crate::algebra::Rational,
-        factors: &[Factor],
+        factors: &[DeterminantFactor],
         long: &[usize],
     ) -> (Math, Vec<(Math, usize)>) {
         use crate::render::formula::expression::{Expression, Summand};
@@ -243,7 +245,7 @@ impl NotesWriter<'_> {
     }
 
     fn whole(&mut self, d: &Determinant) {
-        let terms = |f: &Factor| f.value.terms().len();
+        let terms = |f: &DeterminantFactor| f.value.terms().len();
         let long: Vec<usize> =
             d.factors.iter().enumerate().filter(|(_, f)| terms(f) > LONGEST).map(|(i, _)| i).collect();
         let (right, names) = self.multiplied(&d.number, &d.factors, &long);
@@ -263,7 +265,7 @@ impl NotesWriter<'_> {
     }
 
     fn zeros(&mut self, d: &Determinant) {
-        let moving: Vec<&Factor> = d.factors.iter().filter(|f| f.moves).collect();
+        let moving: Vec<&DeterminantFactor> = d.factors.iter().filter(|f| f.moves).collect();
         if moving.is_empty() {
             self.say(Phrase::SingularNever, vec![]);
             return;
@@ -284,7 +286,7 @@ impl NotesWriter<'_> {
         (n >= 6 && last.iter().all(|c| c.iter().take(3).all(Poly::is_zero))).then_some(d.point)
     }
 
-    fn zero(&self, f: &Factor, centre: Option<ReferenceFrame>) -> Text {
+    fn zero(&self, f: &DeterminantFactor, centre: Option<ReferenceFrame>) -> Text {
         let mut out: Vec<Span> =
             vec![Span::Math(Math::equation(self.notation.typeset(&self.group(&f.value)), Math::number(0)))];
         if let Some(roots) = self.roots(&f.value) {
@@ -304,12 +306,12 @@ impl NotesWriter<'_> {
             Span::Plain(self.words(phrase).replace("{}", &self.stand(s)))
         };
         let (phrase, pieces) = match meaning.kind {
-            Kind::Parallel(i, j) => (Phrase::KindParallel, vec![joint(i), joint(j)]),
-            Kind::Axes(i, j, k) => (Phrase::KindAxes, vec![joint(i), joint(j), joint(k)]),
-            Kind::Stretched(i, j, s) => (Phrase::KindStretched, vec![joint(i), joint(j), point(s)]),
-            Kind::OnAxis(s, i) => (Phrase::KindOnAxis, vec![point(s), joint(i)]),
-            Kind::InPlane(s, i, j) => (Phrase::KindInPlane, vec![point(s), joint(i), joint(j)]),
-            Kind::Coplanar(i, j, k) => (Phrase::KindCoplanar, vec![joint(i), joint(j), joint(k)]),
+            Degeneracy::Parallel(i, j) => (Phrase::KindParallel, vec![joint(i), joint(j)]),
+            Degeneracy::Axes(i, j, k) => (Phrase::KindAxes, vec![joint(i), joint(j), joint(k)]),
+            Degeneracy::Stretched(i, j, s) => (Phrase::KindStretched, vec![joint(i), joint(j), point(s)]),
+            Degeneracy::OnAxis(s, i) => (Phrase::KindOnAxis, vec![point(s), joint(i)]),
+            Degeneracy::InPlane(s, i, j) => (Phrase::KindInPlane, vec![point(s), joint(i), joint(j)]),
+            Degeneracy::Coplanar(i, j, k) => (Phrase::KindCoplanar, vec![joint(i), joint(j), joint(k)]),
         };
         out.extend(Text::fill(self.words(phrase), pieces).0);
         let place = meaning.place.map(|p| match p {
