@@ -251,6 +251,20 @@ impl Arm {
         frames.into_iter().zip(&self.rows).filter(|(_, row)| row.moves.is_some()).map(|(frame, _)| frame).collect()
     }
 
+    /// The frame of every row in the frame before the first row: without `base` and `tool`; the first one is the identity.
+    #[must_use]
+    pub fn chain_frames(&self, q: &[f64]) -> Vec<Matrix> {
+        let rows = Arm { base: vec![], tool: vec![], ..self.clone() }.walk(q).frames;
+        std::iter::once(identity()).chain(rows).collect()
+    }
+
+    /// The constant transforms before and after the rows.
+    #[must_use]
+    pub fn ends(&self) -> [Matrix; 2] {
+        let still = |motions: &[Motion]| Arm { base: motions.to_vec(), ..Arm::default() }.walk::<f64>(&[]).tip;
+        [still(&self.base), still(&self.tool)]
+    }
+
     /// The geometric Jacobian from the joint axes: z x (tip - origin) and z for a joint that turns, z and 0 for one that slides.
     #[must_use]
     pub fn jacobian_from_axes(&self, q: &[f64]) -> Vec<Column> {

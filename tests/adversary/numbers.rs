@@ -1,284 +1,18 @@
-//! Plain numbers for the lines of a derivation: a reader of formulas, a table and products of matrices that share nothing with the checker.
+//! Plain numbers for the lines of a derivation: a reader of formulas and products of matrices that share nothing with the checker but the
+//! table as it is read.
+
+mod reader;
+mod value;
 
 use std::collections::BTreeMap;
 
-/// The PUMA of the examples, by Craig: alpha, a, d of each row; theta is q.
-const PUMA: [(f64, f64, f64); 6] = [
-    (0.0, 0.0, 0.0),
-    (-90.0, 0.0, 0.0),
-    (0.0, 0.4318, 0.15005),
-    (-90.0, 0.0203, 0.4318),
-    (90.0, 0.0, 0.0),
-    (-90.0, 0.0, 0.0),
-];
+use dh_symbolic::chain::{ChainSpec, Convention, Nominal, Quantity, Role};
+use dh_tests::naive::Arm;
+use reader::Reader;
+use value::{Value, compare};
 
-/// A value at a pose.
-#[derive(Clone, Debug)]
-enum Value {
-    Number(f64),
-    Angle(f64),
-    Matrix(Vec<Vec<f64>>),
-}
-
-use Value::{Angle, Matrix, Number};
-
-fn product(a: &[Vec<f64>], b: &[Vec<f64>]) -> Vec<Vec<f64>> {
-    a.iter().map(|row| (0..b[0].len()).map(|j| row.iter().zip(b).map(|(x, r)| x * r[j]).sum()).collect()).collect()
-}
-
-fn link(i: usize, q: f64) -> Vec<Vec<f64>> {
-    let (alpha, a, d) = PUMA[i];
-    let (ca, sa) = (alpha.to_radians().cos(), alpha.to_radians().sin());
-    let (c, s) = (q.cos(), q.sin());
-    vec![
-        vec![c, -s, 0.0, a],
-        vec![s * ca, c * ca, -sa, -sa * d],
-        vec![s * sa, c * sa, ca, ca * d],
-        vec![0.0, 0.0, 0.0, 1.0],
-    ]
-}
-
-fn frame(i: usize, j: usize, q: &[f64]) -> Vec<Vec<f64>> {
-    if i > j {
-        return rigid_inverse(&frame(j, i, q));
-    }
-    let one = (0..4).map(|i| (0..4).map(|j| f64::from(u8::from(i == j))).collect()).collect::<Vec<Vec<f64>>>();
-    (i..j).fold(one, |t, k| product(&t, &link(k, q[k])))
-}
-
-fn rigid_inverse(t: &[Vec<f64>]) -> Vec<Vec<f64>> {
-    (0..4)
-        .map(|i| {
-            (0..4)
-                .map(|j| match (i, j) {
-                    (3, _) => f64::from(u8::from(j == 3)),
-                    (_, 3) => -(0..3).map(|k| t[k][i] * t[k][3]).sum::<f64>(),
-                    _ => t[j][i],
-                })
-                .collect()
-        })
-        .collect()
-}
-
-/// Reads and evaluates words in one go. `None`: something that this little program does not know.
-struct Reader<'a> {
-    words: &'a [String],
-    at: usize,
-    q: &'a [f64],
-    names: &'a BTreeMap<String, Value>,
-}
-
-impl Reader<'_> {
-    fn peek(&self) -> &str {
-        self.words.get(self.at).map_or("", String::as_str)
-    }
-
-    fn take(&mut self, word: &str) -> bool {
-        let hit = self.peek() == word;
-        self.at += usize::from(hit);
-        hit
-    }
-
-    fn sum(&mut self) -> Option<Value> {
-        let mut sum = self.product()?;
-        loop {
-            let sign = match self.peek() {
-                "+" => 1.0,
-                "-" => -1.0,
-                _ => return Some(sum),
-            };
-            self.at += 1;
-            sum = match (sum, self.product()?) {
-                (Number(x), Number(y)) => Number(x + sign * y),
-                (Angle(x), Angle(y)) => Angle(x + sign * y),
-                (Matrix(x), Matrix(y)) if x.len() == y.len() && x[0].len() == y[0].len() => Matrix(
-                    x.iter().zip(&y).map(|(r, s)| r.iter().zip(s).map(|(a, b)| a + sign * b).collect()).collect(),
-                ),
-                _ => return None,
-            };
-        }
-    }
-
-    fn product(&mut self) -> Option<Value> {
-        let mut all = self.signed()?;
-        loop {
-            let over = match self.peek() {
-                "*" => false,
-                "/" => true,
-                _ => return Some(all),
-            };
-            self.at += 1;
-            all = match (all, self.signed()?) {
-                (Number(x), Number(y)) => Number(if over { x / y } else { x * y }),
-                (Number(k), Matrix(m)) | (Matrix(m), Number(k)) if !over => {
-                    Matrix(m.into_iter().map(|r| r.into_iter().map(|x| k * x).collect()).collect())
-                }
-                (Matrix(a), Matrix(b)) if !over && a[0].len() == b.len() => Matrix(product(&a, &b)),
-                _ => return None,
-            };
-        }
-    }
-
-    fn signed(&mut self) -> Option<Value> {
-        if self.take("-") {
-            return Some(match self.signed()? {
-                Number(x) => Number(-x),
-                Angle(x) => Angle(-x),
-                Matrix(m) => Matrix(m.into_iter().map(|r| r.into_iter().map(|x| -x).collect()).collect()),
-            });
-        }
-        let mut v = self.primary()?;
-        while self.take(".") {
-            let field = self.peek().to_string();
-            self.at += 1;
-            v = entry(v, &field)?;
-        }
-        if self.take("^") {
-            let minus = self.take("-");
-            let n: i32 = self.peek().parse().ok()?;
-            self.at += 1;
-            v = match v {
-                Number(x) => Number(x.powi(if minus { -n } else { n })),
-                Matrix(m) if minus && n == 1 && m.len() == 4 => Matrix(rigid_inverse(&m)),
-                Matrix(m) if minus && n == 1 && m.len() == 3 => {
-                    Matrix((0..3).map(|i| (0..3).map(|j| m[j][i]).collect()).collect())
-                }
-                _ => return None,
-            };
-        }
-        while self.take(".") {
-            let field = self.peek().to_string();
-            self.at += 1;
-            v = entry(v, &field)?;
-        }
-        Some(v)
-    }
-
-    fn arguments(&mut self) -> Option<Vec<Value>> {
-        let mut out = vec![self.sum()?];
-        while self.take(",") {
-            out.push(self.sum()?);
-        }
-        self.take(")").then_some(out)
-    }
-
-    fn primary(&mut self) -> Option<Value> {
-        let word = self.peek().to_string();
-        self.at += 1;
-        let called = self.peek() == "(";
-        if word == "(" {
-            let v = self.sum()?;
-            return self.take(")").then_some(v);
-        }
-        if word == "[" {
-            let mut rows = vec![vec![]];
-            loop {
-                let Number(x) = self.sum()? else { return None };
-                rows.last_mut()?.push(x);
-                if self.take(";") {
-                    rows.push(vec![]);
-                } else if self.take("]") {
-                    return rows.iter().all(|r| r.len() == rows[0].len()).then_some(Matrix(rows));
-                } else if !self.take(",") {
-                    return None;
-                }
-            }
-        }
-        if word.starts_with(|c: char| c.is_ascii_digit()) {
-            return match word.strip_suffix("deg") {
-                Some(x) => Some(Angle(x.parse::<f64>().ok()?.to_radians())),
-                None => Some(Number(word.parse().ok()?)),
-            };
-        }
-        if called {
-            self.at += 1;
-            let v = self.arguments()?;
-            return Some(match (word.as_str(), v.as_slice()) {
-                ("T", [Number(i), Number(j)]) => {
-                    let (i, j) = (*i as usize, *j as usize);
-                    if i > 6 || j > 6 {
-                        return None;
-                    }
-                    Matrix(frame(i, j, self.q))
-                }
-                ("cos", [Angle(x)]) => Number(x.cos()),
-                ("sin", [Angle(x)]) => Number(x.sin()),
-                ("atan2", [Number(y), Number(x)]) => Angle(y.atan2(*x)),
-                ("acos", [Number(x)]) => Angle(x.acos()),
-                ("sqrt", [Number(x)]) => Number(x.sqrt()),
-                ("norm2", [Matrix(m)]) => Number(m.iter().flatten().map(|x| x * x).sum()),
-                ("inv", [Matrix(m)]) if m.len() == 4 => Matrix(rigid_inverse(m)),
-                _ => return None,
-            });
-        }
-        if let Some(v) = self.names.get(&word) {
-            return Some(v.clone());
-        }
-        let (stem, digits) = word.split_at(word.find(|c: char| c.is_ascii_digit())?);
-        let joint = |c: char| self.q.get((c.to_digit(10)? as usize).checked_sub(1)?).copied();
-        let n: usize = digits.parse().ok()?;
-        match stem {
-            "q" => Some(Angle(*self.q.get(n.checked_sub(1)?)?)),
-            "c" | "s" => {
-                let x: f64 = digits.chars().map(joint).collect::<Option<Vec<f64>>>()?.iter().sum();
-                Some(Number(if stem == "c" { x.cos() } else { x.sin() }))
-            }
-            "a" => Some(Number(PUMA.get(n)?.1)),
-            "d" => Some(Number(PUMA.get(n.checked_sub(1)?)?.2)),
-            _ => None,
-        }
-    }
-}
-
-fn entry(v: Value, field: &str) -> Option<Value> {
-    let Matrix(m) = v else { return None };
-    let axis = |c: &str| ["x", "y", "z"].iter().position(|a| *a == c);
-    let column = |j: usize| Matrix((0..3).map(|i| vec![m[i][j]]).collect());
-    if let (Some(i), 4) = (field.strip_prefix('p').and_then(axis), m.len()) {
-        return Some(Number(m[i][3]));
-    }
-    match (field, m.len(), m[0].len()) {
-        ("t", ..) => Some(Matrix((0..m[0].len()).map(|j| m.iter().map(|r| r[j]).collect()).collect())),
-        ("p", 4, 4) => Some(column(3)),
-        ("R", 3 | 4, 3 | 4) => Some(Matrix((0..3).map(|i| m[i][..3].to_vec()).collect())),
-        ("x" | "y" | "z", 3 | 4, 3 | 4) => Some(column(axis(field)?)),
-        ("x" | "y" | "z", 3, 1) => Some(Number(m[axis(field)?][0])),
-        (r, 3 | 4, 3 | 4) => {
-            let digits: Vec<usize> =
-                r.strip_prefix('r')?.chars().map(|c| c.to_digit(10).map(|d| d as usize)).collect::<Option<_>>()?;
-            let [i @ 1..=3, j @ 1..=3] = digits.as_slice() else { return None };
-            Some(Number(m[i - 1][j - 1]))
-        }
-        _ => None,
-    }
-}
-
-fn evaluate(words: &[String], q: &[f64], names: &BTreeMap<String, Value>) -> Option<Value> {
-    let mut r = Reader { words, at: 0, q, names };
-    let v = r.sum()?;
-    (r.at == words.len()).then_some(v)
-}
-
-/// Same, different, or too near to tell; `None` where one has no value.
-fn compare(a: &Value, b: &Value) -> Option<bool> {
-    let numbers = |x: f64, y: f64| {
-        let apart = (x - y).abs() / x.abs().max(y.abs()).max(1.0);
-        if !apart.is_finite() || (1e-9..1e-5).contains(&apart) { None } else { Some(apart < 1e-9) }
-    };
-    match (a, b) {
-        (Number(x), Number(y)) => numbers(*x, *y),
-        (Angle(x), Angle(y)) => {
-            let apart = (x - y).rem_euclid(std::f64::consts::TAU);
-            numbers(apart.min(std::f64::consts::TAU - apart), 0.0)
-        }
-        (Matrix(m), Matrix(n)) if m.len() == n.len() && m[0].len() == n[0].len() => {
-            let all: Vec<Option<bool>> =
-                m.iter().flatten().zip(n.iter().flatten()).map(|(x, y)| numbers(*x, *y)).collect();
-            if all.contains(&Some(false)) { Some(false) } else { all.iter().all(Option::is_some).then_some(true) }
-        }
-        _ => None,
-    }
-}
+/// Poses at which a line is tried.
+const POSES: usize = 160;
 
 /// At how many poses a line holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -293,33 +27,155 @@ pub(super) fn random(state: &mut u64) -> f64 {
     (*state >> 33) as f64 / (1u64 << 31) as f64
 }
 
-/// What plain numbers say of `left = right = ...` after definitions. `None`: nothing.
-pub(super) fn truth(lets: &[(String, Vec<String>)], line: &[String]) -> Option<Truth> {
-    let sides: Vec<&[String]> = line.split(|w| w == "=").collect();
-    let (mut yes, mut no) = (0, 0);
-    let mut state = 4711;
-    for _ in 0..160 {
-        let q: Vec<f64> = (0..6).map(|_| (2.0 * random(&mut state) - 1.0) * std::f64::consts::PI).collect();
+/// What a definition gives a name.
+#[derive(Clone, Debug)]
+pub(super) enum Given {
+    /// A formula.
+    Formula(Vec<String>),
+    /// Any value: is it an angle?
+    Free(bool),
+}
+
+/// An arm at a pose.
+struct Pose {
+    modified: bool,
+    arm: Arm,
+    q: Vec<f64>,
+    /// Frames of the rows, the first one the identity.
+    frames: Vec<Vec<Vec<f64>>>,
+    names: BTreeMap<String, Value>,
+    /// Does the joint variable turn? Nothing where it does both.
+    turns: Vec<Option<bool>>,
+}
+
+/// An arm that is drawn at random poses; its fields without a value are drawn too.
+pub(super) struct Calculator<'a> {
+    spec: &'a ChainSpec,
+}
+
+impl<'a> Calculator<'a> {
+    pub(super) fn new(spec: &'a ChainSpec) -> Calculator<'a> {
+        Calculator { spec }
+    }
+
+    pub(super) fn dof(&self) -> usize {
+        self.spec.rows.iter().filter(|r| r.moves.is_some()).count()
+    }
+
+    fn pose(&self, state: &mut u64) -> Pose {
+        let mut values = BTreeMap::new();
         let mut names = BTreeMap::new();
-        for (name, words) in lets {
-            let v = evaluate(words, &q, &names)?;
-            names.insert(name.clone(), v);
+        let scale = self.scale();
+        for p in &self.spec.parameters {
+            let angle = matches!(p.quantity, Quantity::Angle);
+            let value = match &p.role {
+                Role::Field(Some(v)) | Role::Constant(v) => match v {
+                    Nominal::Length(x) => x.to_f64(),
+                    Nominal::Angle(cell) => cell.radians(),
+                },
+                Role::Field(None) if angle => std::f64::consts::PI * (2.0 * random(state) - 1.0),
+                // mostly positive, as lengths are
+                Role::Field(None) => scale * (0.4 + random(state)) * if random(state) < 0.2 { -1.0 } else { 1.0 },
+            };
+            values.insert(p.name.clone(), value);
+            names.insert(p.name.clone(), if angle { Value::Angle(value) } else { Value::Number(value) });
         }
-        let values: Vec<Value> = sides.iter().map(|s| evaluate(s, &q, &names)).collect::<Option<_>>()?;
-        let same: Option<Vec<bool>> = values.windows(2).map(|w| compare(&w[0], &w[1])).collect();
-        match same {
-            Some(same) if same.iter().all(|s| *s) => yes += 1,
-            Some(_) => no += 1,
-            None => {}
+        let arm = Arm::new(self.spec, &|n| values.get(n).copied().unwrap_or(f64::NAN));
+        let mut turns: Vec<Option<bool>> = vec![None; arm.dof()];
+        let mut seen = vec![false; arm.dof()];
+        for (revolute, terms) in arm.rows.iter().filter_map(|r| r.moves.as_ref()) {
+            for (j, _) in terms {
+                turns[*j] = (!seen[*j] || turns[*j] == Some(*revolute)).then_some(*revolute);
+                seen[*j] = true;
+            }
         }
-        // one hit by chance is none
-        if yes > 1 && no > 1 {
-            return Some(Truth::Sometimes);
+        let draw = |t: &Option<bool>| match t {
+            Some(false) => scale * (3.0 * random(state) - 1.5),
+            _ => std::f64::consts::PI * (2.0 * random(state) - 1.0),
+        };
+        let q: Vec<f64> = turns.iter().map(draw).collect();
+        let frames = arm.chain_frames(&q).iter().map(value::rows).collect();
+        Pose { modified: self.spec.convention == Convention::Modified, arm, q, frames, names, turns }
+    }
+
+    /// The size of lengths.
+    fn scale(&self) -> f64 {
+        let given = |p: &dh_symbolic::chain::ParameterSpec| match &p.role {
+            Role::Field(Some(Nominal::Length(x))) | Role::Constant(Nominal::Length(x)) => x.to_f64().abs(),
+            _ => 0.0,
+        };
+        let largest = self.spec.parameters.iter().map(given).fold(0.0, f64::max);
+        if largest > 0.0 { largest } else { 1.0 }
+    }
+
+    /// What plain numbers say of a line after definitions. `None`: nothing.
+    pub(super) fn truth(&self, lets: &[(String, Given)], line: &[String]) -> Option<Truth> {
+        let (mut yes, mut no) = (0, 0);
+        let mut state = 4711;
+        for _ in 0..POSES {
+            let mut pose = self.pose(&mut state);
+            for (name, given) in lets {
+                let v = match given {
+                    Given::Formula(words) => evaluate(words, &pose, false)?,
+                    Given::Free(true) => Value::Angle(6.0 * random(&mut state) - 3.0),
+                    Given::Free(false) => Value::Number(0.4 + random(&mut state)),
+                };
+                pose.names.insert(name.clone(), v);
+            }
+            match holds(line, &pose)? {
+                Some(true) => yes += 1,
+                Some(false) => no += 1,
+                None => {}
+            }
+            // one hit by chance is none
+            if yes > 1 && no > 1 {
+                return Some(Truth::Sometimes);
+            }
+        }
+        match (yes, no) {
+            (20.., 0) => Some(Truth::Always),
+            (0, 20..) => Some(Truth::Never),
+            _ => None,
         }
     }
-    match (yes, no) {
-        (20.., 0) => Some(Truth::Always),
-        (0, 20..) => Some(Truth::Never),
-        _ => None,
+}
+
+/// `A = B = C`, also with both signs, also with `or`: does it hold at a pose? Nothing inside where it is too near to tell, nothing at all
+/// where it is not understood.
+fn holds(line: &[String], pose: &Pose) -> Option<Option<bool>> {
+    let signed = line.iter().any(|w| w == "±" || w == "∓");
+    let mut any = Some(false);
+    for part in line.split(|w| w == "or") {
+        for below in if signed { &[false, true][..] } else { &[false][..] } {
+            match equal(part, pose, *below)? {
+                Some(true) => any = Some(true),
+                None if any != Some(true) => any = None,
+                _ => {}
+            }
+        }
     }
+    Some(any)
+}
+
+fn equal(line: &[String], pose: &Pose, below: bool) -> Option<Option<bool>> {
+    let sides: Vec<&[String]> = line.split(|w| w == "=").collect();
+    if sides.len() < 2 {
+        return None;
+    }
+    let values: Vec<Value> = sides.iter().map(|s| evaluate(s, pose, below)).collect::<Option<_>>()?;
+    let mut all = Some(true);
+    for w in values.windows(2) {
+        match compare(&w[0], &w[1]) {
+            Some(false) => all = Some(false),
+            None if all != Some(false) => all = None,
+            _ => {}
+        }
+    }
+    Some(all)
+}
+
+fn evaluate(words: &[String], pose: &Pose, below: bool) -> Option<Value> {
+    let mut r = Reader { words, at: 0, pose, below };
+    let v = r.sum()?;
+    (r.at == words.len()).then_some(v)
 }

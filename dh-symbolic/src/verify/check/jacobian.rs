@@ -71,14 +71,29 @@ impl Evaluator<'_> {
 
     /// Decides which rows J stands for in a line, by the shapes of its other parts: those of the line before as long as they fit,
     /// otherwise the first choice with which the line holds, otherwise the first with which it has a meaning.
+    ///
+    /// Only a matrix that is written out shows which rows are meant. An entry or a determinant that does not hold would find some rows with
+    /// which it does: there the likeliest rows with a meaning stand for J, whatever the line says.
     pub(super) fn choose_rows(&mut self, first: &Expr, rest: &[(Relation, Expr)]) {
         if !mentions(first) && !rest.iter().any(|r| mentions(&r.1)) {
             return;
         }
+        let used = self.rows.clone();
+        // what a line without a matrix was read with is not what the next one means
+        self.rows.clone_from(&self.shown_rows);
+        self.choose_anew(first, rest);
+        if self.rows != used {
+            // poses remember J
+            self.spots.clear();
+        }
+    }
+
+    fn choose_anew(&mut self, first: &Expr, rest: &[(Relation, Expr)]) {
         let before = self.rows.clone();
         let default = before == ALL;
         let now = self.fit(first, rest);
-        if now == Fit::Holds || now == Fit::Shape && !default {
+        let shown = is_written(first) || rest.iter().any(|r| is_written(&r.1));
+        if now == Fit::Holds || now == Fit::Shape && !(default && shown) {
             return;
         }
         let mut best = (now, before.clone());
@@ -88,14 +103,13 @@ impl Evaluator<'_> {
             if fit > best.0 {
                 best = (fit, self.rows.clone());
             }
-            if fit == Fit::Holds {
+            if fit == Fit::Holds || fit == Fit::Shape && !shown {
                 break;
             }
         }
         self.rows = best.1;
-        if self.rows != before {
-            // poses remember J
-            self.spots.clear();
+        if shown {
+            self.shown_rows.clone_from(&self.rows);
         }
     }
 
@@ -163,6 +177,17 @@ fn have_one_shape(a: &Direct, b: &Direct) -> bool {
         (Direct::Matrix(_), Direct::Scalar(x)) | (Direct::Scalar(x), Direct::Matrix(_)) => *x == 0.0,
         (Direct::Matrix(_), _) | (_, Direct::Matrix(_)) => false,
         _ => true,
+    }
+}
+
+/// Is a matrix written out in a formula?
+fn is_written(e: &Expr) -> bool {
+    match &e.kind {
+        ExprKind::Number(_) | ExprKind::Name(_) => false,
+        ExprKind::Call(_, arguments) => arguments.iter().any(|a| is_written(&a.1)),
+        ExprKind::Sum(parts) | ExprKind::Product(parts) => parts.iter().any(|p| is_written(&p.1)),
+        ExprKind::Negative(inner) | ExprKind::Power(inner, _) | ExprKind::Field(inner, _) => is_written(inner),
+        ExprKind::Matrix(..) => true,
     }
 }
 

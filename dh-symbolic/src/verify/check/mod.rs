@@ -260,6 +260,8 @@ struct Evaluator<'a> {
     searched: usize,
     /// The rows of the Jacobian that J stands for, from 0.
     rows: Vec<usize>,
+    /// Those that a matrix of the derivation has shown.
+    shown_rows: Vec<usize>,
 }
 
 impl<'a> Evaluator<'a> {
@@ -292,6 +294,7 @@ impl<'a> Evaluator<'a> {
             work: ratio::Work::new(),
             searched: 0,
             rows: jacobian::ALL.to_vec(),
+            shown_rows: jacobian::ALL.to_vec(),
         }
     }
 }

@@ -309,3 +309,22 @@ fn growth_is_bounded() {
     assert!(text.contains("grows too large"), "{text}");
     assert!(!text.contains("proven"), "{text}");
 }
+
+/// An entry or a determinant that does not hold as J is, holds with no other rows either; a matrix that is written out shows its rows.
+#[test]
+fn a_line_does_not_choose_the_rows_that_make_it_true() {
+    let words = |claims: &str| {
+        let text = puma(claims);
+        let first = |l: &str| l.split_whitespace().next().map(str::to_string);
+        text.lines().filter(|l| !l.starts_with(' ')).filter_map(first).collect::<Vec<_>>().join(" ")
+    };
+    // the angular rows would come first
+    assert_eq!(
+        words("J(6,1) = 0; J(4,1) = 0; J(1,1) = 0; J(3,1) = 0; J(3,2) = -1;"),
+        "wrong proven wrong proven wrong"
+    );
+    let det = "a2*s5*(a3*s3 + d4*c3)*(a2*c2 + a3*c23 - d4*s23)";
+    assert_eq!(words(&format!("det(J) = {det}; det(J) = -{det};")).matches("proven").count(), 1);
+    let row = "[-s1*(a2*c2 + a3*c23 - d4*s23) - c1*d3, c1*(-a2*s2 - a3*s23 - d4*c23), -c1*(a3*s23 + d4*c23), 0, 0, 0]";
+    assert_eq!(words(&format!("J = {row}; J(1,4) = 0; J(1,1) = 0;")), "proven proven wrong");
+}
