@@ -19,6 +19,10 @@ pub mod report;
 
 pub use prove_block::Claims;
 
+/// How often a document is read at most, if each reading shows that some letter changes its meaning.
+#[cfg(feature = "documents")]
+const READINGS: usize = 8;
+
 /// Reads a document and checks what it says.
 ///
 /// Where the angle of a row is `q2 - 90deg`, documents mean by theta_2 either that angle or the variable q2. What the document itself makes
@@ -26,7 +30,16 @@ pub use prove_block::Claims;
 #[cfg(feature = "documents")]
 pub fn judge(chain: &crate::chain::Chain, text: &str) -> (document::DocumentClaims, check::Report) {
     let judged = |variable| {
-        let (paper, differs) = document::DocumentClaims::read_as(chain, text, variable);
+        let mut learnt = document::Learnt::default();
+        for _ in 1..READINGS {
+            let (paper, differs) = document::DocumentClaims::read_as(chain, text, variable, &learnt);
+            let mut report = check::check(chain, &paper.derivation);
+            if !paper.learn(&report, &mut learnt) {
+                paper.forgive(&mut report);
+                return (paper, report, differs);
+            }
+        }
+        let (paper, differs) = document::DocumentClaims::read_as(chain, text, variable, &learnt);
         let mut report = check::check(chain, &paper.derivation);
         paper.forgive(&mut report);
         (paper, report, differs)

@@ -9,6 +9,9 @@ use super::value::Value;
 use super::{Evaluator, Fault, FaultKind, Verdict, Where};
 use crate::verify::language::{Expr, ExprKind, Relation};
 
+/// Why a number cannot be compared.
+pub(in super::super) const NO_VALUE: &str = "has no value here";
+
 /// What two numbers may be apart beyond all rounding: floating point alone.
 const FLOAT: f64 = 1e-9;
 
@@ -18,7 +21,7 @@ impl Evaluator<'_> {
         let numbers = self.numbers(&self.given);
         for (v, e) in [(&a, sides.left), (&b, sides.right)] {
             if let Some(name) = self.missing(v, &numbers) {
-                return refuse(&e.place, format!("`{name}` has no value here: add it to the `at` line"));
+                return refuse(&e.place, format!("`{name}` {NO_VALUE}: add it to the `at` line"));
             }
         }
         let (printed, correct) = if sides.printed_left { (a, b) } else { (b, a) };
@@ -111,7 +114,7 @@ impl Evaluator<'_> {
         let numbers = self.numbers(&self.given);
         for (v, e) in [(&a, sides.left), (&b, sides.right)] {
             if let Some(name) = self.missing(v, &numbers) {
-                return refuse(&e.place, format!("`{name}` has no value here: add it to an `at` line"));
+                return refuse(&e.place, format!("`{name}` {NO_VALUE}: add it to an `at` line"));
             }
         }
         // fields may have other values than those of the table

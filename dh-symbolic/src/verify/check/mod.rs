@@ -32,6 +32,8 @@ mod substitute;
 mod tests;
 mod value;
 
+#[cfg(feature = "documents")]
+pub(super) use approximate::NO_VALUE;
 pub use ratio::Ratio;
 pub use settle::Pair;
 

@@ -5,8 +5,8 @@ use super::letter::Letter;
 use super::meaning::formula;
 use super::names::{DocumentNames, Unknown};
 use super::pieces::Statement;
-use super::statements::{declare_general, is_number, text};
 use super::transforms;
+use super::values::{declare_general, is_number, text};
 use super::{Sheet, Word};
 
 impl Statement {
@@ -174,6 +174,11 @@ impl Statement {
 
     /// `c_i = cos theta_i`, `c_2 = cos q_2`.
     pub(super) fn is_legend(&self, names: &mut DocumentNames<'_>) -> bool {
+        // cos theta_i = c theta_i = c_i
+        let short = |s: &Vec<Item>| matches!(s.as_slice(), [only] if Letter::of(only).is_some_and(|l| l.is_general() && matches!(l.stem.as_str(), "c" | "s")));
+        if self.sides.len() > 2 && self.sides.iter().any(short) {
+            return true;
+        }
         let [left, right] = self.sides.as_slice() else { return false };
         let ([short], [function, angle, ..]) = (left.as_slice(), right.as_slice()) else { return false };
         let (Some(short), Some(f)) = (Letter::of(short), function.name()) else { return false };
@@ -287,7 +292,7 @@ impl Statement {
         if self.loose && !matrix && is_number(first) {
             return;
         }
-        if super::statements::is_foreign(first, names) {
+        if super::values::is_foreign(first, names) {
             names.aliens.insert(letter.own());
             sheet.remark(&self.raw, self.line);
             return self.release(letter, names, sheet);

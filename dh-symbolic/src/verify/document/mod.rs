@@ -22,11 +22,14 @@
 //! | `[ ]` `\{ \}` `\left( \right)` | brackets; with `,` or `;` inside a matrix |
 //! | `U = {}^0_1T^{-1} {}^0_6T`, `K = ...` | names for later lines; `u_{11}`, `u_x` and `u` are the entries and the position of a matrix U |
 //! | `\theta_1 = 20^\circ`, `a_2 = 0.43` | given values; numbers with decimals on one side are then compared to their printed digits |
+//! | `If $a_1 = 0$, $r = k_3$` | said for this value |
+//! | `r = ...` where r is already a name and this is not what it was, nor a slip in it | a new meaning from there on; `a\cos\theta + b\sin\theta = c` is a law for any quantities, if the document does not say what they are in this arm |
 //! | `A \pm B` | both of the two; what an angle is equated to must have the cosine that this says |
 
 mod ascii_matrices;
 mod brackets;
 mod calls;
+mod cases;
 mod commands;
 mod definitions;
 mod layout;
@@ -44,6 +47,7 @@ mod tables;
 mod tests;
 mod transforms;
 mod unapplied;
+mod values;
 
 use super::language::{Derivation, NotUnderstood, Place, Statement, Token, TokenKind};
 use crate::chain::Chain;
@@ -65,17 +69,34 @@ pub struct DocumentClaims {
     free: BTreeSet<String>,
     /// Is it about other arms too?
     has_others: bool,
+    /// Lines of the document whose names are said further down.
+    waited: BTreeSet<usize>,
+}
+
+/// What one reading of a document shows for the next one.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Learnt {
+    /// Lines that give a letter a new meaning, and the letter.
+    renewed: BTreeSet<(usize, String)>,
+    /// Lines with laws that hold for any quantities: what their letters are further down does not fit.
+    laws: BTreeSet<usize>,
 }
 
 impl DocumentClaims {
     /// Reads a document. Never fails as a whole, never panics.
     pub fn read(chain: &Chain, text: &str) -> DocumentClaims {
-        DocumentClaims::read_as(chain, text, false).0
+        DocumentClaims::read_as(chain, text, false, &Learnt::default()).0
     }
 
     /// The same, with theta_i as the variable of joint i instead of the table's angle, where the two differ; and whether they do anywhere.
-    pub(super) fn read_as(chain: &Chain, text: &str, theta_is_variable: bool) -> (DocumentClaims, bool) {
+    pub(super) fn read_as(
+        chain: &Chain,
+        text: &str,
+        theta_is_variable: bool,
+        learnt: &Learnt,
+    ) -> (DocumentClaims, bool) {
         let mut names = DocumentNames::new(chain);
+        names.learnt = learnt.clone();
         names.theta_is_variable = theta_is_variable;
         let mut sheet = Sheet::default();
         if text.len() > LARGEST {
@@ -104,17 +125,76 @@ impl DocumentClaims {
         use crate::verify::check::Verdict;
         for (line, verdict) in self.derivation.lines.iter().zip(&mut report.verdicts) {
             let words = self.derivation.tokens.get(line.place.clone()).unwrap_or_default();
-            if !matches!(verdict, Verdict::Wrong(_)) {
+            let near = words.iter().any(|t| t.is("~"));
+            if let Verdict::NotUnderstood(n, _) = verdict {
+                // an example in numbers, of which the document does not give all
+                if self.has_others && near && n.why.contains(crate::verify::check::NO_VALUE) {
+                    *verdict = Verdict::Noted;
+                }
                 continue;
             }
-            if self.has_others && words.iter().any(|t| t.is("~")) {
+            let Verdict::Wrong(faults) = verdict else { continue };
+            let slip = faults.iter().all(|f| f.repair.is_some());
+            let free = words.iter().find(|t| self.free.contains(&t.text));
+            let name = |t: &&Token| t.kind == TokenKind::Name;
+            if self.has_others && near {
                 let why = "numbers that do not fit the given values: of another arm of this document?".to_string();
                 *verdict = Verdict::NotUnderstood(NotUnderstood { place: line.place.clone(), why }, None);
-            } else if let Some(name) = words.iter().find(|t| self.free.contains(&t.text)) {
+            } else if free.is_some()
+                && (self.has_others || words.iter().filter(name).all(|t| self.free.contains(&t.text)))
+            {
+                // it says something of quantities that are none of this arm
+                *verdict = Verdict::Noted;
+            } else if self.has_others && !slip {
+                let why = "this does not hold for this arm: is another arm of this document meant?".to_string();
+                *verdict = Verdict::NotUnderstood(NotUnderstood { place: line.place.clone(), why }, None);
+            } else if let Some(name) = free {
                 let why = format!("this does not hold for every `{}`, and nothing says which is meant", name.text);
                 *verdict = Verdict::NotUnderstood(NotUnderstood { place: line.place.clone(), why }, None);
             }
         }
+    }
+
+    /// What the verdicts show of the meaning of letters: a letter of the document that is equal to something quite different further down, and
+    /// not by a slip, is defined anew there.
+    pub(super) fn learn(&self, report: &crate::verify::check::Report, learnt: &mut Learnt) -> bool {
+        use super::language::{ExprKind, Relation};
+        use crate::verify::check::Verdict;
+        let before = learnt.clone();
+        let mut defined: BTreeSet<&str> = BTreeSet::new();
+        let mut anew: BTreeSet<&str> = BTreeSet::new();
+        for (line, verdict) in self.derivation.lines.iter().zip(&report.verdicts) {
+            let number = self.line(&line.place);
+            match (&line.statement, verdict) {
+                (Statement::Define(name, _), _) => _ = defined.insert(name),
+                (Statement::Claim { .. } | Statement::Either(_), Verdict::Wrong(_))
+                    if self.waited.contains(&number) =>
+                {
+                    learnt.laws.insert(number);
+                }
+                (Statement::Claim { first, rest, .. }, Verdict::Wrong(faults)) => {
+                    if let (ExprKind::Name(name), [(Relation::Equal, value), ..]) = (&first.kind, rest.as_slice())
+                        && defined.contains(name.as_str())
+                        && faults.iter().all(|f| f.repair.is_none())
+                        && !self
+                            .derivation
+                            .tokens
+                            .get(value.place.clone())
+                            .unwrap_or_default()
+                            .iter()
+                            .any(|t| t.text == *name)
+                    {
+                        // what comes after it may repeat the new meaning
+                        if anew.insert(name) {
+                            let letter = name.trim_end_matches('x').strip_suffix('_').unwrap_or(name);
+                            learnt.renewed.insert((number, letter.to_string()));
+                        }
+                    }
+                }
+                _ => {}
+            }
+        }
+        *learnt != before
     }
 
     /// Line of the document, from 1, where some words stand. 0 where there are none.
@@ -156,6 +236,8 @@ struct Sheet {
     general: BTreeSet<String>,
     /// Lines so far.
     count: usize,
+    /// Lines of the document that waited for a name.
+    waited: BTreeSet<usize>,
     /// Lines with a name that a later line may define.
     waiting: Vec<(pieces::Statement, names::Unknown)>,
     /// Lines of the document that say something, in order of appearance.
@@ -225,6 +307,7 @@ impl Sheet {
             lines: self.lines,
             free: BTreeSet::new(),
             has_others: false,
+            waited: self.waited,
         }
     }
 }

@@ -33,6 +33,8 @@ pub(super) struct DocumentNames<'a> {
     pub(super) values: Vec<(String, String)>,
     /// The last side of the statement before.
     pub(super) last_side: Vec<Item>,
+    /// The same, also of statements about any row.
+    pub(super) last_general: Vec<Item>,
     /// Does theta_i mean the variable of joint i, also where the table's angle has an offset?
     pub(super) theta_is_variable: bool,
     /// Is the document about other arms too?
@@ -45,6 +47,16 @@ pub(super) struct DocumentNames<'a> {
     pub(super) seen: BTreeSet<String>,
     /// Quantities that the document leaves free.
     pub(super) free: BTreeSet<String>,
+    /// Letters of laws that hold for any quantities.
+    pub(super) generic: BTreeSet<String>,
+    /// Letters that are equal to something of the arm, somewhere in the document.
+    pub(super) concrete: BTreeSet<String>,
+    /// What was learnt when the document was read before.
+    pub(super) learnt: super::Learnt,
+    /// Values under which the statements of a line are said: the line, the variable, its value.
+    pub(super) conditions: Vec<(usize, String, String)>,
+    /// Lines that begin with a condition which this arm does not meet.
+    pub(super) elsewhere: BTreeSet<usize>,
     /// Was theta_i read where the two differ?
     pub(super) theta_differs: std::cell::Cell<bool>,
 }
@@ -60,12 +72,18 @@ impl<'a> DocumentNames<'a> {
             frames: Vec::new(),
             values: Vec::new(),
             last_side: Vec::new(),
+            last_general: Vec::new(),
             theta_is_variable: false,
             has_others: false,
             definable: BTreeSet::new(),
             aliens: BTreeSet::new(),
             seen: BTreeSet::new(),
             free: BTreeSet::new(),
+            generic: BTreeSet::new(),
+            concrete: BTreeSet::new(),
+            learnt: super::Learnt::default(),
+            conditions: Vec::new(),
+            elsewhere: BTreeSet::new(),
             theta_differs: std::cell::Cell::new(false),
         }
     }

@@ -5,9 +5,9 @@ use super::letter::Letter;
 use super::meaning::formula;
 use super::names::DocumentNames;
 use super::pieces::Statement;
-use super::statements::{is_foreign, is_number, text};
 use super::tables::function;
 use super::transforms;
+use super::values::{is_foreign, is_number, text};
 use super::{Sheet, Word};
 use crate::algebra::{Point, Poly};
 use crate::chain::{Chain, Convention, Handle, Nominal, Role};
@@ -23,6 +23,8 @@ pub(super) struct Census {
     unknown: BTreeMap<String, usize>,
     /// Letters that stand alone on one side of an equation.
     defined: BTreeSet<String>,
+    /// Those that are equal to something of the arm.
+    concrete: BTreeSet<String>,
     /// Quantities of the table that are said to have other values.
     mismatches: BTreeSet<String>,
     /// Statements with frames or rows that the table does not have.
@@ -42,8 +44,18 @@ impl Census {
             [only] if only.sup.is_none() => Letter::of(only).map(|l| l.own()),
             _ => None,
         };
-        if s.sides.len() > 1 {
+        // `l_1 = l_2` and `l_1 > l_2` say what is compared, not what it is
+        let compared = s.sides.iter().all(|side| alone(side).is_some_and(|l| l.contains('_')));
+        if s.sides.len() > 1 && s.relations.contains(&"=") && !compared {
             self.defined.extend(s.sides.iter().filter_map(alone));
+            let known = |side: &Vec<Item>| {
+                let mut all = Vec::new();
+                letters(side, &mut all);
+                all.iter().any(|l| names.meaning(l).is_ok())
+            };
+            if s.sides.iter().any(known) {
+                self.concrete.extend(s.sides.iter().filter_map(alone));
+            }
         }
         // an angle psi of which the cosine is given
         if let [function, only] = s.sides.first().map_or(&[][..], Vec::as_slice)
@@ -70,13 +82,21 @@ impl Census {
     pub(super) fn tell(self, names: &mut DocumentNames<'_>) {
         names.has_others = self.has_others();
         names.definable = self.defined;
+        names.concrete = self.concrete;
     }
 }
 
 /// All letters of a formula.
 fn letters(items: &[Item], out: &mut Vec<Letter>) {
-    for item in items {
+    for (k, item) in items.iter().enumerate() {
         match &item.kind {
+            // c alpha, c(alpha): the cosine
+            ItemKind::Name(n)
+                if matches!(n.as_str(), "c" | "s" | "C" | "S")
+                    && item.sub.is_none()
+                    && items
+                        .get(k + 1)
+                        .is_some_and(|i| i.is('(') || matches!(i.kind, ItemKind::Name(_) | ItemKind::Group(_))) => {}
             ItemKind::Name(n) => {
                 let mark = matches!(n.as_str(), "partial" | "prime" | "T" | "A" | "R" | "P" | "J" | "?");
                 if !mark && function(n).is_none() && transforms::motion(item).is_none() {
@@ -103,13 +123,18 @@ impl Statement {
         self.sides.iter().for_each(|s| letters(s, &mut all));
         let mut out: Vec<Letter> = Vec::new();
         for l in all {
-            // c alpha: a letter for the cosine
-            let short = matches!(l.stem.as_str(), "c" | "s" | "C" | "S") && l.index.is_empty();
-            if !short && !l.is_general() && names.meaning(&l).is_err() && !out.contains(&l) {
+            if !l.is_general() && names.meaning(&l).is_err() && !out.contains(&l) {
                 out.push(l);
             }
         }
         out
+    }
+
+    /// Does the right side speak of row i, whichever it is?
+    pub(super) fn is_of_any_row(&self) -> bool {
+        let mut all = Vec::new();
+        letters(self.sides.last().map_or(&[][..], Vec::as_slice), &mut all);
+        all.iter().any(Letter::is_general)
     }
 
     /// Points of frames, functions without a formula, frames without a transform, questions: nothing about this arm.
@@ -138,6 +163,9 @@ impl Statement {
         let missing = |l: &Letter| length(l) && !names.definable.contains(&l.own());
         let alien = |l: &Letter| names.aliens.contains(&l.own()) || missing(l);
         let mut about = unknown.iter().any(|l| own.as_ref() != Some(l) && alien(l));
+        // a number for a letter of another arm
+        about |= own.as_ref().is_some_and(|l| names.aliens.contains(&l.own()))
+            && self.sides.iter().skip(1).all(|s| formula(s, names).is_ok_and(|w| is_number(&w)));
         about |= self.sides.iter().filter_map(|s| formula(s, names).ok()).any(|w| is_foreign(&w, names));
         if about {
             names.aliens.extend(unknown.iter().map(Letter::own));
@@ -170,8 +198,14 @@ impl Statement {
     /// A number for a quantity that is a symbol in the table, by the name of its cell: `a_1 = 30` where this is l1.
     pub(super) fn gives_symbol(&self, sides: &[Vec<Word>], names: &DocumentNames<'_>) -> bool {
         let Some((last, all)) = sides.split_last() else { return false };
-        let symbolic = |s: &Vec<Word>| matches!(s.as_slice(), [only] if cell(names.chain, &only.token.text).is_some() && table_number(names.chain, &only.token.text).is_none());
-        let parameter = |s: &Vec<Word>| matches!(s.as_slice(), [only] if cell(names.chain, &only.token.text).is_some());
+        let declared = |n: &str| {
+            names.chain.parameters.iter().any(|p| p.declared && p.name == n && matches!(p.role, Role::Field(None)))
+        };
+        let of_cell = |n: &str| cell(names.chain, n).is_some();
+        // one declared quantity alone is given a value; several are a case
+        let symbolic = |s: &Vec<Word>| matches!(s.as_slice(), [only] if of_cell(&only.token.text) && table_number(names.chain, &only.token.text).is_none() || all.len() > 1 && declared(&only.token.text));
+        let parameter =
+            |s: &Vec<Word>| matches!(s.as_slice(), [only] if of_cell(&only.token.text) || declared(&only.token.text));
         is_number(last) && all.iter().all(parameter) && all.iter().any(symbolic)
     }
 
@@ -213,6 +247,23 @@ impl Statement {
         Some(rest)
     }
 
+    /// Nothing but letters without a meaning in the table: `a \cos\theta + b \sin\theta = c`.
+    pub(super) fn is_abstract(&self, names: &DocumentNames<'_>) -> bool {
+        let mut all = Vec::new();
+        self.sides.iter().for_each(|s| letters(s, &mut all));
+        let own = |l: &Letter| {
+            names.generic.contains(&l.own())
+                || is_plain(l, names) && names.meaning(l).map_or(true, |n| names.free.contains(&n))
+        };
+        !all.is_empty() && all.iter().all(own)
+    }
+
+    /// Is it said for any quantities? It is, if the document nowhere says what its letters are in this arm, or if what it says does not fit.
+    pub(super) fn is_law(&self, names: &DocumentNames<'_>) -> bool {
+        let unknown = self.unknown_letters(names);
+        names.learnt.laws.contains(&self.line) || !unknown.iter().any(|l| names.concrete.contains(&l.own()))
+    }
+
     /// A letter becomes a quantity of its own.
     pub(super) fn free(&self, letter: &Letter, names: &mut DocumentNames<'_>, sheet: &mut Sheet) {
         let kind = if names.is_angle(letter) { "angle" } else { "length" };
@@ -224,32 +275,31 @@ impl Statement {
     /// At the end of a document, letters that nothing defines are free; a letter that stands alone on the right has the value of the left.
     pub(super) fn tell_free(&self, names: &mut DocumentNames<'_>, sheet: &mut Sheet) -> bool {
         let unknown = self.unknown_letters(names);
-        let plain = |l: &Letter| {
-            l.frame.is_empty() && l.index.is_empty() && l.primes == 0 && l.stem.len() == 1
-                || names.is_angle(l) && l.index.is_empty()
-        };
-        if unknown.is_empty() || !unknown.iter().all(plain) || self.relations.iter().any(|r| *r != "=") {
+        if unknown.is_empty() || !unknown.iter().all(|l| is_plain(l, names)) || self.relations.iter().any(|r| *r != "=")
+        {
             return false;
         }
-        let alone = match self.sides.as_slice() {
-            [_, right] => match right.as_slice() {
-                [only] if only.sup.is_none() => Letter::of(only).filter(|l| unknown.contains(l)),
-                _ => None,
-            },
-            _ => None,
+        if self.is_abstract(names) {
+            names.generic.extend(unknown.iter().map(Letter::own));
+        }
+        let alone_in = |side: usize, other: usize| {
+            let [only] = self.sides.get(side)?.as_slice() else { return None };
+            let letter = Letter::of(only).filter(|l| only.sup.is_none() && unknown.contains(l))?;
+            let mut rest = Vec::new();
+            letters(self.sides.get(other)?, &mut rest);
+            (self.sides.len() == 2 && !rest.contains(&letter)).then_some(letter)
         };
-        let alone = alone.filter(|l| {
-            let mut left = Vec::new();
-            letters(self.sides.first().map_or(&[][..], Vec::as_slice), &mut left);
-            !left.contains(l)
-        });
+        let leads = alone_in(0, 1);
+        let alone = if leads.is_some() { leads.clone() } else { alone_in(1, 0) };
         for l in unknown.iter().filter(|l| alone.as_ref() != Some(l)) {
             self.free(l, names, sheet);
         }
         match alone {
             Some(letter) => {
                 let mut turned = self.clone();
-                turned.sides.reverse();
+                if leads.is_none() {
+                    turned.sides.reverse();
+                }
                 turned.define(&letter, names, sheet);
             }
             None => self.tell_now(names, sheet),
@@ -292,6 +342,12 @@ impl Statement {
     }
 }
 
+/// A letter without an index, such as people take for any quantity.
+fn is_plain(l: &Letter, names: &DocumentNames<'_>) -> bool {
+    let single = l.stem.len() == 1 && l.frame.is_empty() && l.primes == 0;
+    l.index.is_empty() && (single || names.is_angle(l))
+}
+
 /// The terms of a sum with their signs.
 fn terms(side: &[Item]) -> Vec<(bool, Vec<Item>)> {
     let mut out = vec![(false, Vec::new())];
@@ -316,7 +372,7 @@ fn is_bare_function(side: &[Item]) -> bool {
     letter && open.is('(') && close.is(')') && super::brackets::closing(side, 1) == Some(side.len() - 1)
 }
 
-fn number(words: &[Word]) -> Option<f64> {
+pub(super) fn number(words: &[Word]) -> Option<f64> {
     let (sign, w) = match words {
         [w] => (1.0, w),
         [m, w] if m.token.is("-") => (-1.0, w),
@@ -353,7 +409,7 @@ fn cell<'a>(chain: &'a Chain, name: &str) -> Option<Cell<'a>> {
 }
 
 /// The number that the table has there; `None` where it has none.
-fn table_number(chain: &Chain, name: &str) -> Option<f64> {
+pub(super) fn table_number(chain: &Chain, name: &str) -> Option<f64> {
     let constant = |s: crate::algebra::Symbol| {
         let p = chain.parameters.iter().find(|p| p.handle == Handle::Length(s));
         match p.map(|p| &p.role) {

@@ -10,8 +10,10 @@ use super::reader::items;
 use super::regions::LONGEST;
 use super::regions::Region;
 use super::transforms;
+use super::values::{
+    declare_general, declare_velocities, is_foreign, is_general_value, is_instance, is_measured, is_number, text,
+};
 use super::{Sheet, Word};
-use crate::verify::language::TokenKind;
 
 /// Reads a stretch of formulas.
 pub(super) fn read(region: &Region, names: &mut DocumentNames<'_>, sheet: &mut Sheet) {
@@ -22,8 +24,10 @@ pub(super) fn read(region: &Region, names: &mut DocumentNames<'_>, sheet: &mut S
     }
     let items = items(&region.text, region.plain, names);
     let mut before: Vec<Item> = Vec::new();
+    let mut any = false;
     for row in rows(items) {
         let parts = pieces(&row, region.loose);
+        any |= !parts.is_empty();
         // laws of mechanics side by side
         let general = parts.iter().any(Statement::is_general);
         for mut statement in parts {
@@ -31,12 +35,21 @@ pub(super) fn read(region: &Region, names: &mut DocumentNames<'_>, sheet: &mut S
                 *side = prepared(std::mem::take(side), names);
             }
             // `= B` in a display of its own continues the one before
+            let general_row = statement.is_of_any_row();
             if let Some(first) = statement.sides.first_mut().filter(|s| s.is_empty()) {
-                let last = if before.is_empty() { &names.last_side } else { &before };
+                let last = match (before.is_empty(), general_row) {
+                    (false, _) => &before,
+                    (true, true) => &names.last_general,
+                    (true, false) => &names.last_side,
+                };
                 first.clone_from(last);
             }
             before = statement.sides.last().cloned().unwrap_or_default();
-            names.last_side.clone_from(&before);
+            // what is said of any row goes on with what is said of any row
+            names.last_general.clone_from(&before);
+            if !statement.is_of_any_row() {
+                names.last_side.clone_from(&before);
+            }
             let raw: String =
                 region.text.iter().filter(|t| t.1 == statement.line && t.0 != '\n').map(|t| t.0).collect();
             statement.loose = region.loose;
@@ -48,6 +61,12 @@ pub(super) fn read(region: &Region, names: &mut DocumentNames<'_>, sheet: &mut S
                 statement.tell(names, sheet);
             }
         }
+    }
+    // an equation inside of braces, say
+    if !any && !region.plain && !region.loose && region.text.iter().any(|t| t.0 == '=') {
+        let line = region.text.first().map_or(0, |t| t.1);
+        let raw: String = region.text.iter().take(LONGEST).map(|t| t.0).collect();
+        sheet.refuse(raw.trim(), line, "no equation is found in this formula".into());
     }
 }
 
@@ -105,25 +124,6 @@ pub(super) fn finish(names: &mut DocumentNames<'_>, sheet: &mut Sheet) {
 /// Lines that may wait for a name.
 const MOST_WAITING: usize = 60;
 
-/// Is a formula nothing but numbers, one of them with decimals, or a number that no formula comes out as by itself?
-fn is_measured(words: &[Word]) -> bool {
-    let number = |w: &Word| w.token.text.starts_with(|c: char| c.is_ascii_digit());
-    let mark = |w: &Word| "[](),;-+".contains(w.token.text.as_str());
-    let large = matches!(words, [w] if w.token.text.parse::<u32>().is_ok_and(|n| n > 1));
-    words.iter().all(|w| number(w) || mark(w))
-        && (large || words.iter().any(|w| number(w) && has_decimals(&w.token.text)))
-}
-
-/// Is it one number, with its sign?
-pub(super) fn is_number(words: &[Word]) -> bool {
-    let rest = if words.first().is_some_and(|w| w.token.is("-")) { &words[1..] } else { words };
-    matches!(rest, [w] if w.token.text.starts_with(|c: char| c.is_ascii_digit()))
-}
-
-pub(super) fn text(words: &[Word]) -> String {
-    words.iter().map(|w| w.token.text.as_str()).collect::<Vec<_>>().join(" ")
-}
-
 impl Statement {
     /// The words of all sides.
     pub(super) fn words(&self, names: &DocumentNames<'_>) -> Result<Vec<Vec<Word>>, Unknown> {
@@ -136,12 +136,18 @@ impl Statement {
             [only] if only.sup.is_none() && only.before_sub.is_none() => Letter::of(only)?,
             _ => return None,
         };
-        let free = names.meaning(&first).is_err() && transforms::read(self.sides.first()?.first()?, names).is_none();
+        let open = match names.meaning(&first) {
+            // what is left free, or defined for a law in general, may be said of this arm later
+            Ok(name) => names.free.contains(&name) || names.generic.contains(&first.own()) && !self.is_abstract(names),
+            Err(_) => true,
+        };
+        let free = open && transforms::read(self.sides.first()?.first()?, names).is_none();
         (free && self.relations.first() == Some(&"=") && !first.is_general()).then_some(first)
     }
 
     pub(super) fn tell(&self, names: &mut DocumentNames<'_>, sheet: &mut Sheet) {
         if self.is_condition(names) {
+            self.take_condition(names);
             if self.marked {
                 sheet.remark(&self.raw, self.line);
             }
@@ -185,6 +191,9 @@ impl Statement {
             return sheet.remark(&self.raw, self.line);
         }
         if self.sides.iter().flatten().any(|i| matches!(i.kind, ItemKind::Cases(_))) {
+            if self.is_about_others(names, sheet) {
+                return;
+            }
             return self.cases(names, sheet);
         }
         if self.gives_function(names, sheet) {
@@ -207,9 +216,19 @@ impl Statement {
         if self.is_about_others(names, sheet) {
             return;
         }
+        if self.is_case(names) || self.loose && names.elsewhere.contains(&self.line) {
+            return sheet.remark(&self.raw, self.line);
+        }
+        if let Some(letter) = self.renewed(names) {
+            return self.define(&letter, names, sheet);
+        }
         self.gives_coefficients(names, sheet);
+        if self.marked && self.is_abstract(names) && self.is_law(names) && self.tell_free(names, sheet) {
+            return;
+        }
         if let Some(unknown) = self.missing(names).filter(|_| sheet.waiting.len() < MOST_WAITING) {
             sheet.waiting.push((self.clone(), unknown));
+            sheet.waited.insert(self.line);
             return;
         }
         self.tell_now(names, sheet);
@@ -414,6 +433,9 @@ impl Statement {
             declare_general(s, sheet);
             declare_velocities(s, sheet);
         }
+        if let Some(both) = self.under_conditions(&sides, names) {
+            return both.into_iter().for_each(|line| sheet.put(line));
+        }
         let measured: Vec<bool> = sides.iter().map(|s| !names.values.is_empty() && is_measured(s)).collect();
         let mut line: Vec<Word> = Vec::new();
         for (k, side) in sides.into_iter().enumerate() {
@@ -429,77 +451,4 @@ impl Statement {
         }
         sheet.put(line);
     }
-}
-
-/// Quantities of any row get a name of their own before they are used.
-pub(super) fn declare_general(words: &[Word], sheet: &mut Sheet) {
-    for w in words {
-        let t = w.token.text.as_str();
-        let kind = match t.split_once('_') {
-            Some(("alpha" | "theta", i)) if i.starts_with(['i', 'j', 'k', 'n']) => "angle",
-            Some(("a" | "d", i)) if i.starts_with(['i', 'j', 'k', 'n']) => "length",
-            _ => continue,
-        };
-        if sheet.general.insert(t.to_string()) {
-            sheet.put(["let", t, ":", kind].iter().map(|x| Word::new(x, w.line)).collect());
-        }
-    }
-}
-
-/// Velocities of joints get a name of their own before they are used.
-pub(super) fn declare_velocities(words: &[Word], sheet: &mut Sheet) {
-    for w in words {
-        let t = w.token.text.as_str();
-        if t.starts_with('q') && t.ends_with("_dot") && sheet.general.insert(t.to_string()) {
-            sheet.put(["let", t, ":", "length"].iter().map(|x| Word::new(x, w.line)).collect());
-        }
-    }
-}
-
-/// Does a formula name frames or rows that the table does not have? Then it speaks of another arm.
-pub(super) fn is_foreign(words: &[Word], names: &DocumentNames<'_>) -> bool {
-    let n = names.chain.links.len();
-    let number = |w: &Word| w.token.text.parse::<usize>().ok();
-    let frames = words.windows(5).any(|w| {
-        w[0].token.text == "T" && w[1].token.is("(") && [&w[2], &w[4]].iter().any(|k| number(k).is_some_and(|k| k > n))
-    });
-    frames
-        || words.iter().any(|w| {
-            let t = w.token.text.as_str();
-            let at = t.find(|c: char| c.is_ascii_digit()).unwrap_or(t.len());
-            let (stem, digits) = t.split_at(at);
-            let declared = names.chain.parameters.iter().any(|p| p.declared && p.name == t);
-            !declared
-                && matches!(stem, "a" | "d" | "alpha" | "theta" | "q")
-                && digits.parse::<usize>().is_ok_and(|k| k > n)
-        })
-}
-
-/// `a_n = 0`: the convention for the last frame of any arm.
-fn is_general_value(left: &[Word], right: &[Word]) -> bool {
-    let general = |w: &Word| {
-        let (stem, index) = w.token.text.split_once('_').unwrap_or_default();
-        matches!(stem, "a" | "d" | "alpha" | "theta") && index.starts_with(['i', 'j', 'k', 'n'])
-    };
-    matches!(left, [only] if general(only)) && is_number(right)
-}
-
-/// A measured number that a formula of the joints is said to have: true at one pose, and no identity.
-fn is_instance(left: &[Word], right: &[Word]) -> bool {
-    let exact = |w: &[Word]| !w.iter().any(|w| has_decimals(&w.token.text) || w.token.text.ends_with("deg"));
-    let measured = |w: &[Word]| (is_measured(w) || is_number(w)) && !exact(w);
-    let of_table = |w: &Word| {
-        let t = w.token.text.as_str();
-        let digits = t.trim_start_matches(|c: char| c.is_ascii_alphabetic() || c == '_');
-        let stem = &t[..t.len() - digits.len()];
-        w.token.kind != TokenKind::Name
-            || matches!(stem.trim_end_matches('_'), "a" | "d" | "alpha" | "l" | "L" | "pi" | "sqrt")
-    };
-    let [formula, number] = if measured(right) { [left, right] } else { [right, left] };
-    measured(number) && !formula.iter().all(of_table)
-}
-
-/// Does a number have decimals? `2.0` is the whole number 2.
-fn has_decimals(text: &str) -> bool {
-    text.contains('.') && !text.ends_with(".0")
 }

@@ -63,5 +63,11 @@ fn arguments(items: &[Item], open: usize, names: &DocumentNames<'_>) -> Option<u
             })
     };
     let mut parts = inner.split(|i| i.is(','));
+    // R(\alpha, \beta, \gamma): angles of their own, which `frees_arguments` looks at
+    let euler = |i: &Item| i.is_bare() && matches!(i.name(), Some("alpha" | "beta" | "gamma" | "phi" | "psi"));
+    let rotation = open.checked_sub(1).and_then(|k| items.get(k)).is_some_and(|i| i.name() == Some("R"));
+    if rotation && inner.iter().filter(|i| euler(i)).count() > 1 {
+        return None;
+    }
     parts.all(|p| matches!(p, [only] if variable(only))).then_some(close)
 }
