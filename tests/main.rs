@@ -18,6 +18,7 @@ mod dynamic;
 mod export;
 mod fixtures;
 mod fresh;
+mod fuzz;
 mod gripper;
 mod handwork;
 mod import;
