@@ -200,6 +200,23 @@ fn read_back(tables: impl Iterator<Item = (String, String)>) {
     assert!(lines > 0 && 50 * unclear <= lines, "{unclear} of {lines} lines are not understood");
 }
 
+/// The chapter as it is taught, of every third example: its laws for any quantities and its cases say nothing of the arm that is wrong.
+#[test]
+fn chapters_are_read_back() {
+    let (mut lines, mut unclear) = (0, 0);
+    for source in source::all().unwrap().iter().step_by(3) {
+        let chain = chain(&source.body);
+        let note = notes(&chain, &Options { parts: Part::CHAPTER.to_vec(), ..Options::default() });
+        let (claims, report) = judged(&chain, &note.print(Format::Markdown));
+        // the determinant of a coupled arm is printed for its joints
+        let of_joints = usize::from(!chain.is_direct());
+        let (wrong, open) = faults(&report);
+        assert!(wrong <= of_joints, "{}:\n{}", source.module, document_text(&report, &claims));
+        (lines, unclear) = (lines + report.verdicts.len(), unclear + open);
+    }
+    assert!(lines > 500 && 25 * unclear <= lines, "{unclear} of {lines} lines are not understood");
+}
+
 #[test]
 fn notes_of_other_tables_are_read_back() {
     use crate::handwork::tables;

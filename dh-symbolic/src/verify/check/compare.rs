@@ -248,7 +248,7 @@ enum Sign {
 }
 
 /// The rotation of a transform without translation, where the other side is 3x3.
-fn without_translation(m: Matrix, other: &Matrix) -> Matrix {
+pub(super) fn without_translation(m: Matrix, other: &Matrix) -> Matrix {
     let pure = m.is_homogeneous() && other.is(3, 3) && (0..3).all(|i| m.at(i, 3).is_zero());
     if pure { m.block(3, 0..3) } else { m }
 }

@@ -47,6 +47,13 @@ impl Statement {
             }
             return;
         }
+        // a letter of the document: what follows is said of this case of its law
+        if let Some([only]) = self.sides.first().map(Vec::as_slice)
+            && Letter::of(only).is_some_and(|l| l.index.is_empty() && names.is_given(&l))
+        {
+            names.elsewhere.insert(self.line);
+            return;
+        }
         let own: Vec<_> = values.into_iter().filter(|v| variable(v.0)).collect();
         names.conditions.retain(|c| c.0 == self.line && own.iter().all(|o| *o.0 != c.1));
         names.conditions.extend(own.iter().map(|(n, v)| (self.line, n.to_string(), v.clone())));

@@ -210,12 +210,36 @@ impl Statement {
     }
 
     /// A matrix of names on the right: each is from now on that entry of the left side.
+    ///
+    /// In `M = [names] = B` too.
     pub(super) fn names_entries(&self, names: &mut DocumentNames<'_>) -> bool {
+        if let [first, middle, _] = self.sides.as_slice()
+            && let [Item { kind: ItemKind::Matrix(_), .. }] = middle.as_slice()
+        {
+            let mut head = self.clone();
+            head.sides = vec![first.clone(), middle.clone()];
+            head.relations.truncate(1);
+            if head.names_entries(names) {
+                return true;
+            }
+        }
         let Some([Item { kind: ItemKind::Matrix(rows), .. }]) = self.sides.last().map(Vec::as_slice) else {
             return self.names_entries_in_brackets(names);
         };
         let cells: Vec<Vec<&[Item]>> = rows.iter().map(|r| r.iter().map(Vec::as_slice).collect()).collect();
         self.bind_entries(&cells, names)
+    }
+
+    /// Is it a matrix of nothing but names of entries? In brackets of plain text, it stands last.
+    pub(super) fn is_matrix_of_names(&self, side: &[Item], names: &DocumentNames<'_>) -> bool {
+        let entry = |cell: &Vec<Item>| match cell.as_slice() {
+            [only] => Letter::of(only).is_some_and(|l| names.meaning(&l).is_ok_and(|m| m.contains(" . "))),
+            _ => false,
+        };
+        match side {
+            [Item { kind: ItemKind::Matrix(rows), .. }] => rows.iter().flatten().filter(|c| entry(c)).count() >= 9,
+            _ => true,
+        }
     }
 
     /// The same for `[a, b; c, d]` of plain text.
@@ -248,7 +272,23 @@ impl Statement {
         let nameable = |l: &Letter| {
             matches!(
                 l.stem.as_str(),
-                "r" | "p" | "n" | "o" | "a" | "t" | "x" | "y" | "z" | "g" | "h" | "u" | "v" | "w" | "px" | "py" | "pz"
+                "r" | "p"
+                    | "m"
+                    | "n"
+                    | "o"
+                    | "a"
+                    | "t"
+                    | "x"
+                    | "y"
+                    | "z"
+                    | "g"
+                    | "h"
+                    | "u"
+                    | "v"
+                    | "w"
+                    | "px"
+                    | "py"
+                    | "pz"
             ) && !l.is_general()
                 && names.meaning(l).map_or(true, |m| {
                     m.contains(" . ")

@@ -123,9 +123,17 @@ impl DocumentClaims {
     /// Of lines with quantities that the document leaves free, those that do not hold for all of them say something of the free ones.
     pub(super) fn forgive(&self, report: &mut crate::verify::check::Report) {
         use crate::verify::check::Verdict;
+        let laws = self.names_of_laws();
         for (line, verdict) in self.derivation.lines.iter().zip(&mut report.verdicts) {
             let words = self.derivation.tokens.get(line.place.clone()).unwrap_or_default();
             let near = words.iter().any(|t| t.is("~"));
+            // what holds of no quantity of the arm is nothing that is said of it
+            let name = |t: &&Token| t.kind == TokenKind::Name && !is_function(&t.text);
+            let of_law = words.iter().any(|t| laws.contains(&t.text))
+                && words.iter().filter(name).all(|t| laws.contains(&t.text));
+            if of_law && matches!(verdict, Verdict::Wrong(_) | Verdict::NotUnderstood(..)) {
+                *verdict = Verdict::Noted;
+            }
             if let Verdict::NotUnderstood(n, _) = verdict {
                 // an example in numbers, of which the document does not give all
                 if self.has_others && near && n.why.contains(crate::verify::check::NO_VALUE) {
@@ -136,7 +144,6 @@ impl DocumentClaims {
             let Verdict::Wrong(faults) = verdict else { continue };
             let slip = faults.iter().all(|f| f.repair.is_some());
             let free = words.iter().find(|t| self.free.contains(&t.text));
-            let name = |t: &&Token| t.kind == TokenKind::Name;
             if self.has_others && near {
                 let why = "numbers that do not fit the given values: of another arm of this document?".to_string();
                 *verdict = Verdict::NotUnderstood(NotUnderstood { place: line.place.clone(), why }, None);
@@ -153,6 +160,20 @@ impl DocumentClaims {
                 *verdict = Verdict::NotUnderstood(NotUnderstood { place: line.place.clone(), why }, None);
             }
         }
+    }
+
+    /// Names of laws for any quantities: those that are left free, and what is defined by nothing else.
+    fn names_of_laws(&self) -> BTreeSet<String> {
+        let mut laws = self.free.clone();
+        for line in &self.derivation.lines {
+            let Statement::Define(name, value) = &line.statement else { continue };
+            let words = self.derivation.tokens.get(value.place.clone()).unwrap_or_default();
+            let mut names = words.iter().filter(|t| t.kind == TokenKind::Name && !is_function(&t.text)).peekable();
+            if names.peek().is_some() && names.all(|t| laws.contains(&t.text)) {
+                laws.insert(name.clone());
+            }
+        }
+        laws
     }
 
     /// What the verdicts show of the meaning of letters: a letter of the document that is equal to something quite different further down, and
@@ -201,6 +222,14 @@ impl DocumentClaims {
     pub fn line(&self, place: &Place) -> usize {
         self.lines.get(place.start).or(self.lines.last()).copied().unwrap_or(0)
     }
+}
+
+/// Is it the name of a function?
+fn is_function(name: &str) -> bool {
+    matches!(
+        name,
+        "cos" | "sin" | "tan" | "atan2" | "atan" | "acos" | "asin" | "sqrt" | "let" | "or" | "if" | "at" | "pi"
+    )
 }
 
 /// Largest document, in bytes, and most formulas in it.

@@ -137,6 +137,14 @@ impl Statement {
         all.iter().any(Letter::is_general)
     }
 
+    /// `Q_i = R_x(\alpha_{i-1}) ...`: a name for something of any row.
+    pub(super) fn names_any_row(&self, names: &DocumentNames<'_>) -> bool {
+        let [left, _] = self.sides.as_slice() else { return false };
+        let [only] = left.as_slice() else { return false };
+        let letter = Letter::of(only).filter(|l| l.is_general() && names.meaning(l).is_err());
+        letter.is_some() && transforms::read(only, names).is_none() && self.is_of_any_row()
+    }
+
     /// Points of frames, functions without a formula, frames without a transform, questions: nothing about this arm.
     pub(super) fn is_elsewhere(&self, names: &DocumentNames<'_>) -> bool {
         let point = |i: &Item| {

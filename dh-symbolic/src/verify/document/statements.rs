@@ -11,7 +11,8 @@ use super::regions::LONGEST;
 use super::regions::Region;
 use super::transforms;
 use super::values::{
-    declare_general, declare_velocities, is_foreign, is_general_value, is_instance, is_measured, is_number, text,
+    declare_general, declare_velocities, is_foreign, is_general_value, is_instance, is_measured, is_number,
+    is_numeric_equation, text,
 };
 use super::{Sheet, Word};
 
@@ -153,7 +154,12 @@ impl Statement {
             }
             return;
         }
-        if self.is_legend(names) || self.is_index() || self.is_pattern() || self.is_general() || self.is_velocity_law()
+        if self.is_legend(names)
+            || self.names_any_row(names)
+            || self.is_index()
+            || self.is_pattern()
+            || self.is_general()
+            || self.is_velocity_law()
         {
             return sheet.remark(&self.raw, self.line);
         }
@@ -183,8 +189,10 @@ impl Statement {
             }
             // T = A B = [names]: the product is still a claim
             let mut rest = self.clone();
-            rest.sides.pop();
-            rest.relations.pop();
+            let last = self.sides.last().is_some_and(|s| self.is_matrix_of_names(s, names));
+            let gone = if last { self.sides.len() - 1 } else { 1 };
+            rest.sides.remove(gone);
+            rest.relations.remove(gone - 1);
             return rest.tell(names, sheet);
         }
         if self.gives_pose(names) || self.defines_frame(names) {
@@ -418,7 +426,9 @@ impl Statement {
         }
         if let [left, right] = sides.as_slice()
             && self.relations.first() == Some(&"=")
-            && (is_general_value(left, right) || names.values.is_empty() && is_instance(left, right))
+            && (is_general_value(left, right)
+                || is_numeric_equation(left, right)
+                || names.values.is_empty() && is_instance(left, right))
         {
             return sheet.remark(&self.raw, self.line);
         }

@@ -67,6 +67,13 @@ pub(super) fn is_foreign(words: &[Word], names: &DocumentNames<'_>) -> bool {
         })
 }
 
+/// `-0.344 u^2 + u - 0.391 = 0`: an equation in numbers, which says at which values it holds.
+pub(super) fn is_numeric_equation(left: &[Word], right: &[Word]) -> bool {
+    let rounded = |w: &Word| w.token.text.split_once('.').is_some_and(|(_, d)| d.len() >= 4);
+    let letter = |w: &Word| w.token.kind == TokenKind::Name;
+    text(right) == "0" && left.iter().any(rounded) && left.iter().any(letter)
+}
+
 /// `a_n = 0`: the convention for the last frame of any arm.
 pub(super) fn is_general_value(left: &[Word], right: &[Word]) -> bool {
     let general = |w: &Word| {

@@ -34,7 +34,9 @@
 //! | `cos(q2 + q3)` `sin` `tan` | of any angle; `cos(u, v)` of two unit vectors is the cosine of the angle between them |
 //! | `atan2(y, x)` `acos` `asin` `atan` `sqrt` | angles by their ratio; angles are compared modulo a whole turn. A square root is never negative: where that decides, the verdict says under which condition the line holds |
 //! | `T(i,j)` | frame j seen from frame i, 4x4, product of the rows without `base` and `tool`; for i > j the inverse. `A(i)` is T(i-1,i) |
-//! | `J` `J(k)` `J(i,k)` | the geometric Jacobian (rows 1 to 3 linear, 4 to 6 angular, base axes, at the last frame or tool), its columns and entries |
+//! | `J` `J(k)` `J(i,k)` | the geometric Jacobian (rows 1 to 3 linear, 4 to 6 angular, base axes, at the last frame or tool), its columns and entries. After a line that sets it equal to a written matrix with fewer rows, those of its rows that fit; before one, `det(J)` takes the rows of the task, or those that move |
+//! | `Jv` `Jw` | its linear rows, its angular rows |
+//! | `rows(M, 1, 2, 6)` | these rows of a matrix, in this order |
 //! | `base` `tool` `I3` `I4` | the constant transforms of the table; identity matrices |
 //! | `.r11` ... `.r33` `.px` `.py` `.pz` | entries of a transform |
 //! | `.p` `.R` `.x` `.y` `.z` `.t` | position (3x1), rotation (3x3), columns (3x1), transpose; `.x` of a 3x1 is its first entry |

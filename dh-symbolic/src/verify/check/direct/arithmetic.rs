@@ -34,6 +34,12 @@ pub(super) fn multiplied(a: Direct, b: Direct) -> Option<Direct> {
         (Direct::Matrix(m), Direct::Matrix(n)) if (m.rows(), m.columns, n.rows(), n.columns) == (4, 4, 3, 1) => {
             Some(Direct::Matrix(m.times(&n.homogeneous())))
         }
+        (Direct::Matrix(m), Direct::Matrix(n)) if (m.rows(), n.rows(), n.columns) == (4, 3, 3) => {
+            Some(Direct::Matrix(m.rotation()?.times(&n)))
+        }
+        (Direct::Matrix(m), Direct::Matrix(n)) if (m.rows(), m.columns, n.rows()) == (3, 3, 4) => {
+            Some(Direct::Matrix(m.times(&n.rotation()?)))
+        }
         (Direct::Matrix(m), Direct::Matrix(n)) => (m.columns == n.rows()).then(|| Direct::Matrix(m.times(&n))),
     }
 }

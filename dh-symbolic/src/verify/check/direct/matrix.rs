@@ -71,6 +71,12 @@ impl Rows {
         Rows::by(self.rows(), other.columns, |i, j| (0..self.columns).map(|k| self.at(i, k) * other.at(k, j)).sum())
     }
 
+    /// The 3x3 part of a transform without a translation.
+    pub(super) fn rotation(&self) -> Option<Rows> {
+        let pure = self.rows() == 4 && self.columns == 4 && (0..3).all(|i| self.at(i, 3) == 0.0);
+        pure.then(|| Rows::by(3, 3, |i, j| self.at(i, j)))
+    }
+
     /// The inverse of a rotation with a translation.
     pub(super) fn rigid_inverse(&self) -> Rows {
         let entry = |i: usize, j: usize| match (i, j) {

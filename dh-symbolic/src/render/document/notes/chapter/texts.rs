@@ -111,8 +111,8 @@ impl NotesWriter<'_> {
         );
         self.title(2, "a cos + b sin = c", "a cos + b sin = c");
         self.tell_both(
-            "With the polar form $a = \\rho\\cos\\phi$, $b = \\rho\\sin\\phi$, that is $\\rho = \\sqrt{a^2 + b^2}$ and $\\phi = \\atan2(b,a)$, the left side is $\\rho\\cos(\\theta - \\phi)$. So $\\cos(\\theta - \\phi) = \\frac{c}{\\rho}$, and",
-            "令 $a = \\rho\\cos\\phi$，$b = \\rho\\sin\\phi$，即 $\\rho = \\sqrt{a^2 + b^2}$，$\\phi = \\atan2(b,a)$，则左边为 $\\rho\\cos(\\theta - \\phi)$，故 $\\cos(\\theta - \\phi) = \\frac{c}{\\rho}$，于是",
+            "With the polar form $a = \\rho\\cos\\eta$, $b = \\rho\\sin\\eta$, that is $\\rho = \\sqrt{a^2 + b^2}$ and $\\eta = \\atan2(b,a)$, the left side is $\\rho\\cos(\\theta - \\eta)$. So $\\cos(\\theta - \\eta) = \\frac{c}{\\rho}$, and",
+            "令 $a = \\rho\\cos\\eta$，$b = \\rho\\sin\\eta$，即 $\\rho = \\sqrt{a^2 + b^2}$，$\\eta = \\atan2(b,a)$，则左边为 $\\rho\\cos(\\theta - \\eta)$，故 $\\cos(\\theta - \\eta) = \\frac{c}{\\rho}$，于是",
             &[],
         );
         self.show_numbered("\\theta = \\atan2(b,a) \\pm \\atan2(\\sqrt{a^2 + b^2 - c^2},c)", &[]);

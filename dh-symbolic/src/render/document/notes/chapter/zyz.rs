@@ -124,12 +124,12 @@ impl NotesWriter<'_> {
         self.points(
             &[
                 (
-                    "If $\\beta$ is $0\\deg$, the axes of joints 4 and 6 coincide and only $\\alpha + \\gamma$ is determined. One takes $0\\deg$ for $\\alpha$; then $\\gamma = \\atan2(-m_{12},m_{11})$.",
-                    "若 $\\beta$ 为 $0\\deg$，关节 4、6 的轴线重合，只能确定 $\\alpha + \\gamma$。令 $\\alpha$ 为 $0\\deg$，则 $\\gamma = \\atan2(-m_{12},m_{11})$。",
+                    "If $\\beta = 0\\deg$, the axes of joints 4 and 6 coincide and only $\\alpha + \\gamma$ is determined. One takes $0\\deg$ for $\\alpha$; then $\\gamma = \\atan2(-m_{12},m_{11})$.",
+                    "若 $\\beta = 0\\deg$，关节 4、6 的轴线重合，只能确定 $\\alpha + \\gamma$。令 $\\alpha$ 为 $0\\deg$，则 $\\gamma = \\atan2(-m_{12},m_{11})$。",
                 ),
                 (
-                    "If $\\beta$ is $180\\deg$, only $\\alpha - \\gamma$ is determined. One takes $0\\deg$ for $\\alpha$; then $\\gamma = \\atan2(m_{12},-m_{11})$.",
-                    "若 $\\beta$ 为 $180\\deg$，只能确定 $\\alpha - \\gamma$。令 $\\alpha$ 为 $0\\deg$，则 $\\gamma = \\atan2(m_{12},-m_{11})$。",
+                    "If $\\beta = 180\\deg$, only $\\alpha - \\gamma$ is determined. One takes $0\\deg$ for $\\alpha$; then $\\gamma = \\atan2(m_{12},-m_{11})$.",
+                    "若 $\\beta = 180\\deg$，只能确定 $\\alpha - \\gamma$。令 $\\alpha$ 为 $0\\deg$，则 $\\gamma = \\atan2(m_{12},-m_{11})$。",
                 ),
             ],
             &[],
