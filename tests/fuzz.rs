@@ -191,8 +191,9 @@ fn mutated_documents_are_answered() {
 fn hostile_documents_are_answered() {
     let puma = chain(&std::fs::read_to_string(corpus::folder().join("puma560.dh")).unwrap());
     let nested = |open: &str, close: &str| format!("$$p_x = {}1{}$$\n", open.repeat(12_000), close.repeat(12_000));
-    let growing: String =
-        (b'a'..b'z').map(|c| format!("\\newcommand{{\\m{0}}}{{\\m{1}\\m{1}}}\n", c as char, (c + 1) as char)).collect();
+    let growing: String = (b'a'..=b'y')
+        .map(|c| format!("\\newcommand{{\\m{0}}}{{\\m{1}\\m{1}}}\n", c as char, (c + 1) as char))
+        .collect();
     for text in [
         nested("(", ")"),
         nested("{", "}"),
