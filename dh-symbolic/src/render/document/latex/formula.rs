@@ -45,6 +45,7 @@ fn write(m: &Math, out: &mut String) {
         Math::Row(list) => list.iter().for_each(|x| write(x, out)),
         Math::Letter('∗') => push(out, "\\ast"),
         Math::Letter('Δ') => push(out, "\\Delta"),
+        Math::Letter('∂') => push(out, "\\partial"),
         // The plain commands draw older forms of these two.
         Math::Letter(c @ ('ε' | 'φ')) => push(out, &format!("\\var{}", greek::name(*c).unwrap_or_default())),
         Math::Letter(c) => match greek::name(*c) {

@@ -78,6 +78,7 @@ pub fn notes(chain: &Chain, options: &Options) -> Document {
             Part::Spaces => w.spaces(),
             Part::Solutions => w.solutions_part(start.as_ref().ok()),
             Part::Accuracy => w.accuracy(),
+            Part::Calibration => w.calibration(),
             Part::Methods => w.methods(),
             Part::Planar => w.planar_arm(start.as_ref().ok()),
             Part::Pieper => w.pieper(start.as_ref().ok()),

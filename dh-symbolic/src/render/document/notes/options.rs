@@ -42,13 +42,15 @@ pub enum Part {
     Solutions,
     /// Repeatability and accuracy.
     Accuracy,
+    /// How the pose changes with the cells of the table, and which deviations measured poses can tell apart.
+    Calibration,
     /// The methods that solve equations in sines and cosines, each once.
     Methods,
 }
 
 impl Part {
     /// All parts with their names on the command line.
-    pub const ALL: [(&'static str, Part); 19] = [
+    pub const ALL: [(&'static str, Part); 20] = [
         ("table", Part::Table),
         ("figure", Part::Figure),
         ("links", Part::Links),
@@ -67,6 +69,7 @@ impl Part {
         ("pieper", Part::Pieper),
         ("solutions", Part::Solutions),
         ("accuracy", Part::Accuracy),
+        ("calibration", Part::Calibration),
         ("methods", Part::Methods),
     ];
 
@@ -202,7 +205,7 @@ impl Options {
     /// What the command line of `dh notes` may say, for its help text.
     pub const HELP: &'static str = "  --parts table,links,forward,...    parts in this order: table figure links forward jacobian singular workspace inverse example
                                      (`note`), frames elementary conventions directions spaces planar pieper solutions
-                                     accuracy methods (`chapter`: all, as they are taught)
+                                     accuracy methods (`chapter`: all so far, as they are taught), calibration
   --products 0-3,3-6,0-6             which products T(i, j) to form, in this order
   --sines short|long                 c23 or cos(theta2 + theta3)
   --transforms leading|trailing|products   indices before T, behind T, or A1 A2
@@ -315,7 +318,7 @@ mod tests {
         assert!(o.style.long_sines && o.style.radians);
         let mut o = Options::default();
         assert_eq!(o.set("--parts", "chapter"), Ok(true));
-        assert!(Part::ALL.iter().all(|p| o.parts.contains(&p.1)));
+        assert!(Part::ALL.iter().all(|p| o.parts.contains(&p.1) || p.1 == Part::Calibration));
         assert_eq!(o.set("--to", "html"), Ok(false));
         assert!(Options::NAMES.iter().all(|n| o.set(n, "") != Ok(false)));
         for (name, value) in [

@@ -229,3 +229,17 @@ fn equations_have_the_numbers_that_the_code_names() {
         assert_eq!(left(jacobian), Some("J"), "{name}");
     }
 }
+
+#[test]
+fn the_part_about_calibration() {
+    let part = |language, format| {
+        let options = Options { language, parts: vec![Part::Calibration], ..Options::default() };
+        notes(&chain(UR5), &options).print(format)
+    };
+    let text = part(Language::English, Format::Text);
+    assert!(text.contains("Of the 26 deviations") && text.contains("tell 24 apart"), "{text}");
+    assert!(text.contains("∂T/(∂αᵢ)") && text.matches("same as d₂").count() == 2, "{text}");
+    assert!(part(Language::Chinese, Format::Text).contains("26 个偏差中的 24 个"));
+    let latex = part(Language::English, Format::Latex);
+    assert!(latex.contains("\\partial T") && !latex.contains('∂'), "{latex}");
+}

@@ -3,8 +3,10 @@
 //! The steps of the inverse in the other parts follow the plan of the generated code. These parts follow the lecture: general formulas,
 //! then those of the arm, then numbers of the worked example. Their words stand beside their formulas, in both languages.
 
+mod calibration;
 mod choice;
 mod frames;
+mod identifiable;
 mod pieper;
 mod pieper_numbers;
 mod planar;
